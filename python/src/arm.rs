@@ -119,7 +119,10 @@ impl Core {
 
     /// Holds a jog button until it is released, and at most so long.
     fn press(&self, button: &str, speed_percent: f32, at_most_s: f64) -> PyResult<Pending> {
-        let found = button.parse::<Button>().ok().filter(|it| it.moves());
+        let found = button
+            .parse::<Button>()
+            .ok()
+            .filter(|button| button.moves());
         let found = found.ok_or_else(|| {
             PyValueError::new_err(format!(
                 "the button is `{button}`; allowed are x y z base rear fore servo gripper, each with + or - behind it"
@@ -155,7 +158,7 @@ impl Core {
     fn run(&self, program: &Bound<'_, Taught>, times: Option<u64>, from_step: usize) -> Pending {
         self.begin(Operation::Run(Box::new(Run {
             source: Arc::clone(&program.get().source),
-            times: times.map(|it| match it {
+            times: times.map(|time| match time {
                 0 => Times::Forever,
                 count => Times::Count(count),
             }),
@@ -196,7 +199,7 @@ impl Core {
         let faults = read_faults(&faults)?;
         Ok(self.look(move |arm, power_up| {
             let set = arm.set_faults(power_up, &faults, seed);
-            set.map_err(|it| it.to_string())?;
+            set.map_err(|error| error.to_string())?;
             Ok(Outcome::Nothing)
         }))
     }
@@ -286,6 +289,6 @@ struct MoveOptions {
 
 fn mode(path: &str) -> PyResult<MovingMode> {
     let named = path.parse::<PathName>();
-    let named = named.map_err(|it| PyValueError::new_err(format!("path is `{path}`; {it}")));
+    let named = named.map_err(|error| PyValueError::new_err(format!("path is `{path}`; {error}")));
     Ok(named?.0)
 }

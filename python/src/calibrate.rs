@@ -27,7 +27,7 @@ impl Calibrated {
     fn new(py: Python<'_>, touches: Vec<Touched>) -> PyResult<Self> {
         let touches: Vec<Touch> = touches.into_iter().map(touch).collect();
         py.detach(|| {
-            let fit = fit(&touches, TOOL).map_err(|it| value_error(&it))?;
+            let fit = fit(&touches, TOOL).map_err(|error| value_error(&error))?;
             let file = found(&fit, Backlash::default());
             Ok(Self { touches, fit, file })
         })
@@ -50,7 +50,7 @@ impl Calibrated {
     #[getter]
     fn residuals_mm(&self) -> Vec<f64> {
         let all = 0..self.touches.len();
-        all.map(|it| self.fit.residual_mm(it)).collect()
+        all.map(|index| self.fit.residual_mm(index)).collect()
     }
 
     #[getter]
@@ -87,14 +87,14 @@ impl Calibrated {
     fn told_place(&self, x_mm: f64, y_mm: f64, z_mm: f64) -> PyResult<(f64, f64, f64)> {
         let place = Position::new(x_mm, y_mm, z_mm);
         let told = self.fit.arm.told_place(place, TOOL);
-        Ok(numbers(told.map_err(|it| value_error(&it))?))
+        Ok(numbers(told.map_err(|error| value_error(&error))?))
     }
 
     /// Where the tool is when the arm says this place, in mm.
     fn true_place(&self, x_mm: f64, y_mm: f64, z_mm: f64) -> PyResult<(f64, f64, f64)> {
         let place = Position::new(x_mm, y_mm, z_mm);
         let there = self.fit.arm.true_place(place, TOOL);
-        Ok(numbers(there.map_err(|it| value_error(&it))?))
+        Ok(numbers(there.map_err(|error| value_error(&error))?))
     }
 
     fn svg(&self, py: Python<'_>) -> String {

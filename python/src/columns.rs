@@ -38,7 +38,7 @@ impl<'py> Columns<'py> {
 
     /// Whether it is so.
     pub(crate) fn truths(self, name: &str, all: impl Iterator<Item = bool>) -> PyResult<Self> {
-        self.bytes(name, "?", all.map(|it| [u8::from(it)]))
+        self.bytes(name, "?", all.map(|value| [u8::from(value)]))
     }
 
     fn texts(self, name: &str, all: Vec<Option<String>>) -> PyResult<Self> {

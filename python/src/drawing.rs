@@ -48,8 +48,8 @@ impl Lines {
     /// Takes the bytes of points behind those of the line that was begun last: x and y, numbers of eight bytes.
     fn extend(&mut self, bytes: &[u8]) {
         let number = |bytes: &[u8]| bytes.try_into().map_or(f64::NAN, f64::from_le_bytes);
-        let point = |it: &[u8]| {
-            let (x, y) = it.split_at(it.len().min(8));
+        let point = |bytes: &[u8]| {
+            let (x, y) = bytes.split_at(bytes.len().min(8));
             Point::new(number(x), number(y))
         };
         if let Some(line) = self.0.last_mut() {
@@ -94,10 +94,10 @@ impl Drawing {
         };
         py.detach(|| {
             let request = DrawingRequest::new(options, subject, &Materials::built_in());
-            let request = request.map_err(|it| refused(&it))?;
+            let request = request.map_err(|error| refused(&error))?;
             let (prepared, settings) = request
                 .prepare(None, WITHOUT_ARM_Z_MM)
-                .map_err(|it| refused(&it))?;
+                .map_err(|error| refused(&error))?;
             Ok(Self {
                 request,
                 prepared,
@@ -138,7 +138,7 @@ impl Drawing {
     fn strokes(&self) -> Vec<Vec<(f64, f64)>> {
         let strokes = self.prepared.planned().into_iter();
         strokes
-            .map(|it| it.points.into_iter().map(<(f64, f64)>::from).collect())
+            .map(|stroke| stroke.points.into_iter().map(<(f64, f64)>::from).collect())
             .collect()
     }
 
@@ -173,7 +173,8 @@ fn refused(why: &OptionsError) -> PyErr {
 
 /// The options of `dobot draw` under their own names, as Python has them: without groups.
 fn grouped(json: &str) -> PyResult<Options> {
-    let flat: Map<String, Value> = serde_json::from_str(json).map_err(|it| value_error(&it))?;
+    let flat: Map<String, Value> =
+        serde_json::from_str(json).map_err(|error| value_error(&error))?;
     let known = Options::fields();
     let mut asked = Map::new();
     for (name, value) in flat {
@@ -201,7 +202,9 @@ fn grouped(json: &str) -> PyResult<Options> {
 
 fn of_file(file: &str) -> PyResult<Subject> {
     let bytes = std::fs::read(file)?;
-    let name = Path::new(file).file_name().map(|it| it.to_string_lossy());
+    let name = Path::new(file)
+        .file_name()
+        .map(|file_name| file_name.to_string_lossy());
     let subject = Subject::of_file(&name.unwrap_or_default(), bytes);
-    subject.map_err(|it| PyValueError::new_err(format!("{file}: {it}")))
+    subject.map_err(|error| PyValueError::new_err(format!("{file}: {error}")))
 }

@@ -119,7 +119,7 @@ impl From<NoArm> for Failure {
 pub(crate) fn kinds() -> Vec<(&'static str, &'static str, &'static str)> {
     let kinds = problem_kinds::ALL.iter();
     kinds
-        .map(|it| (it.name, it.title, it.explanation))
+        .map(|kind| (kind.name, kind.title, kind.explanation))
         .collect()
 }
 

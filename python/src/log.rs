@@ -81,7 +81,7 @@ impl Log {
         };
         py.detach(|| {
             self.check()?;
-            let same = [&self.file, &out].map(|it| it.canonicalize().ok());
+            let same = [&self.file, &out].map(|path| path.canonicalize().ok());
             if same[0].is_some() && same[0] == same[1] {
                 let out = out.display();
                 return Err(PyValueError::new_err(format!(

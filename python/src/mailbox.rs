@@ -45,7 +45,7 @@ impl<T> Mailbox<T> {
 
     /// What came first, waited for at most so long.
     pub(crate) fn take(&self, time: Duration) -> Taken<T> {
-        let waiting = |it: &mut Inner<T>| it.told.is_empty() && !it.closed;
+        let waiting = |queue: &mut Inner<T>| queue.told.is_empty() && !queue.closed;
         let waited = self.came.wait_timeout_while(self.lock(), time, waiting);
         let mut inner = waited.unwrap_or_else(PoisonError::into_inner).0;
         match inner.told.pop_front() {

@@ -39,7 +39,7 @@ impl ConnectOptions {
         match (&self.fingerprint, &self.ca) {
             (None, None) => Ok(None),
             (Some(digest), None) => {
-                let digest = fingerprint(digest).map_err(|it| value_error(&it))?;
+                let digest = fingerprint(digest).map_err(|error| value_error(&error))?;
                 Ok(Some(CertificateTrust::Fingerprint(digest)))
             }
             (None, Some(file)) => Ok(Some(CertificateTrust::Authority(file.clone()))),
@@ -70,11 +70,11 @@ pub(crate) fn place(at: &str, options: ConnectOptions) -> PyResult<Where> {
         return Ok(Where::Station(search(None)));
     }
     if at.starts_with("http://") || at.starts_with("https://") {
-        StationAddress::new(at).map_err(|it| value_error(&it))?;
+        StationAddress::new(at).map_err(|error| value_error(&error))?;
         return Ok(Where::Station(search(Some(at.to_owned()))));
     }
     if at.starts_with("serial:") || at.starts_with("tcp:") {
-        let address = at.parse::<Address>().map_err(|it| value_error(&it))?;
+        let address = at.parse::<Address>().map_err(|error| value_error(&error))?;
         let dialect = options
             .dialect
             .as_deref()
@@ -83,7 +83,7 @@ pub(crate) fn place(at: &str, options: ConnectOptions) -> PyResult<Where> {
         let folders = Folders::of_environment();
         return Ok(Where::Local(Box::new(LocalArm {
             address,
-            dialect: dialect.map_err(|it| value_error(&it))?,
+            dialect: dialect.map_err(|error| value_error(&error))?,
             policy: Policy::default(),
             folders: folders
                 .ok_or_else(|| value_error(&"this person has no home folder; set DOBOT_DATA"))?,

@@ -40,7 +40,9 @@ impl Taught {
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
         let form = form_of(&file)?;
         let bytes = fs::read(&file)?;
-        let told = |it: ProgramError| PyValueError::new_err(format!("{}: {it}", file.display()));
+        let told = |program_error: ProgramError| {
+            PyValueError::new_err(format!("{}: {program_error}", file.display()))
+        };
         py.detach(|| {
             let read = form.read(&bytes).map_err(told)?;
             let text = match form {
@@ -56,17 +58,18 @@ impl Taught {
     /// Takes the text of a program; the files that it names are in a folder.
     #[staticmethod]
     fn of_text(text: String, folder: PathBuf) -> PyResult<Self> {
-        Self::new(text, UNNAMED, &folder, Vec::new()).map_err(|it| value_error(&it))
+        Self::new(text, UNNAMED, &folder, Vec::new()).map_err(|error| value_error(&error))
     }
 
     /// Makes a program of a JSON object with the names of a program's text.
     #[staticmethod]
     fn of_json(json: &str, folder: PathBuf) -> PyResult<Self> {
-        let value: Value = serde_json::from_str(json).map_err(|it| value_error(&it))?;
-        let text = toml::to_string(&value).map_err(|it| value_error(&it))?;
-        let program =
-            Program::from_toml(&text).map_err(|it| PyValueError::new_err(numbered(&text, &it)))?;
-        Self::new(program.to_toml(), UNNAMED, &folder, Vec::new()).map_err(|it| value_error(&it))
+        let value: Value = serde_json::from_str(json).map_err(|error| value_error(&error))?;
+        let text = toml::to_string(&value).map_err(|error| value_error(&error))?;
+        let program = Program::from_toml(&text)
+            .map_err(|error| PyValueError::new_err(numbered(&text, &error)))?;
+        Self::new(program.to_toml(), UNNAMED, &folder, Vec::new())
+            .map_err(|error| value_error(&error))
     }
 
     /// The JSON Schema of a program.
@@ -101,7 +104,7 @@ impl Taught {
             ProgramForm::Toml => (self.text.clone(), Vec::new()),
             form => {
                 let written = form.write(&self.source.program);
-                let written = written.map_err(|it| value_error(&it))?;
+                let written = written.map_err(|error| value_error(&error))?;
                 (written.it, written.warnings)
             }
         };
@@ -112,10 +115,12 @@ impl Taught {
     /// What is wrong with it for any arm of a dialect, and how long it takes: a JSON object.
     fn check(&self, py: Python<'_>, dialect: Option<&str>) -> PyResult<String> {
         let dialect = dialect.map(str::parse::<Dialect>).transpose();
-        let dialect = dialect.map_err(|it| value_error(&it))?;
+        let dialect = dialect.map_err(|error| value_error(&error))?;
         py.detach(|| {
             let arm = PlannedFor::any(Rules::of(&Policy::default()).into(), dialect);
-            self.source.report(&arm).map_err(|it| value_error(&it))
+            self.source
+                .report(&arm)
+                .map_err(|error| value_error(&error))
         })
     }
 }
@@ -191,7 +196,7 @@ impl Run {
     /// The job for an arm, where nothing is wrong with it.
     pub(crate) fn job(&self, arm: &PlannedFor) -> Result<NewJob, Problem> {
         let compiled = self.source.compile(arm);
-        let mut compiled = compiled.map_err(|it| BAD_PROGRAM.problem(it.to_string()))?;
+        let mut compiled = compiled.map_err(|error| BAD_PROGRAM.problem(error.to_string()))?;
         let problems = check(&compiled, &arm.rules.policy, arm.model()).problems;
         if !problems.is_empty() {
             let problems: Vec<String> = problems.iter().map(ToString::to_string).collect();
@@ -201,7 +206,9 @@ impl Run {
             compiled.repeat(times);
         }
         let (steps, from) = (compiled.steps.len(), self.from_step);
-        let rest = from.checked_sub(1).and_then(|it| compiled.from_step(it));
+        let rest = from
+            .checked_sub(1)
+            .and_then(|step| compiled.from_step(step));
         let rest = rest.ok_or_else(|| {
             OUT_OF_RANGE.problem(format!("from_step is {from}; allowed is 1 to {steps}"))
         })?;
@@ -221,7 +228,7 @@ fn form_of(file: &Path) -> PyResult<ProgramForm> {
 /// What is wrong, with the number of the step instead of a line that nobody has seen.
 fn numbered(text: &str, error: &ProgramError) -> String {
     let lines = text.lines().take(error.line.unwrap_or(0));
-    match lines.filter(|it| *it == "[[steps]]").count() {
+    match lines.filter(|line| *line == "[[steps]]").count() {
         0 => error.reason.clone(),
         step => format!("step {step}: {}", error.reason),
     }

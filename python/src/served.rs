@@ -45,7 +45,7 @@ impl Served {
         factor: &str,
     ) -> PyResult<Self> {
         let arm = VirtualSetup::new(personality, scene, &faults, seed)?;
-        let factor: Speed = factor.parse().map_err(|it| value_error(&it))?;
+        let factor: Speed = factor.parse().map_err(|error| value_error(&error))?;
         let events = Events::default();
         let (asked, questions) = unbounded_channel();
         let (tell, told) = channel();
@@ -127,7 +127,7 @@ fn serve(
             let asked = tokio::select! {
                 biased;
                 asked = asks.recv() => asked,
-                _ = server.run(|it| note(events, &it)) => None,
+                _ = server.run(|event| note(events, &event)) => None,
             };
             let Some(answer) = asked else { return };
             let _ = answer.send(world_json(server.arm()));

@@ -60,7 +60,7 @@ impl Session {
         let is_virtual = self.client.virtual_arm().is_some();
         let mut listens = !is_virtual;
         loop {
-            let beats = self.held.as_ref().is_some_and(|it| it.over.is_none()) && !is_virtual;
+            let beats = self.held.as_ref().is_some_and(|held| held.over.is_none()) && !is_virtual;
             let beat = self.time_to_beat();
             tokio::select! {
                 biased;
@@ -137,9 +137,9 @@ impl Session {
             Operation::Check(source) => {
                 let (_, arm) = self.planned_for().await?;
                 let report = source.report(&arm);
-                let report = report.map_err(|it| BAD_PROGRAM.problem(it.to_string()));
+                let report = report.map_err(|error| BAD_PROGRAM.problem(error.to_string()));
                 return Ok(Outcome::Json(
-                    report.map_err(|it| Failure::Refused(it.into()))?,
+                    report.map_err(|error| Failure::Refused(error.into()))?,
                 ));
             }
             Operation::Look(look) => return self.look(look),
@@ -266,7 +266,7 @@ impl Session {
         loop {
             let state = self.client.state().await?;
             tell(&self.ears, &state);
-            let moves = state.arm.is_some_and(|it| it.moving);
+            let moves = state.arm.is_some_and(|arm| arm.moving);
             if !moves || self.client.now() >= until {
                 return Ok(());
             }
@@ -286,7 +286,7 @@ impl Session {
     /// Says the button again, or lets it go when its time is over.
     async fn beat(&mut self) {
         let now = self.client.now();
-        let Some(held) = self.held.as_mut().filter(|it| it.over.is_none()) else {
+        let Some(held) = self.held.as_mut().filter(|held| held.over.is_none()) else {
             return;
         };
         if now >= held.until {
@@ -319,7 +319,7 @@ impl Session {
 fn tell(ears: &Ears, state: &State) {
     let Some(arm) = &state.arm else { return };
     let mut ears = lock(ears);
-    ears.retain(|it| !it.is_alone() && it.untaken() < LONGEST);
+    ears.retain(|subscriber| !subscriber.is_alone() && subscriber.untaken() < LONGEST);
     for ear in &*ears {
         ear.tell(arm.status);
     }

@@ -23,16 +23,16 @@ impl Simulated {
     /// Runs a script; `name` stands in messages, and above its picture.
     #[new]
     fn new(py: Python<'_>, script: &str, name: &str, personality: &str) -> PyResult<Self> {
-        let personality: Personality = personality.parse().map_err(|it| value_error(&it))?;
+        let personality: Personality = personality.parse().map_err(|error| value_error(&error))?;
         let script = Script::parse(script)
-            .map_err(|it| value_error(&format!("{name}:{}: {}", it.line, it.problem)))?;
+            .map_err(|error| value_error(&format!("{name}:{}: {}", error.line, error.problem)))?;
         py.detach(|| {
             let mut snapshots = Vec::new();
             let simulation = simulate_watched(&script, personality, |at, controller| {
                 snapshots.push(Snapshot::of(controller, at));
             });
             Ok(Self {
-                simulation: simulation.map_err(|it| value_error(&it))?,
+                simulation: simulation.map_err(|error| value_error(&error))?,
                 snapshots,
                 title: name.to_owned(),
                 personality,
@@ -44,13 +44,13 @@ impl Simulated {
     fn statuses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = &self.simulation.trace.statuses;
         #[allow(clippy::cast_precision_loss)] // A run has no 2^53 milliseconds.
-        let seconds = all.iter().map(|it| it.t_ms() as f64 / 1000.0);
+        let seconds = all.iter().map(|packet| packet.t_ms() as f64 / 1000.0);
         let mut columns = Columns::new(py).doubles("at_s", seconds)?;
         for (at, name) in STATUS_FLOATS.into_iter().enumerate() {
-            columns = columns.floats(name, all.iter().map(|it| it.floats[at]))?;
+            columns = columns.floats(name, all.iter().map(|packet| packet.floats[at]))?;
         }
-        columns = columns.truths("suction", all.iter().map(|it| it.floats[8] != 0.0))?;
-        let columns = columns.floats("gripper_deg", all.iter().map(|it| it.floats[9]))?;
+        columns = columns.truths("suction", all.iter().map(|packet| packet.floats[8] != 0.0))?;
+        let columns = columns.floats("gripper_deg", all.iter().map(|packet| packet.floats[9]))?;
         Ok(columns.finish())
     }
 
@@ -58,20 +58,20 @@ impl Simulated {
     fn ticks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = &self.snapshots;
         let mut columns =
-            Columns::new(py).doubles("at_s", all.iter().map(|it| it.at.as_secs_f64()))?;
+            Columns::new(py).doubles("at_s", all.iter().map(|sample| sample.at.as_secs_f64()))?;
         for (at, name) in ["x_mm", "y_mm", "z_mm"].into_iter().enumerate() {
-            columns = columns.doubles(name, all.iter().map(|it| it.tool_mm[at]))?;
+            columns = columns.doubles(name, all.iter().map(|sample| sample.tool_mm[at]))?;
         }
         for (at, name) in JOINTS.into_iter().enumerate() {
-            columns = columns.doubles(name, all.iter().map(|it| it.joints_deg[at]))?;
+            columns = columns.doubles(name, all.iter().map(|sample| sample.joints_deg[at]))?;
         }
         let pulses = &self.simulation.trace.ticks;
         for (at, name) in PULSES.into_iter().enumerate() {
-            let sums = pulses.iter().map(|it| it.sums[at]);
+            let sums = pulses.iter().map(|row| row.sums[at]);
             columns = columns.integers(name, sums.take(all.len()))?;
         }
-        columns = columns.truths("pump", all.iter().map(|it| it.pump))?;
-        let columns = columns.truths("laser", all.iter().map(|it| it.laser))?;
+        columns = columns.truths("pump", all.iter().map(|sample| sample.pump))?;
+        let columns = columns.truths("laser", all.iter().map(|sample| sample.laser))?;
         Ok(columns.finish())
     }
 

@@ -26,7 +26,7 @@ impl VirtualSetup {
     ) -> PyResult<Self> {
         let personality = match personality {
             "" => Personality::default(),
-            named => named.parse().map_err(|it| value_error(&it))?,
+            named => named.parse().map_err(|error| value_error(&error))?,
         };
         Ok(Self {
             power_up: PowerUp::new(personality),
@@ -50,14 +50,14 @@ impl VirtualSetup {
 }
 
 pub(crate) fn read_faults(faults: &[String]) -> PyResult<Vec<Fault>> {
-    let faults = faults.iter().map(|it| it.parse());
+    let faults = faults.iter().map(|fault| fault.parse());
     faults
         .collect::<Result<_, _>>()
-        .map_err(|it| value_error(&it))
+        .map_err(|error| value_error(&error))
 }
 
 fn parsed(scene: &str) -> PyResult<Scene> {
-    Scene::parse(scene).map_err(|it| value_error(&format!("the world: {it}")))
+    Scene::parse(scene).map_err(|error| value_error(&format!("the world: {error}")))
 }
 
 /// What is around an arm, as JSON, and nothing where nothing is.
@@ -70,7 +70,7 @@ pub(crate) fn world_json(arm: &VirtualArm) -> Option<String> {
 #[pyfunction]
 pub(crate) fn world_svg(py: Python<'_>, json: &str) -> PyResult<String> {
     py.detach(|| {
-        let state: WorldState = serde_json::from_str(json).map_err(|it| value_error(&it))?;
+        let state: WorldState = serde_json::from_str(json).map_err(|error| value_error(&error))?;
         Ok(state.picture())
     })
 }
@@ -84,7 +84,7 @@ pub(crate) fn ink_deviation(
     drawn: Vec<Vec<(f64, f64)>>,
 ) -> ([f64; 3], [f64; 3]) {
     py.detach(|| {
-        let told = |it: WorstPoint| [it.at.x, it.at.y, it.distance_mm];
+        let told = |point: WorstPoint| [point.at.x, point.at.y, point.distance_mm];
         let found = deviation(&strokes(wanted), &strokes(drawn));
         (told(found.astray), told(found.missed))
     })
@@ -92,8 +92,8 @@ pub(crate) fn ink_deviation(
 
 /// Strokes of points.
 fn strokes(lines: Vec<Vec<(f64, f64)>>) -> Vec<Stroke> {
-    let lines = lines.into_iter().filter(|it| !it.is_empty());
+    let lines = lines.into_iter().filter(|points| !points.is_empty());
     lines
-        .map(|it| Stroke::open(it.into_iter().map(Point::from).collect()))
+        .map(|points| Stroke::open(points.into_iter().map(Point::from).collect()))
         .collect()
 }

@@ -227,7 +227,7 @@ async fn connect(at: Where, name: &str) -> Result<StationClient, Failure> {
             name,
         )),
         Where::Station(search) => {
-            let found = search.find().await.map_err(|it| lost(&it, None))?;
+            let found = search.find().await.map_err(|error| lost(&error, None))?;
             let address = found.ok_or_else(|| Failure::LinkLost {
                 text: "no station runs on this machine".to_owned(),
                 hint: Some("`dobot up` starts one".to_owned()),
@@ -236,7 +236,7 @@ async fn connect(at: Where, name: &str) -> Result<StationClient, Failure> {
         }
         Where::Local(arm) => {
             let client = StationClient::open(*arm, name).await;
-            client.map_err(|it| lost(&it, None))
+            client.map_err(|error| lost(&error, None))
         }
     }
 }

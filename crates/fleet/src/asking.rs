@@ -1,4 +1,4 @@
-//! Requests to other stations, and theirs to this one.
+//! Requests to other stations, and requests from them.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -23,10 +23,10 @@ use crate::identity::{Identity, Peer, statement};
 use crate::keys::{API, MemberKey, SEALED};
 use crate::sealing::{Agreed, Half, KEY, Meetings};
 
-/// The certificates of those who can be asked.
+/// The certificates of the members that accept requests.
 pub(crate) type Peers = Arc<Mutex<BTreeMap<MemberKey, Arc<Peer>>>>;
 
-/// By what others are asked.
+/// The session, identity and peers with which requests are sent.
 #[derive(Clone, Debug)]
 pub(crate) struct Way {
     pub(crate) session: Session,
@@ -41,7 +41,7 @@ impl Way {
         peers.get(member).cloned()
     }
 
-    /// Asks a member at one of its resources, before all else that is on its way. Its answer is signed.
+    /// Sends a request with real-time priority to a resource of a member. The response is signed.
     pub(crate) async fn ask_first(
         &self,
         member: &MemberKey,
@@ -61,18 +61,18 @@ impl Way {
     }
 }
 
-/// How long another station may take to answer: as long as its own API takes for the slowest request.
+/// The timeout for a response: that of the slowest request of a station's own API.
 const WITHIN: Duration = Duration::from_secs(60);
-/// How long one may take to say that its arm is stopped.
+/// The timeout for the response to a stop.
 const STOP_WITHIN: Duration = Duration::from_secs(2);
-/// How long one may take to show who it is.
+/// The timeout for the handshake.
 const MEET_WITHIN: Duration = Duration::from_secs(10);
-/// The longest request to stop, in bytes: it may have a reason.
+/// The maximum length of a stop request, in bytes; it may contain a reason.
 const LONGEST_STOP: usize = 4096;
-/// How many requests of others are answered at once; a stop is answered always.
+/// The maximum number of requests that are served concurrently. A stop is always served.
 const AT_ONCE: usize = 64;
 
-/// Asks all that are meant at the same time.
+/// Sends a request to all addressed members concurrently.
 pub(crate) async fn ask(way: Option<&Way>, api: &StationApi, ask: FleetAsk) {
     let request = Arc::new(ask.request);
     let mut asked = JoinSet::new();
@@ -82,11 +82,11 @@ pub(crate) async fn ask(way: Option<&Way>, api: &StationApi, ask: FleetAsk) {
     }
     let mut answers = asked.join_all().await;
     answers.sort_by(|one, other| (&one.member, &one.id).cmp(&(&other.member, &other.id)));
-    // Whoever asked may be gone.
+    // The requester may be gone.
     let _ = ask.answers.send(answers);
 }
 
-/// Asks one.
+/// Sends a request to one member.
 pub(crate) async fn ask_one(
     way: Option<&Way>,
     api: &StationApi,
@@ -95,7 +95,7 @@ pub(crate) async fn ask_one(
 ) -> MemberAnswer {
     let asked = Instant::now();
     let answer = match &member.presence {
-        // A stop goes to everyone who might hear it.
+        // A stop goes to every station that might receive it.
         Presence::Refused { problem } if !is_stop(request) => Err(problem.clone()),
         _ if member.here => Ok(api.call(request).await),
         _ => ask_other(way, member, request).await,
@@ -115,9 +115,9 @@ async fn ask_other(
 ) -> Result<ApiAnswer, Problem> {
     let away = |detail: String| {
         let hint = if is_stop(request) {
-            "stop the arm on its own page, or with its switch"
+            "stop the arm on its own page, or with its power switch"
         } else {
-            "look at its own page"
+            "check its own page"
         };
         MEMBER_AWAY.hinted(detail, hint)
     };
@@ -139,26 +139,26 @@ async fn ask_other(
     };
     let answer = answer.map_err(|why| away(format!("{name} {why}")))?;
     serde_json::from_slice(&answer)
-        .map_err(|error| away(format!("{name} answers what nobody understands: {error}")))
+        .map_err(|error| away(format!("{name} sent an unreadable response: {error}")))
 }
 
-/// Whether everyone of the fleet may ask for this, and read it. All else is sealed.
+/// Whether every member may send and read this request. All other requests are sealed.
 fn is_open(request: &ApiRequest) -> bool {
     let is_secret = request.token.is_some() || request.lease.is_some();
     !is_secret && (request.method == "GET" || is_stop(request))
 }
 
-/// One station that is asked. What others answer in its name is passed over.
+/// A request to one station. Responses that other stations send in its name are ignored.
 struct Asking<'a> {
     way: &'a Way,
     peer: &'a Peer,
 }
 
 impl Asking<'_> {
-    /// Asks for what everyone may know, or to stop: at once, before the asked one has shown who it is. Its answer is signed.
+    /// Sends a public request or a stop without a handshake. The response is signed.
     async fn openly(&self, key: &str, request: &ApiRequest) -> Result<Vec<u8>, String> {
         let (within, priority) = if is_stop(request) {
-            // A stop goes before all else that is on its way.
+            // A stop overtakes all other messages.
             (STOP_WITHIN, Priority::RealTime)
         } else {
             (WITHIN, Priority::DEFAULT)
@@ -166,7 +166,7 @@ impl Asking<'_> {
         self.signed(key, &json(request), within, priority).await
     }
 
-    /// Asks for what everyone may know. The answer is signed.
+    /// Sends a public request. The response is signed.
     async fn signed(
         &self,
         key: &str,
@@ -190,10 +190,10 @@ impl Asking<'_> {
         .await
     }
 
-    /// Asks for all else: the asked station shows first who it is, and only it can read the request.
+    /// Sends any other request: the receiver authenticates first, and only it can read the request.
     async fn sealed(&self, key: &str, request: &ApiRequest) -> Result<Vec<u8>, String> {
         let own = &self.way.identity;
-        let random = || "cannot be asked: the computer gives no random numbers".to_owned();
+        let random = || "cannot be asked: the system has no random numbers".to_owned();
         let half = Half::new(own).ok_or_else(random)?;
         let replies = self.question(key, &half.public, MEET_WITHIN);
         let replies = replies.await.map_err(not_asked)?;
@@ -201,7 +201,7 @@ impl Asking<'_> {
         let agreed = first(&replies, MEET_WITHIN, |sample| {
             let theirs = sample.payload().to_bytes();
             let signature = sample.attachment()?.to_bytes();
-            // A key is for one use: it is given up for an answer that the asked one has signed.
+            // A key is for one use: it is consumed by a response that the receiver has signed.
             let is_signed = half.as_ref()?.is_met(key, self.peer, &theirs, &signature);
             let agreed = is_signed
                 .then(|| half.take()?.agree(key, &theirs))
@@ -220,7 +220,7 @@ impl Asking<'_> {
         .await
     }
 
-    /// A question to the station alone, to be sent.
+    /// Returns a query to this station only.
     fn question<'q>(
         &'q self,
         key: &'q str,
@@ -235,23 +235,24 @@ impl Asking<'_> {
     }
 }
 
-/// A request without its token, after a proof that the sender holds the token. The receiving station does not learn it.
+/// Returns the request without its token, preceded by a proof that the sender holds the token. The
+/// receiver does not learn the token.
 fn proved(agreed: &Agreed, request: &ApiRequest) -> Vec<u8> {
     let mut request = request.clone();
     let token = request.token.take();
     let request = json(&request);
-    let proof = token.map_or(NO_PROOF, |it| prove(&it, &agreed.statement(&request)));
+    let proof = token.map_or(NO_PROOF, |token| prove(&token, &agreed.statement(&request)));
     [&proof[..], &request].concat()
 }
 
-/// In place of a proof, where a request comes without a token.
+/// Placeholder for a request without a token.
 const NO_PROOF: [u8; PROOF] = [0; PROOF];
 
 fn not_asked(error: impl Display) -> String {
     format!("cannot be asked: {error}")
 }
 
-/// The first answer that is one of the station that was asked.
+/// Returns the first authentic response of the station.
 async fn first<T>(
     replies: &FifoChannelHandler<Reply>,
     within: Duration,
@@ -271,13 +272,11 @@ async fn first<T>(
     Err(match forged {
         0 if is_late => format!("did not answer within {within_s} s"),
         0 => "cannot be reached".to_owned(),
-        _ => format!(
-            "did not answer; {forged} answers in its name that it has not signed were passed over"
-        ),
+        _ => format!("did not answer; {forged} forged responses were ignored"),
     })
 }
 
-/// What a station signs when it answers openly.
+/// The statement that a station signs with a public response.
 fn answered(key: &str, nonce: &[u8], request: &[u8], answer: &[u8]) -> Vec<u8> {
     statement("answer", &[key.as_bytes(), nonce, request, answer])
 }
@@ -290,13 +289,15 @@ fn is_stop(request: &ApiRequest) -> bool {
     request.method == "POST" && request.path == "/api/v1/stop"
 }
 
-/// Whether this asks to stop. What is longer than a stop is not read for that.
+/// Whether this is a request to stop. Longer messages are not parsed.
 pub(crate) fn asks_to_stop(query: &Query) -> bool {
-    let payload = query.payload().filter(|it| it.len() <= LONGEST_STOP);
+    let payload = query
+        .payload()
+        .filter(|payload| payload.len() <= LONGEST_STOP);
     payload.is_some() && read(&bytes(payload)).is_ok_and(|request| is_stop(&request))
 }
 
-/// Answers others.
+/// Serves the requests of other stations.
 #[derive(Clone)]
 pub(crate) struct Answering {
     api: StationApi,
@@ -317,21 +318,21 @@ impl Answering {
         }
     }
 
-    /// Answers a request that everyone may read.
+    /// Serves a public request.
     pub(crate) async fn answer(self, query: Query) {
         let request = bytes(query.payload());
         let answer = match read(&request) {
             Ok(request) if is_open(&request) => self.call(&request, None).await,
             Ok(_) => ApiAnswer::of_problem(&ROLE.hinted(
-                "this came as a request that everyone in the fleet can read; those may only GET and stop, and have no token",
-                "ask a station of the fleet, which seals it: `POST /api/v1/fleet/requests`",
+                "this request is readable by every member of the fleet; only GET and stop without a token are allowed",
+                "send it through a station of the fleet, which seals it: `POST /api/v1/fleet/requests`",
             )),
             Err(problem) => ApiAnswer::of_problem(&problem),
         };
         self.reply(&query, API, &request, json(&answer)).await;
     }
 
-    /// Answers at one of this station's resources, with a signature.
+    /// Sends a signed response from one of this station's resources.
     pub(crate) async fn reply(&self, query: &Query, what: &str, request: &[u8], answer: Vec<u8>) {
         let nonce = bytes(query.attachment());
         let statement = answered(&self.own.resource(what), &nonce, request, &answer);
@@ -340,11 +341,11 @@ impl Answering {
             .reply(query.key_expr(), answer)
             .attachment(&signature[..]);
         if let Err(error) = reply.await {
-            tracing::info!(%error, "an answer to the fleet is lost");
+            tracing::info!(%error, "cannot send a response to the fleet");
         }
     }
 
-    /// Shows who this station is, or answers a sealed request. What is neither has no answer.
+    /// Authenticates this station, or serves a sealed request. Anything else gets no response.
     pub(crate) async fn answer_sealed(self, query: Query) {
         let asked = bytes(query.payload());
         let reply = if asked.len() == KEY {
@@ -365,27 +366,27 @@ impl Answering {
             query.reply(query.key_expr(), answer)
         };
         if let Err(error) = reply.await {
-            tracing::info!(%error, "an answer to the fleet is lost");
+            tracing::info!(%error, "cannot send a response to the fleet");
         }
     }
 
-    /// The sealed answer to a sealed request.
+    /// Returns the sealed response to a sealed request.
     async fn answer_of(&self, asked: &[u8]) -> Option<Vec<u8>> {
         let (key, sealed) = asked.split_at_checked(KEY)?;
         let agreed = self.meetings.take(key)?;
         let answer = match agreed.open_request(&self.identity, sealed) {
             Ok((peer, request)) => {
-                tracing::debug!(by = peer.common_name, "a request of the fleet");
+                tracing::debug!(by = peer.common_name, "request of the fleet");
                 self.answer_proved(&agreed, &request).await
             }
             Err(why) => ApiAnswer::of_problem(&UNAUTHORISED.problem(format!(
-                "the certificate of the asking station is not accepted: {why}"
+                "the certificate of the requesting station is not accepted: {why}"
             ))),
         };
         agreed.seal_answer(json(&answer))
     }
 
-    /// Answers a request that comes with a proof of its token.
+    /// Serves a request with a proof of its token.
     async fn answer_proved(&self, agreed: &Agreed, request: &[u8]) -> ApiAnswer {
         let Some((proof, text)) = request.split_at_checked(PROOF) else {
             return ApiAnswer::of_problem(
@@ -402,12 +403,12 @@ impl Answering {
         }
     }
 
-    /// Asks this station, with a statement and the proof of a token about it where there is one.
+    /// Calls the API of this station, with a statement and the proof of a token for it, if any.
     async fn call(&self, request: &ApiRequest, proof: Option<(&[u8], &[u8])>) -> ApiAnswer {
         let place = self.places.try_acquire();
         if place.is_err() && !is_stop(request) {
-            let many = format!("{AT_ONCE} requests of the fleet are being answered already");
-            return ApiAnswer::of_problem(&TOO_MANY_REQUESTS.hinted(many, "ask again in a second"));
+            let many = format!("{AT_ONCE} requests of the fleet are already in progress");
+            return ApiAnswer::of_problem(&TOO_MANY_REQUESTS.hinted(many, "retry after a second"));
         }
         match proof {
             Some((statement, proof)) => self.api.call_proved(request, statement, proof).await,
@@ -418,14 +419,14 @@ impl Answering {
 
 fn bytes(found: Option<&ZBytes>) -> Vec<u8> {
     found
-        .map(|it| it.to_bytes().into_owned())
+        .map(|bytes| bytes.to_bytes().into_owned())
         .unwrap_or_default()
 }
 
 fn read(request: &[u8]) -> Result<ApiRequest, Problem> {
     serde_json::from_slice(request).map_err(|error| {
         MALFORMED.problem(format!(
-            "a request of the fleet is JSON with method and path; this one is not: {error}"
+            "a request of the fleet must be JSON with method and path: {error}"
         ))
     })
 }
@@ -436,12 +437,12 @@ mod tests {
     use super::*;
     use crate::credentials::Credentials;
 
-    /// What two members agree on, when one is about to ask the other.
+    /// The agreement of two members after a handshake.
     fn meet() -> Agreed {
         let folder = tempfile::tempdir().unwrap();
-        let names = ["desk-1", "desk-2"].map(|it| it.parse().unwrap());
+        let names = ["desk-1", "desk-2"].map(|name| name.parse().unwrap());
         let all = Credentials::make(folder.path(), &names).unwrap();
-        let [asker, asked] = [0, 1].map(|it| all[it].identity().unwrap());
+        let [asker, asked] = [0, 1].map(|index| all[index].identity().unwrap());
         let half = Half::new(&asker).unwrap();
         let meetings = Meetings::default();
         let (key, _) = meetings.meet(&asked, "desk-2", &half.public).unwrap();
@@ -458,7 +459,10 @@ mod tests {
             ..ApiRequest::default()
         };
         let [one, two] = [meet(), meet()].map(|agreed| proved(&agreed, &request));
-        let holds = |sent: &[u8]| sent.windows(16).any(|it| token.as_bytes().starts_with(it));
+        let holds = |sent: &[u8]| {
+            sent.windows(16)
+                .any(|window| token.as_bytes().starts_with(window))
+        };
         assert!(!holds(&one) && !holds(&two));
         assert_eq!(one[PROOF..], two[PROOF..], "the request is the same");
         assert_ne!(one[..PROOF], two[..PROOF], "the proof is not");

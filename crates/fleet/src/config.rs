@@ -1,4 +1,4 @@
-//! How a station joins.
+//! Configuration of a station's membership.
 
 use std::collections::BTreeSet;
 use std::net::IpAddr;
@@ -9,50 +9,52 @@ use zenoh::Config;
 
 use crate::Credentials;
 
-/// How a station joins.
+/// Configuration of a station's membership.
 #[derive(Clone, Debug, Default)]
 pub struct FleetConfig {
-    /// What it is called: 1 to 40 small letters, digits and hyphens, the first one a letter.
+    /// The name of the station: 1 to 40 lowercase letters, digits and hyphens, beginning with a
+    /// letter.
     pub name: String,
-    /// What it tells of itself.
+    /// The description that the station publishes.
     pub about: MemberAbout,
-    /// The folder with the work that is submitted here for any arm; without it, none can be.
+    /// The folder of the jobs that are submitted here for any arm; without it, none can be
+    /// submitted.
     pub work: Option<PathBuf>,
 }
 
-/// Why a station cannot join so.
+/// The error returned when the configuration of a fleet is invalid.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FleetConfigError {
-    /// A name that nothing in a fleet can have.
+    /// An invalid name.
     #[error(
-        "{what} is {found:?}; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter, as in desk-3"
+        "{what} is {found:?}; allowed are 1 to 40 lowercase letters a to z, digits and hyphens, beginning with a letter, as in desk-3"
     )]
     Name {
-        /// What is named.
+        /// The kind of name.
         what: &'static str,
         /// The name.
         found: String,
     },
-    /// No address of Zenoh.
+    /// An invalid address of a router.
     #[error(
-        "{found:?} is no address of a router; allowed is quic/HOST:PORT, as in quic/router.school:7447"
+        "{found:?} is not the address of a router; allowed is quic/HOST:PORT, as in quic/router.school:7447"
     )]
     Address {
-        /// What was found.
+        /// The invalid text.
         found: String,
     },
-    /// Another machine, without a certificate that counts there.
+    /// An address on another machine, without a certificate that is valid there.
     #[error(
-        "{found:?} is another machine, and needs a certificate; `dobot fleet certificates FOLDER NAME...` makes them, and `--fleet=FOLDER/NAME` joins with one. Without one, allowed is quic/127.0.0.1:PORT"
+        "{found:?} is on another machine, which requires a certificate; `dobot fleet certificates FOLDER NAME...` creates certificates, and `--fleet=FOLDER/NAME` joins with one. Without one, allowed is quic/127.0.0.1:PORT"
     )]
     NoCredentials {
         /// The address.
         found: String,
     },
-    /// A station under another name than its certificate's.
+    /// A station whose name differs from that of its certificate.
     #[error(
-        "the station is called {name}, and its certificate is that of {certificate}; start it with `--name {certificate}`, or with the certificate of {name}"
+        "the station is named {name}, but its certificate is for {certificate}; start it with `--name {certificate}`, or with the certificate of {name}"
     )]
     OtherName {
         /// The name of the station.
@@ -60,22 +62,26 @@ pub enum FleetConfigError {
         /// The name in its certificate.
         certificate: String,
     },
-    /// Zenoh does not take it.
-    #[error("the fleet cannot be joined so: {0}")]
+    /// Zenoh refuses the configuration.
+    #[error("Zenoh refuses the configuration of the fleet: {0}")]
     Zenoh(String),
 }
 
 impl FleetConfig {
-    /// Looks whether every name is one, and the station's that of its certificate, or of an arm that the certificate's
-    /// station gives.
+    /// Checks all names. The station's name must be that of its certificate, or of a virtual arm
+    /// hosted by the certificate's station.
     ///
     /// # Errors
     ///
     /// [`FleetConfigError::Name`], [`FleetConfigError::OtherName`].
     pub(crate) fn check(&self, certificate: &str) -> Result<(), FleetConfigError> {
         let named = [("the name of the station", &self.name)];
-        let groups = self.about.groups.iter().map(|it| ("a group", it));
-        let offers = self.about.offers.iter().map(|it| ("what it offers", it));
+        let groups = self.about.groups.iter().map(|group| ("a group", group));
+        let offers = self
+            .about
+            .offers
+            .iter()
+            .map(|offer| ("an offered feature", offer));
         for (what, found) in named.into_iter().chain(groups).chain(offers) {
             if !is_fleet_name(found) {
                 let found: String = found.chars().take(60).collect();
@@ -93,7 +99,7 @@ impl FleetConfig {
     }
 }
 
-/// What Zenoh is told where stations join.
+/// Returns the Zenoh configuration of a station's session.
 pub(crate) fn session(
     connect: &[String],
     credentials: &Credentials,
@@ -110,7 +116,7 @@ pub(crate) fn session(
             config.set("listen/endpoints", "[\"quic/0.0.0.0:0\"]");
         }
     } else {
-        // One way to everyone: a mesh of a hundred stations would be five thousand connections.
+        // One link to a router: a mesh of a hundred stations would be five thousand connections.
         config.set("mode", "\"client\"");
         config.set("listen/endpoints", "[]");
         config.set("scouting/multicast/enabled", "false");
@@ -119,7 +125,7 @@ pub(crate) fn session(
     config.done()
 }
 
-/// What a router is told.
+/// Returns the Zenoh configuration of a router.
 pub(crate) fn router(
     listen: &[String],
     credentials: &Credentials,
@@ -132,7 +138,7 @@ pub(crate) fn router(
     config.done()
 }
 
-/// Settings of Zenoh, written down one after another.
+/// Zenoh settings, collected one by one.
 struct Settings {
     config: Config,
     problem: Option<String>,
@@ -144,23 +150,24 @@ impl Settings {
             config: Config::default(),
             problem: None,
         };
-        // It goes on trying for as long as the station runs.
+        // Zenoh retries for as long as the station runs.
         settings.set("connect/timeout_ms", "-1");
         settings.set("connect/exit_on_failure", "false");
         let retry =
             r#"{"period_init_ms": 500, "period_max_ms": 2000, "period_increase_factor": 2}"#;
         settings.set("connect/retry", retry);
-        // A station that is killed is missed within three seconds.
+        // A killed station is noticed within three seconds.
         settings.set("transport/link/tx/lease", "3000");
         settings.set("transport/link/rx/max_message_size", "83886080");
         settings.set("transport/shared_memory/enabled", "false");
         settings.set("transport/unicast/max_sessions", "2500");
-        // Zenoh's TLS link is not sound under load (eclipse-zenoh/zenoh#2557); QUIC has streams for each direction.
-        // In both directions: stations connect to the addresses that others announce.
+        // Zenoh's TLS link is not sound under load (eclipse-zenoh/zenoh#2557); QUIC has streams for
+        // each direction. Set for both directions: stations connect to the addresses that others
+        // announce.
         settings.set("transport/link/protocols", "[\"quic\"]");
         let mut tls =
             |name: &str, value: &str| settings.set(&format!("transport/link/tls/{name}"), value);
-        let [authority, certificate, key] = credentials.base64().map(|it| json(&it));
+        let [authority, certificate, key] = credentials.base64().map(|part| json(&part));
         tls("root_ca_certificate_base64", &authority);
         tls("enable_mtls", "true");
         for side in ["listen", "connect"] {
@@ -168,7 +175,7 @@ impl Settings {
             tls(&format!("{side}_private_key_base64"), &key);
         }
         tls("close_link_on_expiration", "true");
-        // Zenoh believes the authorities of the web, too: what counts is that one is found where its certificate says.
+        // Zenoh also trusts public authorities, so the host must match the name in its certificate.
         tls("verify_name_on_connect", "true");
         if !credentials.revoked().is_empty() {
             settings.set("access_control", &denied(credentials.revoked()));
@@ -191,7 +198,7 @@ impl Settings {
     }
 }
 
-/// Denies everything to those whose certificates are revoked.
+/// Returns the access rules that deny everything to holders of revoked certificates.
 fn denied(revoked: &BTreeSet<String>) -> String {
     let messages = [
         "put",
@@ -223,17 +230,17 @@ fn json(value: &(impl serde::Serialize + ?Sized)) -> String {
 
 fn check_addresses(found: &[String], credentials: &Credentials) -> Result<(), FleetConfigError> {
     let mut all = found.iter();
-    all.try_for_each(|it| check_address(it, credentials.is_local()))
+    all.try_for_each(|address| check_address(address, credentials.is_local()))
 }
 
-/// Whether an address is one of Zenoh, and the certificate counts there.
+/// Checks that an address is a Zenoh address and that the certificate is valid there.
 fn check_address(found: &str, is_local: bool) -> Result<(), FleetConfigError> {
     let wrong = || FleetConfigError::Address {
         found: found.chars().take(80).collect(),
     };
     let place = found.strip_prefix("quic/").ok_or_else(wrong)?;
     let (host, port) = place.rsplit_once(':').ok_or_else(wrong)?;
-    let is_plain = |it: char| it.is_ascii_alphanumeric() || ".-_[]:".contains(it);
+    let is_plain = |char: char| char.is_ascii_alphanumeric() || ".-_[]:".contains(char);
     if host.is_empty() || !host.chars().all(is_plain) || port.parse::<u16>().is_err() {
         return Err(wrong());
     }
@@ -246,7 +253,7 @@ fn check_address(found: &str, is_local: bool) -> Result<(), FleetConfigError> {
 
 fn is_loopback(host: &str) -> bool {
     let bare = host.trim_start_matches('[').trim_end_matches(']');
-    host == "localhost" || bare.parse::<IpAddr>().is_ok_and(|it| it.is_loopback())
+    host == "localhost" || bare.parse::<IpAddr>().is_ok_and(|ip| ip.is_loopback())
 }
 
 #[cfg(test)]
@@ -266,7 +273,7 @@ mod tests {
         session(&[], &own).unwrap();
         router(&["quic/127.0.0.1:0".into()], &own).unwrap();
         let folder = tempfile::tempdir().unwrap();
-        let names = ["desk-3", "desk-4"].map(|it| it.parse().unwrap());
+        let names = ["desk-3", "desk-4"].map(|name| name.parse().unwrap());
         Credentials::make(folder.path(), &names).unwrap();
         Credentials::revoke(folder.path(), "desk-4").unwrap();
         let desk = Credentials::read(&folder.path().join("desk-3")).unwrap();

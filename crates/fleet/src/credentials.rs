@@ -1,4 +1,4 @@
-//! By what stations prove that they belong to a fleet: certificates of an authority of its own.
+//! Credentials of a fleet: certificates of the fleet's own authority.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -15,17 +15,18 @@ use x509_parser::pem::parse_x509_pem;
 use crate::id::new_id;
 use crate::identity::{Identity, Peer, now_s};
 
-/// By what a station proves that it belongs to a fleet: a certificate of the fleet's authority, and its key. A folder has
-/// them as `authority.pem`, `certificate.pem` and `key.pem`, and beside them `revoked.txt` where certificates are revoked.
+/// Credentials of a station: a certificate of the fleet's authority, and its key. A folder contains
+/// them as `authority.pem`, `certificate.pem` and `key.pem`, and `revoked.txt` if certificates are
+/// revoked.
 #[derive(Clone)]
 pub struct Credentials {
     authority: String,
     certificate: String,
     key: String,
     revoked: BTreeSet<String>,
-    /// Where the revoked ones stand, also those that are revoked later.
+    /// The file that lists the revoked certificates; it may grow later.
     revoked_file: Option<PathBuf>,
-    /// Whether they are those of a person for the programs on this machine.
+    /// Whether these are a user's credentials for the programs on this machine.
     is_local: bool,
 }
 
@@ -33,44 +34,44 @@ const AUTHORITY: &str = "authority.pem";
 const AUTHORITY_KEY: &str = "authority-key.pem";
 const CERTIFICATE: &str = "certificate.pem";
 const KEY: &str = "key.pem";
-/// The certificates that count no longer, by their common names.
+/// The file of the revoked certificates, by common name.
 const REVOKED: &str = "revoked.txt";
-/// All certificates that the authority has made.
+/// The file of all certificates that the authority has issued.
 const ISSUED: &str = "issued.txt";
 
-/// A member's certificate is valid for so long, in days.
+/// The validity of a member's certificate, in days.
 const DAYS: u64 = 365;
-/// A person is warned so many days before the end.
+/// Days before expiry from which a warning is given.
 const WARN_DAYS: i64 = 30;
 
-/// Why there are no credentials.
+/// The error returned when credentials cannot be read or created.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CredentialsError {
     /// A file is missing.
     #[error(
-        "{file} is missing; `dobot fleet certificates FOLDER NAME...` makes a folder with authority.pem, certificate.pem and key.pem for each NAME"
+        "{file} is missing; `dobot fleet certificates FOLDER NAME...` creates a folder with authority.pem, certificate.pem and key.pem for each NAME"
     )]
     Missing {
         /// The file.
         file: String,
     },
-    /// A file holds something else.
-    #[error("{0}; `dobot fleet certificates FOLDER NAME...` makes new ones")]
+    /// A file has invalid contents.
+    #[error("{0}; `dobot fleet certificates FOLDER NAME...` creates new ones")]
     Unusable(&'static str),
-    /// The others of the fleet do not accept the certificate.
+    /// The other members reject the certificate.
     #[error(
         "the certificate {certificate} cannot be used: {why}; `dobot fleet revoke` and `dobot fleet certificates` replace it"
     )]
     NotAccepted {
-        /// What it is called.
+        /// The name of the certificate.
         certificate: String,
-        /// Why not.
+        /// The reason.
         why: &'static str,
     },
-    /// A certificate of this name was never made.
+    /// No certificate of this name was issued.
     #[error(
-        "no certificate for {name:?} was made in {folder}; issued.txt there lists those that were"
+        "no certificate for {name:?} was issued in {folder}; issued.txt in that folder lists the issued ones"
     )]
     NotIssued {
         /// The name.
@@ -78,52 +79,53 @@ pub enum CredentialsError {
         /// The folder of the authority.
         folder: String,
     },
-    /// The system names no folder for this person's programs.
+    /// The system has no folder for this user's programs.
     #[error(
-        "this person has no home folder, in which the certificates of this machine would be; join with those of a folder, `--fleet=FOLDER`"
+        "this user has no home folder for the certificates of this machine; use those of another folder with `--fleet=FOLDER`"
     )]
     NoHome,
-    /// A name that no station can have.
+    /// An invalid name of a station.
     #[error(
-        "{0:?} is no name of a station; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter"
+        "{0:?} is not a valid station name; allowed are 1 to 40 lowercase letters a to z, digits and hyphens, beginning with a letter"
     )]
     Name(String),
-    /// A name or an address by which nobody is found.
+    /// An invalid host name or address.
     #[error(
-        "{0:?} is no host; allowed are names and addresses as others connect to, as in router=router.school,192.168.7.1"
+        "{0:?} is not a valid host; allowed are host names and addresses to which others connect, as in router=router.school,192.168.7.1"
     )]
     Host(String),
-    /// A certificate would be replaced.
-    #[error("{0} is there already; nothing was made")]
+    /// A certificate of this name exists.
+    #[error("{0} already exists; nothing was created")]
     Exists(String),
     /// A file cannot be read or written.
     #[error("{file} cannot be read or written")]
     File {
         /// The file.
         file: String,
-        /// Why.
+        /// The cause.
         #[source]
         source: std::io::Error,
     },
-    /// No certificate comes of it.
-    #[error("the certificate cannot be made: {0}")]
+    /// The certificate cannot be created.
+    #[error("the certificate cannot be created: {0}")]
     Certificate(#[from] rcgen::Error),
-    /// No random number comes of it.
-    #[error("the computer gives no random number: {0}")]
+    /// The system has no random numbers.
+    #[error("the system has no random numbers: {0}")]
     Random(getrandom::Error),
 }
 
 impl Credentials {
-    /// The credentials in a folder.
+    /// Reads the credentials in a folder.
     ///
     /// # Errors
     ///
-    /// [`CredentialsError`] where a file is missing, or the certificate has expired or is revoked.
+    /// [`CredentialsError`] if a file is missing, or the certificate has expired or is revoked.
     pub fn read(folder: &Path) -> Result<Self, CredentialsError> {
-        let [authority, certificate, key] = [AUTHORITY, CERTIFICATE, KEY].map(|it| folder.join(it));
+        let [authority, certificate, key] =
+            [AUTHORITY, CERTIFICATE, KEY].map(|name| folder.join(name));
         if let Some(missing) = [&authority, &certificate, &key]
             .into_iter()
-            .find(|it| !it.is_file())
+            .find(|file| !file.is_file())
         {
             return Err(CredentialsError::Missing {
                 file: missing.display().to_string(),
@@ -141,8 +143,8 @@ impl Credentials {
         Ok(credentials)
     }
 
-    /// The credentials of this person's programs on this machine, for one called so. Their authority is made where there
-    /// is none yet, for this person's eyes only.
+    /// Returns this user's credentials for a program on this machine, with this name. Their
+    /// authority is created if there is none, readable by this user only.
     ///
     /// # Errors
     ///
@@ -152,7 +154,7 @@ impl Credentials {
         Self::local(&folders.data().join("fleet-authority"), name)
     }
 
-    /// The same, with the authority in a folder.
+    /// Returns local credentials whose authority is in this folder.
     ///
     /// # Errors
     ///
@@ -166,15 +168,15 @@ impl Credentials {
         })
     }
 
-    /// Makes a folder for each holder. The authority is made where there is none yet: whoever has its key can let
-    /// others in.
+    /// Creates a folder for each holder. The authority is created if there is none; the holder of
+    /// its key can admit others.
     ///
     /// # Errors
     ///
     /// [`CredentialsError`]; no certificate is replaced.
     pub fn make(folder: &Path, holders: &[Holder]) -> Result<Vec<Self>, CredentialsError> {
-        let mut places = holders.iter().map(|it| folder.join(&it.name));
-        if let Some(there) = places.find(|it| it.exists()) {
+        let mut places = holders.iter().map(|holder| folder.join(&holder.name));
+        if let Some(there) = places.find(|folder| folder.exists()) {
             return Err(CredentialsError::Exists(there.display().to_string()));
         }
         let authority = Authority::of(folder)?;
@@ -184,7 +186,7 @@ impl Credentials {
         for holder in holders {
             let mut credentials = authority.certify(holder)?;
             issued.insert(credentials.identity()?.own().common_name.clone());
-            // One that is not listed could not be revoked.
+            // A certificate that is not listed could not be revoked.
             write_lines(&folder.join(ISSUED), &issued)?;
             credentials.revoked.clone_from(&revoked);
             credentials.write(&folder.join(&holder.name))?;
@@ -193,15 +195,16 @@ impl Credentials {
         Ok(made)
     }
 
-    /// Revokes all certificates that were made for this name, and removes their folder: a new one can be made then. It counts
-    /// where `revoked.txt` is carried to, which is beside each certificate in this folder too.
+    /// Revokes all certificates of this name and removes their folder, so that a new one can be
+    /// created. The revocation is effective wherever `revoked.txt` is copied to: beside each
+    /// certificate, also in this folder.
     ///
     /// # Errors
     ///
     /// [`CredentialsError`].
     pub fn revoke(folder: &Path, name: &str) -> Result<(), CredentialsError> {
         let issued = lines(&folder.join(ISSUED))?;
-        let own = |it: &&String| it.split('.').next() == Some(name);
+        let own = |issued: &&String| issued.split('.').next() == Some(name);
         let mut revoked = lines(&folder.join(REVOKED))?;
         let before = revoked.len();
         revoked.extend(issued.iter().filter(own).cloned());
@@ -225,43 +228,43 @@ impl Credentials {
         Ok(())
     }
 
-    /// What a person is to know of the end of this certificate, if it is near.
+    /// Returns a warning if the certificate expires soon.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
         let peer = Peer::of(&der(&self.certificate).ok()?)?;
         let days = (peer.expires_s - now_s()) / 86400;
         (days < WARN_DAYS).then(|| {
             format!(
-                "the certificate of {} in the fleet ends in {days} days; `dobot fleet revoke FOLDER {0}` and `dobot fleet certificates FOLDER {0}` replace it",
+                "the certificate of {} in the fleet expires in {days} days; `dobot fleet revoke FOLDER {0}` and `dobot fleet certificates FOLDER {0}` replace it",
                 peer.name
             )
         })
     }
 
-    /// Whether they are those of a person for the programs on this machine.
+    /// Whether these are a user's credentials for the programs on this machine.
     pub(crate) const fn is_local(&self) -> bool {
         self.is_local
     }
 
-    /// The certificates that count no longer, by their common names.
+    /// Returns the revoked certificates by common name.
     pub(crate) const fn revoked(&self) -> &BTreeSet<String> {
         &self.revoked
     }
 
-    /// The file with the revoked certificates; those of a person on one machine are not revoked.
+    /// Returns the file of revoked certificates; local credentials have none.
     pub(crate) fn revoked_file(&self) -> Option<&Path> {
         self.revoked_file.as_deref()
     }
 
-    /// The authority's certificate, the own one, and its key, as Zenoh takes them.
+    /// Returns the authority's certificate, the own certificate and its key, encoded for Zenoh.
     pub(crate) fn base64(&self) -> [String; 3] {
-        [&self.authority, &self.certificate, &self.key].map(|it| BASE64.encode(it.as_bytes()))
+        [&self.authority, &self.certificate, &self.key].map(|pem| BASE64.encode(pem.as_bytes()))
     }
 
-    /// By what the program signs.
+    /// Returns the identity that signs messages.
     pub(crate) fn identity(&self) -> Result<Identity, CredentialsError> {
         let key = KeyPair::from_pem(&self.key)?.serialize_der();
-        let [authority, certificate] = [&self.authority, &self.certificate].map(|it| der(it));
+        let [authority, certificate] = [&self.authority, &self.certificate].map(|pem| der(pem));
         Identity::new(&authority?, certificate?, &key, self.revoked.clone())
     }
 
@@ -280,26 +283,28 @@ impl fmt::Debug for Credentials {
     }
 }
 
-/// Who gets a certificate, and where others find him.
+/// The holder of a certificate, and the hosts at which it is reached.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Holder {
     name: String,
     hosts: Vec<String>,
 }
 
-/// As in `desk-3`, or `router=router.school,192.168.7.1` for one whom others connect to by those names and addresses.
+/// Parses `desk-3`, or `router=router.school,192.168.7.1` for a holder to which others connect by
+/// those names and addresses.
 impl FromStr for Holder {
     type Err = CredentialsError;
 
     fn from_str(text: &str) -> Result<Self, CredentialsError> {
-        // Nobody connects to a desk that joins by a router: its certificate says its name.
+        // Nobody connects to a station that joins through a router: its certificate has its name as
+        // host.
         let (name, hosts) = text.split_once('=').unwrap_or((text, text));
         if !is_fleet_name(name) {
             return Err(CredentialsError::Name(name.chars().take(60).collect()));
         }
-        let is_plain = |it: char| it.is_ascii_alphanumeric() || ".-:".contains(it);
+        let is_plain = |char: char| char.is_ascii_alphanumeric() || ".-:".contains(char);
         let hosts: Vec<String> = hosts.split(',').map(Into::into).collect();
-        let wrong = |it: &&String| it.is_empty() || !it.chars().all(is_plain);
+        let wrong = |host: &&String| host.is_empty() || !host.chars().all(is_plain);
         if let Some(wrong) = hosts.iter().find(wrong) {
             return Err(CredentialsError::Host(wrong.chars().take(60).collect()));
         }
@@ -311,23 +316,23 @@ impl FromStr for Holder {
 }
 
 impl Holder {
-    /// What the holder is called.
+    /// Returns the name of the holder.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 }
 
-/// Who says who belongs to the fleet.
+/// The authority of a fleet.
 struct Authority {
     certificate: String,
     issuer: Issuer<'static, KeyPair>,
 }
 
 impl Authority {
-    /// The one in the folder, which is made where there is none.
+    /// Returns the authority in the folder, creating it if necessary.
     fn of(folder: &Path) -> Result<Self, CredentialsError> {
-        let [certificate, key] = [AUTHORITY, AUTHORITY_KEY].map(|it| folder.join(it));
+        let [certificate, key] = [AUTHORITY, AUTHORITY_KEY].map(|name| folder.join(name));
         if !key.exists() {
             let pair = KeyPair::generate()?;
             write(&certificate, &authority().self_signed(&pair)?.pem())?;
@@ -339,13 +344,14 @@ impl Authority {
         })
     }
 
-    /// The same, where several programs may be about to make it: it is there with both files or not at all.
+    /// Returns the authority of a folder that several programs may create concurrently: both files
+    /// appear together or not at all.
     fn shared(folder: &Path) -> Result<Self, CredentialsError> {
         if !folder.exists() {
             let new = folder.with_extension(new_id().map_err(CredentialsError::Random)?);
             Self::of(&new)?;
             if let Err(source) = fs::rename(&new, folder) {
-                // Another program may have been first.
+                // Another program may have created it first.
                 drop(fs::remove_dir_all(&new));
                 if !folder.exists() {
                     return Err(of_file(folder, source));
@@ -363,7 +369,7 @@ impl Authority {
         params
             .distinguished_name
             .push(DnType::CommonName, common_name);
-        // It is valid from long ago on: a computer without a battery for its clock may start in 1970.
+        // Valid from long ago: a computer without a clock battery may start in 1970.
         params.not_after = (SystemTime::now() + Duration::from_secs(DAYS * 86400)).into();
         let certificate = params.signed_by(&pair, &self.issuer)?;
         Ok(Credentials {
@@ -377,7 +383,7 @@ impl Authority {
     }
 }
 
-/// What the authority's certificate says.
+/// Returns the parameters of the authority's certificate.
 fn authority() -> CertificateParams {
     let mut params = CertificateParams::default();
     let name = &mut params.distinguished_name;
@@ -386,21 +392,22 @@ fn authority() -> CertificateParams {
     params
 }
 
-/// The bytes of a text that holds one certificate.
+/// Decodes a PEM text that contains one certificate.
 fn der(pem: &str) -> Result<Vec<u8>, CredentialsError> {
     let parsed = parse_x509_pem(pem.as_bytes());
-    let unusable = |_| CredentialsError::Unusable("a file of the certificates is no PEM");
+    let unusable = |_| CredentialsError::Unusable("a certificate file is not in PEM format");
     parsed.map(|(_, it)| it.contents).map_err(unusable)
 }
 
-/// The lines of a file; none where there is no file.
-/// The revoked certificates in a file, where it has changed after `before`.
+/// Returns the revoked certificates in a file if it has changed since `before`.
 pub(crate) fn read_revoked(
     file: &Path,
     before: Option<SystemTime>,
 ) -> Option<(SystemTime, BTreeSet<String>)> {
-    let changed = std::fs::metadata(file).and_then(|it| it.modified()).ok()?;
-    // A file that cannot be read changes nothing: what was revoked stays revoked.
+    let changed = std::fs::metadata(file)
+        .and_then(|metadata| metadata.modified())
+        .ok()?;
+    // An unreadable file changes nothing: revoked certificates stay revoked.
     let revoked = (Some(changed) != before).then(|| lines(file).ok())??;
     Some((changed, revoked))
 }
@@ -410,7 +417,7 @@ fn lines(file: &Path) -> Result<BTreeSet<String>, CredentialsError> {
         return Ok(BTreeSet::new());
     }
     let text = read(file)?;
-    let lines = text.lines().map(str::trim).filter(|it| !it.is_empty());
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
     Ok(lines.map(Into::into).collect())
 }
 
@@ -442,7 +449,7 @@ mod tests {
     use super::*;
 
     fn names(names: &[&str]) -> Vec<Holder> {
-        names.iter().map(|it| it.parse().unwrap()).collect()
+        names.iter().map(|holder| holder.parse().unwrap()).collect()
     }
 
     #[test]
@@ -450,7 +457,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let first = Credentials::make(folder.path(), &names(&["desk-1", "router"])).unwrap();
         let later = Credentials::make(folder.path(), &names(&["desk-2"])).unwrap();
-        let [first, later] = [&first[0], &later[0]].map(|it| it.identity().unwrap());
+        let [first, later] =
+            [&first[0], &later[0]].map(|certificates| certificates.identity().unwrap());
         let peer = first.peer(later.certificate()).unwrap();
         assert_eq!(peer.name, "desk-2");
         Credentials::read(&folder.path().join("desk-2")).unwrap();
@@ -465,7 +473,7 @@ mod tests {
             std::thread::spawn(move || Credentials::local(&place, name).unwrap())
         };
         let all = ["desk-1", "desk-2", "desk-3", "desk-4"].map(start);
-        let all = all.map(|it| it.join().unwrap().identity().unwrap());
+        let all = all.map(|thread| thread.join().unwrap().identity().unwrap());
         for one in &all {
             all[0].peer(one.certificate()).unwrap();
         }
@@ -482,7 +490,7 @@ mod tests {
         let old = ending_in_days(folder.path(), "desk-2", 29);
         let warning = old.warning().unwrap();
         assert!(
-            warning.contains("desk-2 in the fleet ends in 2"),
+            warning.contains("desk-2 in the fleet expires in 2"),
             "{warning}"
         );
         let error = ending_in_days(folder.path(), "desk-3", 0)
@@ -491,7 +499,7 @@ mod tests {
         assert!(error.to_string().contains("it has expired"), "{error}");
     }
 
-    /// A certificate of this authority that ends so many days from now.
+    /// A certificate of this authority that expires after this number of days.
     fn ending_in_days(folder: &Path, name: &str, days: u64) -> Credentials {
         let authority = Authority::of(folder).unwrap();
         let pair = KeyPair::generate().unwrap();
@@ -550,7 +558,7 @@ mod tests {
         assert!(
             error
                 .to_string()
-                .ends_with("desk-1 is there already; nothing was made")
+                .ends_with("desk-1 already exists; nothing was created")
         );
         assert!(!folder.path().join("desk-2").exists());
         let error = "../desk".parse::<Holder>().unwrap_err();

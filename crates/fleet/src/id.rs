@@ -1,4 +1,4 @@
-//! The number that a station goes by.
+//! The id of a station.
 
 use std::io::ErrorKind;
 use std::path::Path;
@@ -6,7 +6,8 @@ use std::path::Path;
 use data_encoding::HEXLOWER;
 use dobot_api::write_private;
 
-/// The number that the station with these data goes by, 32 hexadecimal digits: made once.
+/// Returns the id of the station with this file, 32 hexadecimal digits, creating it on the first
+/// call.
 ///
 /// # Errors
 ///
@@ -16,7 +17,7 @@ pub fn own_id(file: &Path) -> Result<String, IdError> {
     match std::fs::read_to_string(file) {
         Ok(text) => {
             let text = text.trim();
-            let is_id = text.len() == 32 && text.bytes().all(|it| it.is_ascii_hexdigit());
+            let is_id = text.len() == 32 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
             if is_id {
                 return Ok(text.to_ascii_lowercase());
             }
@@ -35,31 +36,31 @@ pub fn own_id(file: &Path) -> Result<String, IdError> {
     }
 }
 
-/// A number that nothing else has: 32 hexadecimal digits.
+/// Returns a unique id: 32 hexadecimal digits.
 pub(crate) fn new_id() -> Result<String, getrandom::Error> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes)?;
     Ok(HEXLOWER.encode(&bytes))
 }
 
-/// Why a station has no number.
+/// The error returned when a station has no id.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum IdError {
-    /// The file holds something else.
+    /// The file has invalid contents.
     #[error(
-        "{file} does not hold 32 hexadecimal digits, the number that this station goes by in a fleet; delete it to get another one"
+        "{file} does not contain 32 hexadecimal digits, the station's id in a fleet; delete the file to create a new id"
     )]
     Garbled {
         /// The file.
         file: String,
     },
-    /// It cannot be read, made or written.
-    #[error("the number that this station goes by in a fleet cannot be kept in {file}")]
+    /// The file cannot be read, created or written.
+    #[error("the station's id in a fleet cannot be stored in {file}")]
     File {
         /// The file.
         file: String,
-        /// Why.
+        /// The cause.
         #[source]
         source: std::io::Error,
     },
@@ -73,7 +74,7 @@ mod tests {
     #[test]
     fn a_station_keeps_its_number_and_another_one_has_another() {
         let folder = tempfile::tempdir().unwrap();
-        let [one, other] = ["one", "other"].map(|it| folder.path().join(it));
+        let [one, other] = ["one", "other"].map(|name| folder.path().join(name));
         let first = own_id(&one).unwrap();
         assert_eq!(own_id(&one).unwrap(), first);
         assert_ne!(own_id(&other).unwrap(), first);

@@ -1,4 +1,4 @@
-//! Who a member is: what its certificate says, and what it signs.
+//! The identity of a member: its certificate and its signatures.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -14,19 +14,19 @@ use x509_parser::prelude::{FromDer, X509Certificate};
 
 use crate::CredentialsError;
 
-/// A member of the fleet, as its certificate names it.
+/// A member of the fleet, as named by its certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Peer {
-    /// The station that the certificate was made for, as in `desk-3`.
+    /// The station for which the certificate was issued, as in `desk-3`.
     pub(crate) name: String,
-    /// What only this certificate is called, as in `desk-3.1a2b3c4d`.
+    /// The unique common name of the certificate, as in `desk-3.1a2b3c4d`.
     pub(crate) common_name: String,
-    /// When the certificate ends, in seconds since 1970-01-01T00:00:00Z.
+    /// The expiry of the certificate, in seconds since 1970-01-01T00:00:00Z.
     pub(crate) expires_s: i64,
     public_key: Vec<u8>,
 }
 
-/// By what this program signs, and looks who else belongs to the fleet.
+/// Signs the messages of this program and verifies the certificates of others.
 #[derive(Debug)]
 pub(crate) struct Identity {
     peer: Arc<Peer>,
@@ -41,7 +41,7 @@ pub(crate) struct Identity {
 pub(crate) const SIGNATURE: usize = 64;
 
 impl Peer {
-    /// What a certificate says, by whomever it was made.
+    /// Parses a certificate of any authority.
     pub(crate) fn of(certificate: &[u8]) -> Option<Self> {
         Self::read(&X509Certificate::from_der(certificate).ok()?.1)
     }
@@ -66,7 +66,7 @@ impl Peer {
 }
 
 impl Identity {
-    /// The identity of a certificate and its key, both DER, in the fleet of an authority.
+    /// Returns the identity of a certificate and its key, both DER, in the fleet of an authority.
     pub(crate) fn new(
         authority: &[u8],
         certificate: Vec<u8>,
@@ -77,12 +77,12 @@ impl Identity {
         let unusable = |what| CredentialsError::Unusable(what);
         let key = EcdsaKeyPair::from_pkcs8(&ECDSA_P256_SHA256_FIXED_SIGNING, key, &random);
         let (_, authority) = X509Certificate::from_der(authority)
-            .map_err(|_| unusable("authority.pem holds no certificate"))?;
+            .map_err(|_| unusable("authority.pem contains no certificate"))?;
         let identity = Self {
             peer: Peer::of(&certificate)
                 .ok_or(unusable("certificate.pem names no station"))?
                 .into(),
-            key: key.map_err(|_| unusable("key.pem holds no P-256 key"))?,
+            key: key.map_err(|_| unusable("key.pem contains no P-256 key"))?,
             authority: authority.public_key().subject_public_key.data.to_vec(),
             certificate,
             revoked: RwLock::new(revoked),
@@ -103,7 +103,7 @@ impl Identity {
         Ok(identity)
     }
 
-    /// This member itself.
+    /// Returns this member.
     pub(crate) const fn own(&self) -> &Arc<Peer> {
         &self.peer
     }
@@ -112,21 +112,22 @@ impl Identity {
         &self.certificate
     }
 
-    /// The member that a certificate names, where it is one of this fleet, now.
+    /// Verifies a certificate and returns its member.
     pub(crate) fn peer(&self, certificate: &[u8]) -> Result<Peer, &'static str> {
-        let (_, parsed) = X509Certificate::from_der(certificate).map_err(|_| "it is none")?;
+        let (_, parsed) =
+            X509Certificate::from_der(certificate).map_err(|_| "it is not a certificate")?;
         let peer = Peer::read(&parsed).ok_or("it names no station")?;
         let authority = UnparsedPublicKey::new(&ECDSA_P256_SHA256_ASN1, &self.authority);
         let signed = parsed.tbs_certificate.as_ref();
         let signature = &parsed.signature_value.data;
         if authority.verify(signed, signature).is_err() {
-            return Err("the authority of this fleet has not made it");
+            return Err("it was not issued by the authority of this fleet");
         }
         self.check(&peer)?;
         Ok(peer)
     }
 
-    /// Whether a member still belongs to the fleet: checked on each use.
+    /// Checks that a member still belongs to the fleet. Called on each use.
     pub(crate) fn check(&self, peer: &Peer) -> Result<(), &'static str> {
         if peer.expires_s <= now_s() {
             return Err("it has expired");
@@ -138,7 +139,7 @@ impl Identity {
         Ok(())
     }
 
-    /// Revokes more certificates. What is revoked stays so while the program runs.
+    /// Revokes more certificates, until the program ends.
     pub(crate) fn revoke(&self, more: BTreeSet<String>) {
         let mut revoked = self.revoked.write().unwrap_or_else(PoisonError::into_inner);
         revoked.extend(more);
@@ -158,7 +159,8 @@ impl Identity {
     }
 }
 
-/// What is signed: for which purpose, and each part with its length, so that no two statements have the same bytes.
+/// Returns the bytes to be signed: the purpose, and each part with its length, so that no two
+/// statements have the same bytes.
 pub(crate) fn statement(purpose: &str, parts: &[&[u8]]) -> Vec<u8> {
     let mut statement = format!("dobot fleet {purpose}\0").into_bytes();
     for part in parts {
@@ -168,8 +170,10 @@ pub(crate) fn statement(purpose: &str, parts: &[&[u8]]) -> Vec<u8> {
     statement
 }
 
-/// The time in seconds since 1970-01-01T00:00:00Z.
+/// Returns the time in seconds since 1970-01-01T00:00:00Z.
 pub(crate) fn now_s() -> i64 {
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
-    now.map_or(0, |it| i64::try_from(it.as_secs()).unwrap_or(i64::MAX))
+    now.map_or(0, |elapsed| {
+        i64::try_from(elapsed.as_secs()).unwrap_or(i64::MAX)
+    })
 }

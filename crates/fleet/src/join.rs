@@ -1,4 +1,4 @@
-//! Joining a fleet: the tasks between Zenoh and the station.
+//! The tasks that connect Zenoh and the station.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -24,35 +24,35 @@ use crate::stops::{self, StopTelling};
 use crate::telling::{self, Pace};
 use crate::work::Working;
 
-/// A station's place in its fleet; it is left when this is dropped.
+/// A station's membership in a fleet; the station leaves when this is dropped.
 #[derive(Debug)]
 pub struct Fleet {
     leave: oneshot::Sender<()>,
     joined: JoinHandle<()>,
 }
 
-/// Why a station cannot join.
+/// The error returned when a station cannot join.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FleetError {
-    /// It is not set up for it.
+    /// The configuration is invalid.
     #[error(transparent)]
     Config(#[from] FleetConfigError),
-    /// Its certificate cannot be used.
+    /// The credentials cannot be used.
     #[error(transparent)]
     Credentials(#[from] CredentialsError),
-    /// The work that was submitted cannot be read.
+    /// The submitted jobs cannot be read.
     #[error(
-        "the work for the fleet in {folder} cannot be read: {source}; make room on the disk, or check the folder's permissions"
+        "the submitted jobs in {folder} cannot be read: {source}; free disk space, or check the folder's permissions"
     )]
     Work {
-        /// Where it is.
+        /// Their folder.
         folder: PathBuf,
-        /// Why not.
+        /// The cause.
         source: std::io::Error,
     },
     /// Zenoh cannot be started.
-    #[error("the fleet cannot be joined: {0}")]
+    #[error("cannot join the fleet: {0}")]
     Zenoh(String),
 }
 
@@ -62,16 +62,18 @@ impl FleetError {
     }
 }
 
-/// So many stations may come or go before anything else is looked at.
+/// The maximum number of arrivals and departures that are handled in a row.
 const LIVES_AT_ONCE: usize = 256;
-/// So often it is looked whether there is something to tell the others, and whether anybody still looks at them.
+/// The interval at which the state is published, and at which it is checked whether anybody watches
+/// the members.
 const LOOK_EVERY: Duration = Duration::from_millis(100);
 impl Fleet {
-    /// Joins by a session, for as long as this is kept. Routers that are away are waited for meanwhile.
+    /// Joins through a session, for as long as this is kept. Continues in the background while a
+    /// router is unreachable.
     ///
     /// # Errors
     ///
-    /// [`FleetError`]; the station is in no fleet then.
+    /// [`FleetError`]; the station is then in no fleet.
     pub async fn join(
         session: &FleetSession,
         config: &FleetConfig,
@@ -93,7 +95,7 @@ impl Fleet {
         let opening = Network::open(session.clone(), alive, roster.peers().clone());
         let mut opening: Opening = Box::pin(opening);
         if session.is_open() {
-            // What is wrong is told at once.
+            // Errors of this machine are reported immediately.
             network = Some((&mut opening).await?);
         }
         let (port, end) = FleetPort::new(&config.name, id);
@@ -125,21 +127,23 @@ impl Fleet {
         })
     }
 
-    /// Leaves: the others are told.
+    /// Leaves, and notifies the other members.
     pub async fn leave(self) {
-        // One that has ended has left.
+        // The task may have ended already.
         let _ = self.leave.send(());
         let _ = self.joined.await;
     }
 }
 
-/// When this station joins, in milliseconds since 1970.
+/// The start of the membership, in milliseconds since 1970.
 fn now_ms() -> u64 {
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
-    now.map_or(0, |it| u64::try_from(it.as_millis()).unwrap_or(u64::MAX))
+    now.map_or(0, |elapsed| {
+        u64::try_from(elapsed.as_millis()).unwrap_or(u64::MAX)
+    })
 }
 
-/// The work that was submitted before this start.
+/// Opens the jobs that were submitted before this start.
 fn open_work(config: &FleetConfig, api: &StationApi) -> Result<Working, FleetError> {
     let opened = Working::open(config.work.as_deref());
     let (work, wrong) = opened.map_err(|source| FleetError::Work {
@@ -147,7 +151,7 @@ fn open_work(config: &FleetConfig, api: &StationApi) -> Result<Working, FleetErr
         source,
     })?;
     for file in wrong {
-        let text = format!("{file}; this work for the fleet is left as it is");
+        let text = format!("{file}; this submitted job is ignored");
         api.handle().try_report_trouble(text);
     }
     Ok(work)
@@ -161,20 +165,20 @@ struct Joined {
     about: MemberAbout,
     end: FleetEnd,
     roster: Roster,
-    /// Absent while the router is waited for.
+    /// Absent until the router is connected.
     network: Option<Network>,
-    /// The work that was submitted here for any arm.
+    /// The jobs that were submitted here for any arm.
     work: Working,
-    /// Which members have to be sent the stops of the fleet, and when.
+    /// The members to which the fleet's stops have to be sent, and when.
     stops: StopTelling,
-    /// Exchanges of stops under way; each gives the members that did not answer.
+    /// In-flight exchanges of stops; each returns the members that did not answer.
     telling_stops: JoinSet<Vec<MemberKey>>,
-    /// What the others answer who are asked what they are and do.
+    /// In-flight state queries to all members.
     hearing: JoinSet<Vec<Sample>>,
-    /// Those who wait for these answers.
+    /// The callers that wait for these responses.
     looking: Vec<oneshot::Sender<()>>,
     pace: Pace,
-    /// When it joined, and the station's clock then.
+    /// When the station joined, by the system's and by its own clock.
     since: (Instant, f64),
 }
 
@@ -219,7 +223,7 @@ impl Joined {
                 Some(wish) = self.end.wishes.recv() => match wish {
                     FleetWish::Look(seen) => self.look(seen).await,
                     FleetWish::Ask(ask) => {
-                        let way = self.network.as_ref().map(|it| it.way().clone());
+                        let way = self.network.as_ref().map(|network| network.way().clone());
                         let api = self.api.clone();
                         asking.spawn(async move { asking::ask(way.as_ref(), &api, ask).await });
                     }
@@ -228,13 +232,13 @@ impl Joined {
                 },
                 Some(_) = asking.join_next() => {}
                 Some(silent) = self.telling_stops.join_next() => {
-                    // Telling does not panic.
+                    // The task does not panic.
                     for member in silent.unwrap_or_default() {
                         self.stops.handle_silent(&member, self.since.0.elapsed());
                     }
                 }
                 Some(heard) = self.hearing.join_next() => {
-                    // Asking does not panic.
+                    // The task does not panic.
                     for sample in &heard.unwrap_or_default() {
                         self.hear(sample);
                     }
@@ -262,7 +266,8 @@ impl Joined {
         }
     }
 
-    /// A station came or went. Many come at once where this one joins, or a router is there again.
+    /// Handles an arrival or a departure, and those queued behind it: many come together when this
+    /// station joins or a router returns.
     fn hear_of_lives(&mut self, sample: &Sample) {
         self.hear_of_life(sample);
         for _ in 0..LIVES_AT_ONCE {
@@ -274,7 +279,7 @@ impl Joined {
         self.show();
     }
 
-    /// A station came or went.
+    /// Handles an arrival or a departure.
     fn hear_of_life(&mut self, sample: &Sample) {
         let Some(alive) = Alive::of(sample.key_expr().as_str()) else {
             return;
@@ -287,7 +292,11 @@ impl Joined {
                     Err(_) if alive.messages != MESSAGES => None,
                     Err(why) => {
                         let name = alive.member.name;
-                        tracing::info!(name, why, "a station without a certificate of the fleet");
+                        tracing::info!(
+                            name,
+                            why,
+                            "ignored a station without a certificate of the fleet"
+                        );
                         return;
                     }
                 };
@@ -297,7 +306,8 @@ impl Joined {
                 let was_full = self.roster.is_full();
                 self.roster.came(alive, peer, at_s);
                 if self.roster.is_full() && !was_full {
-                    let many = "the fleet has more stations than this one keeps in mind; some are not shown";
+                    let many =
+                        "the fleet has more stations than this one can track; some are not shown";
                     self.api.handle().try_report_trouble(many.to_owned());
                 }
             }
@@ -314,8 +324,8 @@ impl Joined {
         let now = self.since.0.elapsed();
         self.stops.handle_time(now, SystemTime::now());
         let is_settled = self.stops.is_settled(now);
-        self.end.is_settled.send_if_modified(|it| {
-            let was_settled = std::mem::replace(it, is_settled);
+        self.end.is_settled.send_if_modified(|settled| {
+            let was_settled = std::mem::replace(settled, is_settled);
             was_settled != is_settled
         });
         while let Some(member) = self.stops.poll_due(now) {
@@ -330,7 +340,7 @@ impl Joined {
         }
     }
 
-    /// Sends the stops of the fleet to these members at once.
+    /// Sends the stops of the fleet to these members immediately.
     fn tell_stops(&mut self, to: Vec<Arc<Member>>, answers: oneshot::Sender<Vec<MemberAnswer>>) {
         let mut telling = JoinSet::new();
         for member in to {
@@ -361,10 +371,10 @@ impl Joined {
         self.telling_stops.spawn(async move {
             let mut answered = telling.join_all().await;
             answered.sort_by(|one, other| one.0.cmp(&other.0));
-            let silent = answered.iter().filter(|it| !it.1.answer.is_success());
-            let silent = silent.map(|it| it.0.clone()).collect();
-            // Whoever asked may be gone.
-            drop(answers.send(answered.into_iter().map(|it| it.1).collect()));
+            let silent = answered.iter().filter(|entry| !entry.1.answer.is_success());
+            let silent = silent.map(|entry| entry.0.clone()).collect();
+            // The requester may be gone.
+            drop(answers.send(answered.into_iter().map(|entry| entry.1).collect()));
             silent
         });
     }
@@ -374,38 +384,42 @@ impl Joined {
         (way, self.api.handle().clone())
     }
 
-    /// Why no work is offered from here now, if so.
+    /// Returns the reason why no job is offered from here at present.
     fn held(&self) -> Option<String> {
         if !self.stops.is_settled(self.since.0.elapsed()) {
             return Some(UNSETTLED.to_owned());
         }
         let snapshot = self.api.handle().state();
         let state = snapshot.state();
-        if let Some(stop) = state.fleet_stops.iter().find(|it| it.holds()) {
+        if let Some(stop) = state
+            .fleet_stops
+            .iter()
+            .find(|fleet_stop| fleet_stop.holds())
+        {
             return Some(format!(
-                "{}; `dobot fleet stop --reset` lets the fleet go on",
+                "{}; `dobot fleet stop --reset` releases the fleet",
                 stop.text()
             ));
         }
         let stop = state.stop.as_ref();
-        stop.map(|it| format!("the arm of this station is {}", it.text()))
+        stop.map(|stop| format!("the arm of this station is {}", stop.text()))
     }
 
-    /// A station tells of itself.
+    /// Handles a published state.
     fn hear(&mut self, sample: &Sample) {
         let Some(member) = MemberKey::of_resource(sample.key_expr().as_str(), TOLD) else {
             return;
         };
-        let signed = sample.attachment().map(|it| it.to_bytes());
+        let signed = sample.attachment().map(|attachment| attachment.to_bytes());
         let (told, signed) = (sample.payload().to_bytes(), signed.unwrap_or_default());
         let at_s = self.at_s();
         if let Err(why) = self.roster.hear(&member, &told, &signed, at_s) {
             let name = member.name;
-            tracing::info!(name, why, "what a station tells is not taken");
+            tracing::info!(name, why, "ignored the published state of a station");
         }
     }
 
-    /// Somebody here wants to know what the others are and do. Whoever stops an arm meanwhile is not kept waiting.
+    /// Queries the state of all members for a caller. Does not delay stops.
     async fn look(&mut self, seen: oneshot::Sender<()>) {
         self.looking.push(seen);
         if let Some(network) = &mut self.network
@@ -418,7 +432,7 @@ impl Joined {
         }
     }
 
-    /// Shows the members to those who wait for it.
+    /// Publishes the members to the waiting callers.
     fn show_to_all(&mut self) {
         let own = telling::told(&self.about, &self.api.handle().state());
         if let Ok(told) = serde_json::from_slice(&own) {
@@ -426,29 +440,30 @@ impl Joined {
         }
         self.show();
         for seen in self.looking.drain(..) {
-            // Whoever wanted to know may be gone.
+            // The caller may be gone.
             let _ = seen.send(());
         }
     }
 
-    /// Follows the others while there is work for them: each tells of itself every second.
+    /// Subscribes to the members' states while there are jobs for them: each publishes its state
+    /// every second.
     async fn follow(&mut self) {
         if let Some(network) = self.network.as_mut().filter(|_| self.work.needs_members()) {
-            // Without a network there are no others.
+            // Without a network there are no other members.
             network.follow().await;
         }
     }
 
     fn tick(&mut self) {
         self.roster
-            .forget_strangers(|it| self.identity.check(it).is_ok());
+            .forget_strangers(|peer| self.identity.check(peer).is_ok());
         let (joined, _) = self.since;
         let state = self.api.handle().state();
         let is_due = self.pace.is_due(joined.elapsed(), state.state());
-        // One end is the port's own.
+        // One receiver is the port's own.
         let is_watched = self.end.members.receiver_count() > 1 || self.work.needs_members();
         let network = self.network.as_ref().filter(|_| is_due);
-        let network = network.filter(|it| it.is_followed());
+        let network = network.filter(|network| network.is_followed());
         if is_due && (is_watched || network.is_some()) {
             let own = telling::told(&self.about, &state);
             if is_watched && let Ok(told) = serde_json::from_slice(&own) {
@@ -466,7 +481,7 @@ impl Joined {
         }
     }
 
-    /// Shows the members to the station as they are now.
+    /// Publishes the current members to the station.
     fn show(&mut self) {
         let members = self.roster.members();
         self.end.members.send_if_modified(|shown| {
@@ -476,7 +491,7 @@ impl Joined {
         });
     }
 
-    /// The station's clock.
+    /// Returns the station's clock.
     fn at_s(&self) -> f64 {
         let (joined, at_s) = self.since;
         at_s + joined.elapsed().as_secs_f64()

@@ -1,25 +1,25 @@
-//! The keys of Zenoh.
+//! The key expressions of Zenoh.
 
 use data_encoding::BASE64URL_NOPAD;
 
 use crate::identity::{Identity, Peer, SIGNATURE, statement};
 
-/// The version of the messages: stations of another one are seen, and nothing is asked of them.
+/// The version of the messages. Stations with another version are shown, but receive no requests.
 pub const MESSAGES: u32 = 2;
 
-/// Everyone who is there, of every version.
+/// The liveliness tokens of all stations, of every version.
 pub(crate) const ALL_ALIVE: &str = "dobot/alive/**";
 
-/// A station, as its keys name it.
+/// The name and id of a station, as in its keys.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct MemberKey {
-    /// What it is called.
+    /// The name.
     pub(crate) name: String,
-    /// The number that it goes by, 32 hexadecimal digits.
+    /// The id, 32 hexadecimal digits.
     pub(crate) id: String,
 }
 
-/// What a liveliness token says.
+/// The contents of a liveliness token.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Alive {
     pub(crate) member: MemberKey,
@@ -27,14 +27,16 @@ pub(crate) struct Alive {
     pub(crate) messages: u32,
     /// The version of its program.
     pub(crate) version: String,
-    /// Its start, in milliseconds since 1970 by its own clock: of two of one station the later one counts.
+    /// Its start, in milliseconds since 1970 by its own clock: the latest start of a station is
+    /// valid.
     pub(crate) run: u64,
-    /// The signature of what is before it and the certificate of who has signed; empty with other versions of the messages.
+    /// The signature of the preceding parts and the signer's certificate; empty with other versions
+    /// of the messages.
     pub(crate) proof: Vec<u8>,
 }
 
 impl Alive {
-    /// What a station says of itself, signed.
+    /// Returns the signed token of a station.
     pub(crate) fn signed(member: &MemberKey, own: &Identity, run: u64) -> Self {
         let mut alive = Self {
             member: member.clone(),
@@ -48,13 +50,13 @@ impl Alive {
         alive
     }
 
-    /// The member that has signed this.
+    /// Returns the member that has signed this.
     pub(crate) fn signer(&self, own: &Identity) -> Result<Peer, &'static str> {
         let proof = self.proof.split_at_checked(SIGNATURE);
         let (signature, certificate) = proof.ok_or("it is not signed")?;
         let peer = own.peer(certificate)?;
         if !peer.has_signed(&self.statement(), signature) {
-            return Err("it is signed by somebody else");
+            return Err("it is signed by another station");
         }
         Ok(peer)
     }
@@ -78,13 +80,13 @@ impl Alive {
         format!("{}/{}", self.said(), BASE64URL_NOPAD.encode(&self.proof))
     }
 
-    /// Nothing for a key that is none of a station.
+    /// Parses a key; `None` if it is not the key of a station.
     pub(crate) fn of(key: &str) -> Option<Self> {
         let mut parts = key.strip_prefix("dobot/alive/")?.split('/');
         let mut next = || parts.next();
         let (messages, version) = (next()?.parse().ok()?, next()?);
         let member = MemberKey::of(next()?, next()?)?;
-        let is_version = |it: char| it.is_ascii_alphanumeric() || ".+-".contains(it);
+        let is_version = |char: char| char.is_ascii_alphanumeric() || ".+-".contains(char);
         if version.len() > 40 || !version.chars().all(is_version) {
             return None;
         }
@@ -93,7 +95,7 @@ impl Alive {
                 let (run, proof) = (next()?.parse().ok()?, next()?);
                 (run, BASE64URL_NOPAD.decode(proof.as_bytes()).ok()?)
             }
-            // What follows with other versions is not known.
+            // The remaining parts of other versions are unknown.
             _ => (0, Vec::new()),
         };
         if messages == MESSAGES && next().is_some() {
@@ -110,13 +112,13 @@ impl Alive {
 }
 
 impl MemberKey {
-    /// The key of one of its resources.
+    /// Returns the key of one of its resources.
     pub(crate) fn resource(&self, what: &str) -> String {
         let Self { name, id } = self;
         format!("dobot/{MESSAGES}/{name}/{id}/{what}")
     }
 
-    /// The station whose resource this is.
+    /// Returns the station that owns this resource.
     pub(crate) fn of_resource(key: &str, what: &str) -> Option<Self> {
         let member = key.strip_prefix("dobot/")?;
         let (messages, member) = member.split_once('/')?;
@@ -126,7 +128,7 @@ impl MemberKey {
     }
 
     fn of(name: &str, id: &str) -> Option<Self> {
-        let is_id = id.len() == 32 && id.bytes().all(|it| it.is_ascii_hexdigit());
+        let is_id = id.len() == 32 && id.bytes().all(|byte| byte.is_ascii_hexdigit());
         (dobot_api::is_fleet_name(name) && is_id).then(|| Self {
             name: name.into(),
             id: id.into(),
@@ -134,18 +136,18 @@ impl MemberKey {
     }
 }
 
-/// A resource of all stations.
+/// Returns the key expression of a resource of all stations.
 pub(crate) fn of_all(what: &str) -> String {
     format!("dobot/{MESSAGES}/*/*/{what}")
 }
 
-/// What a station tells.
+/// The published state of a station.
 pub(crate) const TOLD: &str = "told";
-/// Where a station is asked for what everyone may know, and to stop.
+/// The public requests of a station, and stops.
 pub(crate) const API: &str = "api";
-/// Where a station is told which stops of the fleet there are, and tells those that it knows of.
+/// The exchange of the fleet's stops.
 pub(crate) const STOPS: &str = "stops";
-/// Where a station is asked for what only the asker may know or do.
+/// The sealed requests of a station.
 pub(crate) const SEALED: &str = "sealed";
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-//! Joins stations: each knows who else is there and what it does, and asks the others by the requests of their own API.
+//! Joins stations: each knows the members and their states, and sends requests to them through
+//! their own HTTP API.
 //!
 //! ```no_run
 //! use dobot_api::{Folders, MemberAbout};
@@ -31,17 +32,18 @@
 //!        `--------- StationApi ---------'         what others ask passes the same tokens, roles and rules
 //! ```
 //!
-//! A station stays what it is without a fleet: its rules, its stop, its page. What joins them only carries.
+//! A station works without a fleet: its rules, its stop and its page stay the same. This crate only
+//! transports.
 //!
-//! The keys of Zenoh, for peers of others:
+//! The key expressions of Zenoh, for other implementations:
 //!
-//! | key | what |
+//! | key | contents |
 //! |---|---|
-//! | `dobot/alive/2/VERSION/NAME/ID/START/PROOF` | a liveliness token for as long as the station is there; `PROOF` is a signature of what is before it and the certificate of who has signed |
-//! | `dobot/2/NAME/ID/told` | published, and answered when asked: `{"about": MemberAbout, "state": State}`, with its number and a signature attached |
-//! | `dobot/2/NAME/ID/api` | answers an [`ApiRequest`](dobot_api::ApiRequest) to GET or to stop, without a token, with an [`ApiAnswer`](dobot_api::ApiAnswer); its signature is attached |
-//! | `dobot/2/NAME/ID/sealed` | the same for all other requests, which only this station can read |
-//! | `dobot/2/NAME/ID/stops` | takes the stops of the fleet that the sender knows, and answers with its own: lists of [`FleetWideStop`](dobot_api::FleetWideStop); the signature of the answer is attached |
+//! | `dobot/alive/2/VERSION/NAME/ID/START/PROOF` | the liveliness token of a station; `PROOF` is a signature of the preceding parts and the signer's certificate |
+//! | `dobot/2/NAME/ID/told` | published, and returned to queries: `{"about": MemberAbout, "state": State}`, with its number and a signature attached |
+//! | `dobot/2/NAME/ID/api` | takes an [`ApiRequest`](dobot_api::ApiRequest) to GET or to stop, without a token, and returns an [`ApiAnswer`](dobot_api::ApiAnswer) with a signature attached |
+//! | `dobot/2/NAME/ID/sealed` | takes all other requests, which only this station can read |
+//! | `dobot/2/NAME/ID/stops` | takes the fleet's stops known to the sender, and returns its own: lists of [`FleetWideStop`](dobot_api::FleetWideStop), with a signature attached |
 //!
 //! `2` is the version of these messages ([`MESSAGES`]), `VERSION` that of the program.
 

@@ -1,4 +1,4 @@
-//! The way to the others: Zenoh, and what it carries for one station.
+//! The Zenoh declarations of one station.
 
 use std::pin::Pin;
 use std::time::{Duration, Instant};
@@ -18,49 +18,51 @@ use crate::keys::{ALL_ALIVE, API, Alive, SEALED, STOPS, TOLD, of_all};
 use crate::session::FleetSession;
 use crate::telling::Teller;
 
-/// The way to the others.
+/// The connection to the other members.
 pub(crate) struct Network {
     way: Way,
-    /// Who came and went. Nobody waits for this station to hear it: others of this program may join by the same session.
+    /// Arrivals and departures. Unbounded, since stations of this program may share the session.
     lives: mpsc::UnboundedReceiver<Sample>,
-    /// Requests to stop, and stops of the fleet: they wait behind nothing else.
+    /// Stops, and stops of the fleet: they do not wait for other requests.
     urgent: mpsc::Receiver<Incoming>,
     /// All other requests.
     requests: mpsc::Receiver<Incoming>,
-    /// What the others tell, while somebody looks.
+    /// The published states of the members, while somebody watches.
     others: Option<Others>,
-    /// What this station tells.
+    /// Publishes this station's state.
     telling: Publisher<'static>,
     teller: Teller,
-    /// What says that it is there, and what it is and does, for as long as this is kept.
+    /// The liveliness token and the resources of this station.
     declared: (LivelinessToken, [Queryable<()>; 4], Subscriber<()>),
 }
 
-/// The network, while the router is waited for.
+/// The network, until the router is connected.
 pub(crate) type Opening = Pin<Box<dyn Future<Output = Result<Network, FleetError>> + Send>>;
 
-/// What comes from the others.
+/// A message from the other members.
 pub(crate) enum Incoming {
     Life(Sample),
     Asked(Query),
     Sealed(Query),
     Stops(Query),
-    /// Somebody asks what this station is and does.
+    /// A query for this station's state.
     About(Query),
     Told(Sample),
 }
 
-/// How long those may take who are asked what they are and do.
+/// The timeout for state queries.
 const TELL_WITHIN: Duration = Duration::from_secs(1);
-/// How long the others are followed after the last one here has looked.
+/// How long the subscription lasts after the last use.
 const FOLLOW_FOR: Duration = Duration::from_secs(10);
-/// So much of what the others tell waits for this station; of more the oldest is dropped, since each tells it anew every second.
+/// The capacity of the queue of published states; beyond it the oldest is dropped, since each
+/// member publishes every second.
 const TOLD_AT_ONCE: usize = 4096;
-/// How many requests wait for this station; more are left without an answer.
+/// The capacity of the request queue; requests beyond it get no response.
 const REQUESTS_AT_ONCE: usize = 256;
 
 impl Network {
-    /// Opens the way, as soon as there is one. `peers` are those who are known to be asked.
+    /// Opens the network when the router is connected. `peers` are the members that accept
+    /// requests.
     pub(crate) async fn open(
         mut session: FleetSession,
         alive: Alive,
@@ -81,12 +83,14 @@ impl Network {
         let (tells, lives) = mpsc::unbounded_channel();
         let liveliness = session.liveliness();
         let others = liveliness.declare_subscriber(ALL_ALIVE).history(true);
-        // One that has left hears nothing more.
-        let others = others.callback(move |it| drop(tells.send(it))).await?;
+        // A receiver that has left gets nothing.
+        let others = others
+            .callback(move |member| drop(tells.send(member)))
+            .await?;
         let (to_urgent, urgent) = mpsc::channel(REQUESTS_AT_ONCE);
         let (to_requests, requests) = mpsc::channel(REQUESTS_AT_ONCE);
-        // Never waits: a callback that waits keeps its link from receiving, a stop too, and a peer closes a link that takes
-        // nothing for some seconds.
+        // Never blocks: a callback that blocks keeps its link from receiving, stops too, and a peer
+        // closes a link that receives nothing for some seconds.
         let queue = async |what, put: fn(Query) -> Incoming| {
             let (to_urgent, to_requests) = (to_urgent.clone(), to_requests.clone());
             let queryable = session.declare_queryable(own.resource(what));
@@ -94,7 +98,7 @@ impl Network {
                 let is_urgent = what == STOPS || (what == API && asking::asks_to_stop(&query));
                 let queue = if is_urgent { &to_urgent } else { &to_requests };
                 if queue.try_send(put(query)).is_err() {
-                    tracing::info!(what, "a request of the fleet is dropped: too many wait");
+                    tracing::info!(what, "dropped a request of the fleet: the queue is full");
                 }
             });
             queryable.await
@@ -119,12 +123,12 @@ impl Network {
         })
     }
 
-    /// By which others are asked.
+    /// Returns the session and identity for requests.
     pub(crate) const fn way(&self) -> &Way {
         &self.way
     }
 
-    /// What comes next.
+    /// Returns the next message.
     async fn next(&mut self) -> Incoming {
         tokio::select! {
             Some(request) = self.urgent.recv() => request,
@@ -135,12 +139,12 @@ impl Network {
         }
     }
 
-    /// Who else came or went, where that is known already.
+    /// Returns the next arrival or departure that is already queued.
     pub(crate) fn poll_life(&mut self) -> Option<Sample> {
         self.lives.try_recv().ok()
     }
 
-    /// Follows what the others tell; says whether that has just begun.
+    /// Subscribes to the members' states; returns whether the subscription is new.
     pub(crate) async fn follow(&mut self) -> bool {
         let looked = Instant::now();
         if let Some(others) = &mut self.others {
@@ -149,35 +153,36 @@ impl Network {
         }
         let told = self.way.session.declare_subscriber(of_all(TOLD));
         let told = told.with(RingChannel::new(TOLD_AT_ONCE)).await;
-        // Without a network there are no others.
+        // Without a network there are no other members.
         self.others = told.ok().map(|told| Others { told, looked });
         true
     }
 
-    /// Follows the others no longer when nobody has looked for a while.
+    /// Unsubscribes when nobody has watched for a while.
     pub(crate) fn follow_on(&mut self, is_watched: bool) {
         if let Some(others) = self.others.as_mut().filter(|_| is_watched) {
             others.looked = Instant::now();
         }
-        self.others.take_if(|it| it.looked.elapsed() > FOLLOW_FOR);
+        self.others
+            .take_if(|others| others.looked.elapsed() > FOLLOW_FOR);
     }
 
-    /// Whether anybody follows this station.
+    /// Whether anybody subscribes to this station's state.
     pub(crate) fn is_followed(&self) -> bool {
         let status = self.telling.matching_status().wait();
-        // Where that is not known, somebody may.
-        status.map_or(true, |it| it.matching())
+        // If that is unknown, assume a subscriber.
+        status.map_or(true, |status| status.matching())
     }
 
-    /// Tells the others what this station is and does.
+    /// Publishes this station's state.
     pub(crate) fn tell(&self, told: Vec<u8>) {
         let signed = self.teller.sign(&told);
         if let Err(error) = self.telling.put(told).attachment(signed).wait() {
-            tracing::info!(%error, "the fleet is not told");
+            tracing::info!(%error, "cannot publish the state to the fleet");
         }
     }
 
-    /// Answers one who asks what this station is and does.
+    /// Answers a query for this station's state.
     pub(crate) fn answer_about(
         &self,
         query: Query,
@@ -188,27 +193,27 @@ impl Network {
         async move {
             let reply = query.reply(key, told).attachment(signed);
             if let Err(error) = reply.await {
-                tracing::info!(%error, "an answer to the fleet is lost");
+                tracing::info!(%error, "cannot send a response to the fleet");
             }
         }
     }
 
-    /// Leaves. The session may be that of others, too.
+    /// Leaves the fleet. The session may be shared.
     pub(crate) async fn leave(self) {
         let (alive, ..) = self.declared;
-        // Those whom it does not reach miss this station by themselves.
+        // Members that this does not reach notice by the lease of the link.
         let _ = alive.undeclare().await;
     }
 }
 
-/// What the others tell.
+/// The subscription to the members' states.
 struct Others {
     told: Subscriber<RingChannelHandler<Sample>>,
-    /// When somebody looked last.
+    /// When it was last used.
     looked: Instant,
 }
 
-/// Asks all at once what they are and do, and waits until those have told who are there.
+/// Queries the state of all members, and waits until those present have answered.
 pub(crate) async fn ask_all(session: Session) -> Vec<Sample> {
     let replies = session
         .get(of_all(TOLD))
@@ -218,7 +223,7 @@ pub(crate) async fn ask_all(session: Session) -> Vec<Sample> {
         .await;
     let mut heard = Vec::new();
     if let Ok(replies) = replies {
-        // One who does not answer is not waited for longer than that.
+        // A member that does not answer delays the others no longer than this.
         let _ = timeout(TELL_WITHIN, async {
             while let Ok(reply) = replies.recv_async().await {
                 heard.extend(reply.into_result());
@@ -229,7 +234,7 @@ pub(crate) async fn ask_all(session: Session) -> Vec<Sample> {
     heard
 }
 
-/// What comes next from a network that is there.
+/// Returns the next message of a connected network.
 pub(crate) async fn incoming(network: Option<&mut Network>) -> Incoming {
     match network {
         Some(network) => network.next().await,
@@ -237,7 +242,7 @@ pub(crate) async fn incoming(network: Option<&mut Network>) -> Incoming {
     }
 }
 
-/// What the others tell next; never while nobody looks.
+/// Returns the next published state; never, without a subscription.
 async fn told(others: Option<&Others>) -> Result<Sample, zenoh::Error> {
     match others {
         Some(others) => others.told.recv_async().await,

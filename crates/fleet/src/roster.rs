@@ -1,4 +1,4 @@
-//! Who is there: an engine without a network or a clock.
+//! The members of a fleet: an engine without network and clock.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -14,23 +14,23 @@ use crate::identity::Peer;
 use crate::keys::{Alive, MESSAGES, MemberKey};
 use crate::telling;
 
-/// What a station tells of itself.
+/// The published description and state of a station.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Told {
     pub(crate) about: MemberAbout,
     pub(crate) state: Option<Box<State>>,
 }
 
-/// All stations that have been seen.
+/// All stations seen so far.
 #[derive(Debug)]
 pub(crate) struct Roster {
     own: MemberKey,
     seen: BTreeMap<MemberKey, Seen>,
-    /// All of them, as long as nothing has changed.
+    /// The members, cached until a change.
     members: Option<Members>,
-    /// Whether there were more than it takes.
+    /// Whether stations were left out for lack of space.
     is_full: bool,
-    /// The certificates of those who are there.
+    /// The certificates of the members present.
     peers: Peers,
 }
 
@@ -38,16 +38,17 @@ pub(crate) struct Roster {
 #[derive(Debug)]
 struct Seen {
     member: Arc<Member>,
-    /// What its liveliness token said, while there is one.
+    /// Its liveliness token, while it exists.
     alive: Option<Alive>,
-    /// Who has signed it; absent with other versions of the messages.
+    /// The signer of the token; absent with other versions of the messages.
     peer: Option<Arc<Peer>>,
-    /// The number of what it told last.
+    /// The sequence number of its last published state.
     told: u64,
 }
 
 impl Seen {
-    /// How much the station counts as the one of its name: most where its certificate was made for it, least without one.
+    /// Returns how strong the station's claim to its name is: strongest with a certificate for it,
+    /// weakest without a certificate.
     fn claim(&self) -> Claim {
         claim(self.peer.as_deref(), &self.member.name)
     }
@@ -56,7 +57,7 @@ impl Seen {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Claim {
     OtherVersion,
-    /// A virtual arm that the holder of the certificate gives.
+    /// A virtual arm that the holder of the certificate hosts.
     Given,
     Own,
 }
@@ -69,9 +70,9 @@ fn claim(peer: Option<&Peer>, name: &str) -> Claim {
     }
 }
 
-/// How many stations join by one certificate at the most: one that gives 200 virtual arms.
+/// The maximum number of stations per certificate: one that hosts 200 virtual arms.
 const MOST_OF_ONE: usize = 201;
-/// How many stations are known at the most: a flood of names takes no more memory than that.
+/// The maximum number of stations: bounds the memory that a flood of names can take.
 pub(crate) const MOST: usize = 2000;
 
 impl Roster {
@@ -85,31 +86,37 @@ impl Roster {
         }
     }
 
-    /// The certificates of those who are there, as they come and go.
+    /// Returns the certificates of the members present, updated as they come and go.
     pub(crate) const fn peers(&self) -> &Peers {
         &self.peers
     }
 
-    /// All of them, by name: the same until something changes.
+    /// Returns all members, by name; the same value until something changes.
     pub(crate) fn members(&mut self) -> Members {
-        let all = || self.seen.values().map(|it| it.member.clone()).collect();
+        let all = || {
+            self.seen
+                .values()
+                .map(|value| value.member.clone())
+                .collect()
+        };
         self.members.get_or_insert_with(all).clone()
     }
 
-    /// Whether others were there for which there was no room.
+    /// Whether stations were left out for lack of space.
     pub(crate) const fn is_full(&self) -> bool {
         self.is_full
     }
 
-    /// A station is there, whose certificate has signed that; nothing with other versions of the messages.
+    /// Handles an arrival, with the certificate that signed it; none with other versions of the
+    /// messages.
     pub(crate) fn came(&mut self, alive: Alive, peer: Option<Arc<Peer>>, at_s: f64) {
         let key = alive.member.clone();
         let claims = claim(peer.as_deref(), &key.name);
-        // What somebody else says of it does not count, nor what it said before its last start.
+        // A token of another signer or of an earlier start is ignored.
         let is_passed_over = |seen: &Seen| {
             let is_others = claims == Claim::Given && seen.peer != peer;
-            let last = seen.alive.as_ref().map(|it| it.run);
-            let is_old = seen.claim() == claims && last.is_some_and(|it| it > alive.run);
+            let last = seen.alive.as_ref().map(|alive| alive.run);
+            let is_old = seen.claim() == claims && last.is_some_and(|run| run > alive.run);
             seen.claim() > claims || (seen.claim() == claims && is_others) || is_old
         };
         let is_passed_over = match self.seen.get(&key) {
@@ -142,7 +149,7 @@ impl Roster {
         if let Some(peer) = peer {
             self.known().insert(key.clone(), peer);
         }
-        // One that was replaced under its name is not missed.
+        // A replaced station of the same name is not reported as away.
         let replaced = |(it, seen): &(&MemberKey, &mut Seen)| {
             **it != key && seen.alive.is_none() && **it != self.own && seen.claim() <= claims
         };
@@ -163,10 +170,10 @@ impl Roster {
         self.peers.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Whether there is room for one more: of those who do not speak these messages and those who are away, one makes it. One
-    /// certificate does not take the room of all.
+    /// Makes room for one more station: drops one of another message version or one that is away. A
+    /// certificate cannot take the room of all others.
     fn makes_room(&mut self, peer: Option<&Peer>) -> bool {
-        let by_same = |it: &&Seen| it.peer.as_deref() == peer;
+        let by_same = |seen: &&Seen| seen.peer.as_deref() == peer;
         if peer.is_some() && self.seen.values().filter(by_same).count() >= MOST_OF_ONE {
             return false;
         }
@@ -174,7 +181,7 @@ impl Roster {
             return true;
         }
         self.is_full = true;
-        let is_other = |it: &Seen| peer.is_some() && it.peer.is_none();
+        let is_other = |entry: &Seen| peer.is_some() && entry.peer.is_none();
         let old = self.seen.iter();
         let mut old = old.filter(|(_, it)| it.alive.is_none() || is_other(it));
         let Some(old) = old.next().map(|(key, _)| key.clone()) else {
@@ -184,12 +191,12 @@ impl Roster {
         true
     }
 
-    /// A station is not there any more: it has taken back what it said. A virtual arm that was given to somebody is not missed: it
-    /// ends when it is not used.
+    /// Handles a departure, if the token is the current one. A hosted virtual arm is not reported
+    /// as away: it ends when it is unused.
     pub(crate) fn went(&mut self, alive: &Alive) {
         let member = &alive.member;
         let seen = self.seen.get_mut(member);
-        if let Some(seen) = seen.filter(|it| it.alive.as_ref() == Some(alive)) {
+        if let Some(seen) = seen.filter(|seen| seen.alive.as_ref() == Some(alive)) {
             self.members = None;
             seen.alive = None;
             if seen.claim() == Claim::Given {
@@ -199,9 +206,9 @@ impl Roster {
         }
     }
 
-    /// Forgets the stations whose certificates count no longer; `counts` says of each whether it does.
+    /// Forgets the stations whose certificates are no longer valid; `counts` decides.
     pub(crate) fn forget_strangers(&mut self, counts: impl Fn(&Peer) -> bool) {
-        let is_stranger = |seen: &Seen| seen.peer.as_deref().is_some_and(|it| !counts(it));
+        let is_stranger = |seen: &Seen| seen.peer.as_deref().is_some_and(|peer| !counts(peer));
         let strangers = self
             .seen
             .iter()
@@ -214,7 +221,8 @@ impl Roster {
         }
     }
 
-    /// A station tells of itself, and has signed it. What was told before, or by somebody else, is not kept.
+    /// Handles a published state and its signature. Replays and states of other signers are
+    /// ignored.
     pub(crate) fn hear(
         &mut self,
         member: &MemberKey,
@@ -223,14 +231,15 @@ impl Roster {
         at_s: f64,
     ) -> Result<(), String> {
         let seen = self.seen.get(member);
-        let Some((alive, peer)) = seen.and_then(|it| it.alive.as_ref().zip(it.peer.as_ref()))
+        let Some((alive, peer)) =
+            seen.and_then(|entry| entry.alive.as_ref().zip(entry.peer.as_ref()))
         else {
             return Ok(());
         };
         let number = telling::number_of(peer, member, alive.run, told, signed);
-        let number = number.ok_or("it has not signed it")?;
-        if seen.is_some_and(|it| it.told >= number) {
-            return Err("it was told before".into());
+        let number = number.ok_or("its signature is invalid")?;
+        if seen.is_some_and(|seen| seen.told >= number) {
+            return Err("it is a replay".into());
         }
         let read = telling::read(told, &member.name, &peer.name)?;
         self.told(member, read, at_s);
@@ -240,9 +249,13 @@ impl Roster {
         Ok(())
     }
 
-    /// What a station tells of itself is kept of those who are there.
+    /// Stores the published state of a station that is present.
     pub(crate) fn told(&mut self, member: &MemberKey, told: Told, at_s: f64) {
-        let Some(seen) = self.seen.get_mut(member).filter(|it| it.alive.is_some()) else {
+        let Some(seen) = self
+            .seen
+            .get_mut(member)
+            .filter(|seen| seen.alive.is_some())
+        else {
             return;
         };
         self.members = None;
@@ -254,12 +267,12 @@ impl Roster {
         }
     }
 
-    /// What is to be asked of the stations of a name, now that one came or went.
+    /// Updates the presence of the stations of a name, after an arrival or departure.
     fn judge(&mut self, name: &str) {
         let all = || self.seen.range(of_name(name)).map(|(_, it)| it);
-        // The name is that of whoever has the certificate for it, also while he is away.
+        // The name belongs to the holder of its certificate, also while the holder is away.
         let best = all().map(Seen::claim).max();
-        let is_best = |it: &&Seen| it.alive.is_some() && Some(it.claim()) == best;
+        let is_best = |seen: &&Seen| seen.alive.is_some() && Some(seen.claim()) == best;
         let claim = all().filter(is_best).count();
         for (_, seen) in self.seen.range_mut(of_name(name)) {
             let is_best = Some(seen.claim()) == best;
@@ -277,17 +290,17 @@ impl Roster {
     }
 }
 
-/// The keys of all stations of a name.
+/// Returns the range of keys of a name.
 fn of_name(name: &str) -> RangeInclusive<MemberKey> {
     let key = |id: &str| MemberKey {
         name: name.into(),
         id: id.into(),
     };
-    // A number is of hexadecimal digits, which all come before the letter g.
+    // An id consists of hexadecimal digits, which sort before the letter g.
     key("")..=key("g")
 }
 
-/// Why nothing is asked of a station, if so.
+/// Returns the reason why a station accepts no requests, if any.
 fn refusal(alive: &Alive, is_best: bool, claim: usize) -> Option<Problem> {
     let name = &alive.member.name;
     let (theirs, ours) = (&alive.version, env!("CARGO_PKG_VERSION"));
@@ -297,19 +310,19 @@ fn refusal(alive: &Alive, is_best: bool, claim: usize) -> Option<Problem> {
             format!(
                 "{name} (dobot {theirs}) speaks version {found} of the fleet's messages, this station (dobot {ours}) version {MESSAGES}"
             ),
-            "bring both to the same release",
+            "update both to the same release",
         ));
     }
     if !is_best {
         return Some(MEMBER_REFUSED.hinted(
-            format!("{name} is the name of another station, by its certificate"),
+            format!("the certificate of another station reserves the name {name}"),
             "start this one with another `--name`",
         ));
     }
     (claim > 1).then(|| {
         MEMBER_REFUSED.hinted(
-            format!("{claim} stations call themselves {name}"),
-            "start all of them but one with another `--name`",
+            format!("{claim} stations use the name {name}"),
+            "restart all but one of them with another `--name`",
         )
     })
 }
@@ -339,7 +352,7 @@ mod tests {
         }
     }
 
-    /// The certificate of a station of this name.
+    /// A certificate for this name.
     fn certificate(name: &str) -> Identity {
         let folder = tempfile::tempdir().unwrap();
         let made = Credentials::local(&folder.path().join("own"), name);
@@ -350,7 +363,7 @@ mod tests {
         certificate(name).own().clone()
     }
 
-    /// A station with a certificate for its name.
+    /// Adds a station with a certificate for its name.
     fn came(roster: &mut Roster, member: MemberKey, at_s: f64) {
         let peer = peer(&member.name);
         roster.came(alive(member), Some(peer), at_s);
@@ -364,7 +377,7 @@ mod tests {
 
     fn presences(roster: &mut Roster) -> Vec<(String, Presence)> {
         let members = roster.members();
-        let told = |it: &Arc<Member>| (it.name.clone(), it.presence.clone());
+        let told = |member: &Arc<Member>| (member.name.clone(), member.presence.clone());
         members.iter().map(told).collect()
     }
 
@@ -393,11 +406,14 @@ mod tests {
             let Presence::Refused { problem } = presence else {
                 panic!("{presence:?}");
             };
-            assert_eq!(problem.detail, "2 stations call themselves desk-2");
+            assert_eq!(problem.detail, "2 stations use the name desk-2");
         }
         roster.went(&alive(key("desk-2", 'b')));
         let left = roster.members();
-        let ids: Vec<_> = left.iter().map(|it| (&*it.id, &it.presence)).collect();
+        let ids: Vec<_> = left
+            .iter()
+            .map(|left| (&*left.id, &left.presence))
+            .collect();
         assert_eq!(ids[2], (&*"c".repeat(32), &Presence::Present));
     }
 
@@ -448,7 +464,7 @@ mod tests {
         let member = &roster.members()[1];
         assert_eq!(member.heard_at_s, 3.0);
         assert_eq!(
-            member.about.as_ref().map(|it| &*it.groups[0]),
+            member.about.as_ref().map(|about| &*about.groups[0]),
             Some("room-1")
         );
     }
@@ -483,8 +499,9 @@ mod tests {
         }
         assert_eq!(roster.members().len(), 1 + MOST_OF_ONE);
         came(&mut roster, key("desk-2", 'b'), 2.0);
-        let there = |it: &&Arc<Member>| it.name == "desk-2" && it.presence == Presence::Present;
-        assert!(roster.members().iter().any(|it| there(&it)));
+        let there =
+            |member: &&Arc<Member>| member.name == "desk-2" && member.presence == Presence::Present;
+        assert!(roster.members().iter().any(|member| there(&member)));
         assert!(!roster.is_full());
     }
 
@@ -500,10 +517,10 @@ mod tests {
         }
         assert_eq!(roster.members().len(), MOST);
         assert!(roster.is_full());
-        assert!(roster.members().iter().any(|it| it.here));
-        // They make room for one with a certificate.
+        assert!(roster.members().iter().any(|member| member.here));
+        // They make room for a station with a certificate.
         came(&mut roster, key("late", 'e'), 2.0);
-        assert!(roster.members().iter().any(|it| it.name == "late"));
+        assert!(roster.members().iter().any(|member| member.name == "late"));
         assert_eq!(roster.members().len(), MOST);
     }
 
@@ -513,19 +530,25 @@ mod tests {
         let rogue = Some(peer("desk-9"));
         came(&mut roster, key("desk-2", 'b'), 1.0);
         roster.came(alive(key("desk-2", 'f')), rogue.clone(), 2.0);
-        // In the place of the station itself, too.
+        // Also in the place of the station itself.
         roster.came(alive(key("desk-2", 'b')), rogue.clone(), 2.0);
         let presences: Vec<_> = presences(&mut roster);
         assert_eq!(presences[1].1, Presence::Present);
         let Presence::Refused { problem } = &presences[2].1 else {
             panic!("{presences:?}");
         };
-        assert!(problem.detail.contains("by its certificate"), "{problem:?}");
+        assert!(
+            problem
+                .detail
+                .contains("the certificate of another station"),
+            "{problem:?}"
+        );
         // It stays so while the station is away.
         roster.went(&alive(key("desk-2", 'b')));
         roster.came(alive(key("desk-2", 'f')), rogue, 3.0);
         let there = roster.members();
-        let is_asked = |it: &Arc<Member>| it.name == "desk-2" && it.presence == Presence::Present;
+        let is_asked =
+            |member: &Arc<Member>| member.name == "desk-2" && member.presence == Presence::Present;
         assert!(!there.iter().any(is_asked), "{there:?}");
     }
 
@@ -546,28 +569,28 @@ mod tests {
             },
             state: None,
         };
-        let [old, new] = ["old", "new"].map(|it| serde_json::to_vec(&about(it)).unwrap());
+        let [old, new] = ["old", "new"].map(|name| serde_json::to_vec(&about(name)).unwrap());
         let teller = telling(&own);
-        let [first, second] = [&old, &new].map(|it| teller.sign(it));
+        let [first, second] = [&old, &new].map(|bytes| teller.sign(bytes));
         roster.hear(&member, &old, &first, 2.0).unwrap();
         roster.hear(&member, &new, &second, 3.0).unwrap();
         let refused = |roster: &mut Roster, signed: &[u8]| {
             roster.hear(&member, &old, signed, 4.0).unwrap_err()
         };
-        assert_eq!(refused(&mut roster, &first), "it was told before");
+        assert_eq!(refused(&mut roster, &first), "it is a replay");
         let forged = telling(&rogue).sign(&old);
         for signed in [&forged[..], &second, b"", &[0; 8]] {
-            assert_eq!(refused(&mut roster, signed), "it has not signed it");
+            assert_eq!(refused(&mut roster, signed), "its signature is invalid");
         }
         let members = roster.members();
         assert_eq!(members[1].about.as_ref().unwrap().groups, ["new"]);
-        // After a start it begins anew; what it said before counts no longer.
+        // After a restart the sequence begins again; earlier states are no longer valid.
         let again = Alive {
             run: 2,
             ..alive(member.clone())
         };
         roster.came(again, Some(own.own().clone()), 5.0);
-        assert_eq!(refused(&mut roster, &first), "it has not signed it");
+        assert_eq!(refused(&mut roster, &first), "its signature is invalid");
         roster.came(alive(member.clone()), Some(own.own().clone()), 6.0);
         let signed = Teller::new(own, member.clone(), 2).sign(&old);
         roster.hear(&member, &old, &signed, 7.0).unwrap();

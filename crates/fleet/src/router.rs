@@ -1,17 +1,17 @@
-//! A router, by which stations of several networks find each other.
+//! Routers, which connect stations of several networks.
 
 use zenoh::Session;
 
 use crate::{Credentials, FleetError, config};
 
-/// A router that runs. It carries what stations say to each other, and knows no arm.
+/// A running router. It forwards messages between stations and has no arm.
 #[derive(Debug)]
 pub struct Router {
     session: Session,
 }
 
 impl Router {
-    /// Starts a router at these addresses, each as in `quic/0.0.0.0:7447`.
+    /// Starts a router that listens on these addresses, as in `quic/0.0.0.0:7447`.
     ///
     /// # Errors
     ///
@@ -22,9 +22,9 @@ impl Router {
         Ok(Self { session })
     }
 
-    /// Ends it. The stations try to find it again for as long as they run.
+    /// Ends the router. The stations keep trying to reconnect.
     pub async fn end(self) {
-        // They miss it by themselves.
+        // The stations notice by themselves.
         let _ = self.session.close().await;
     }
 }

@@ -1,7 +1,8 @@
-//! Requests that only the station that is asked can read, and answers that only it can give.
+//! Sealed requests: only the receiver can read them, and only it can send the response.
 //!
-//! Both sides give a key for one use: the asked one signs both keys, and so shows who it is, before anything secret
-//! is sent. The asker signs them in the sealed request. A key is used once, so nothing can be sent again.
+//! Both sides send an ephemeral key. The receiver signs both keys, and so authenticates before
+//! anything secret is sent. The requester signs them in the sealed request. A key is used once,
+//! which prevents replay.
 
 use std::collections::VecDeque;
 use std::sync::{Mutex, PoisonError};
@@ -13,22 +14,22 @@ use ring::hkdf::{HKDF_SHA256, Prk, Salt};
 
 use crate::identity::{Identity, Peer, SIGNATURE, statement};
 
-/// The length of a key for one use, in bytes.
+/// The length of an ephemeral key, in bytes.
 pub(crate) const KEY: usize = 32;
-/// So many stations may be about to ask; of more the oldest has to begin anew.
+/// The maximum number of pending handshakes; beyond it the oldest is dropped.
 const ABOUT_TO_ASK: usize = 1024;
-/// For so long a key may be used.
+/// The lifetime of an ephemeral key.
 const USED_WITHIN: Duration = Duration::from_secs(10);
 
-/// The half of an agreement that stays here.
+/// The secret half of a handshake.
 pub(crate) struct Half {
     private: EphemeralPrivateKey,
     pub(crate) public: [u8; KEY],
 }
 
-/// What both sides have agreed on, for one request and its answer.
+/// The keys of one request and its response, agreed by both sides.
 pub(crate) struct Agreed {
-    /// The station that is asked and both public keys: what both sides sign.
+    /// The receiver and both public keys: the bytes that both sides sign.
     transcript: Vec<u8>,
     request: LessSafeKey,
     answer: LessSafeKey,
@@ -42,13 +43,13 @@ impl Half {
         Some(Self { private, public })
     }
 
-    /// Whether the station under `key`, whose certificate is `asked`, has given its half for this one.
+    /// Whether the station under `key`, whose certificate is `asked`, has signed its half.
     pub(crate) fn is_met(&self, key: &str, asked: &Peer, theirs: &[u8], signature: &[u8]) -> bool {
         let transcript = transcript(key, &self.public, theirs);
         asked.has_signed(&statement("meet", &[&transcript]), signature)
     }
 
-    /// What comes of both halves, once the asked station has signed them.
+    /// Derives the shared keys, after the receiver has signed both halves.
     pub(crate) fn agree(self, key: &str, theirs: &[u8]) -> Option<Agreed> {
         let transcript = transcript(key, &self.public, theirs);
         agree(self.private, theirs, transcript)
@@ -56,7 +57,7 @@ impl Half {
 }
 
 impl Agreed {
-    /// Seals a request, with the name of who asks.
+    /// Seals a request, with the name of the requester.
     pub(crate) fn seal_request(&self, own: &Identity, request: &[u8]) -> Option<Vec<u8>> {
         let signature = own.sign(&statement("ask", &[&self.transcript, request]));
         let certificate = own.certificate();
@@ -65,7 +66,7 @@ impl Agreed {
         seal(&self.request, parts.concat())
     }
 
-    /// Opens a request: who asks, and for what.
+    /// Opens a request: returns the requester and the request.
     pub(crate) fn open_request(
         &self,
         own: &Identity,
@@ -79,12 +80,12 @@ impl Agreed {
         let (certificate, request) = rest.split_at_checked(length).ok_or(BROKEN)?;
         let peer = own.peer(certificate)?;
         if !peer.has_signed(&statement("ask", &[&self.transcript, request]), signature) {
-            return Err("the request is signed by somebody else");
+            return Err("the signature is not that of the requester");
         }
         Ok((peer, request.to_vec()))
     }
 
-    /// The statement that a proof of a token covers: this request to this station, once.
+    /// Returns the statement that a token proof covers: this request to this station, once.
     pub(crate) fn statement(&self, request: &[u8]) -> Vec<u8> {
         statement("token", &[&self.transcript, request])
     }
@@ -98,14 +99,14 @@ impl Agreed {
     }
 }
 
-/// What was agreed with those who are about to ask.
+/// Pending handshakes.
 #[derive(Default)]
 pub(crate) struct Meetings {
     all: Mutex<VecDeque<([u8; KEY], Instant, Agreed)>>,
 }
 
 impl Meetings {
-    /// Gives a key to somebody who is about to ask the station under `key`: the key and its signature.
+    /// Answers a handshake with the station under `key`: returns a public key and its signature.
     pub(crate) fn meet(
         &self,
         own: &Identity,
@@ -125,7 +126,7 @@ impl Meetings {
         Some((public, signature))
     }
 
-    /// What was agreed under a key: once.
+    /// Takes the agreement under a public key.
     pub(crate) fn take(&self, public: &[u8]) -> Option<Agreed> {
         let mut all = self.all.lock().unwrap_or_else(PoisonError::into_inner);
         let at = all.iter().position(|(it, ..)| it == public)?;
@@ -157,7 +158,7 @@ fn key(secret: &Prk, transcript: &[u8], what: &[u8]) -> Option<LessSafeKey> {
     Some(LessSafeKey::new(UnboundKey::from(key)))
 }
 
-// Each key seals one message, so one nonce is enough.
+// Each key seals one message, so a constant nonce is enough.
 fn nonce() -> Nonce {
     Nonce::assume_unique_for_key([0; 12])
 }
@@ -187,9 +188,9 @@ mod tests {
 
     fn identities() -> [Identity; 3] {
         let folder = tempfile::tempdir().unwrap();
-        let names = ["desk-1", "desk-2", "desk-3"].map(|it| it.parse().unwrap());
+        let names = ["desk-1", "desk-2", "desk-3"].map(|name| name.parse().unwrap());
         let all = Credentials::make(folder.path(), &names).unwrap();
-        [0, 1, 2].map(|it| all[it].identity().unwrap())
+        [0, 1, 2].map(|index| all[index].identity().unwrap())
     }
 
     #[test]
@@ -201,13 +202,13 @@ mod tests {
         assert!(half.is_met(DESK, asked.own(), &key, &signature));
         let agreed = half.agree(DESK, &key).unwrap();
         let sealed = agreed.seal_request(&asker, b"a token").unwrap();
-        assert!(!sealed.windows(7).any(|it| it == b"a token"));
+        assert!(!sealed.windows(7).any(|window| window == b"a token"));
         let theirs = meetings.take(&key).unwrap();
         let (peer, request) = theirs.open_request(&asked, &sealed).unwrap();
         assert_eq!((&*peer.name, &*request), ("desk-1", &b"a token"[..]));
         let answer = theirs.seal_answer(b"done".to_vec()).unwrap();
         assert_eq!(agreed.open_answer(&answer).unwrap(), b"done");
-        // An answer is no request, and what was sent is not taken again.
+        // A response is not a request, and a request cannot be replayed.
         assert!(agreed.open_answer(&sealed).is_none());
         assert!(meetings.take(&key).is_none());
     }
@@ -220,7 +221,7 @@ mod tests {
             .meet(&thief, DESK, &half.public)
             .unwrap();
         assert!(!half.is_met(DESK, asked.own(), &key, &signature));
-        // Neither does what the asked station has signed for somebody else count.
+        // A signature of the receiver for another requester is not valid either.
         let [half, other] = [0, 1].map(|_| Half::new(&asker).unwrap());
         let (key, signature) = Meetings::default()
             .meet(&asked, DESK, &other.public)
@@ -241,7 +242,7 @@ mod tests {
         let refused = meetings.take(&key).unwrap().open_request(&asked, &sealed);
         assert_eq!(
             refused.unwrap_err(),
-            "the authority of this fleet has not made it"
+            "it was not issued by the authority of this fleet"
         );
     }
 

@@ -1,4 +1,4 @@
-//! The way of a program into its fleet.
+//! Sessions: the connection of a program to its fleet.
 
 use std::path::PathBuf;
 use std::sync::{Arc, Weak};
@@ -13,9 +13,11 @@ use crate::credentials::read_revoked;
 use crate::identity::Identity;
 use crate::{Credentials, FleetError, config};
 
-/// The way of a program into its fleet: a session of Zenoh, by which all stations of the program join.
+/// The connection of a program to its fleet: a Zenoh session that all stations of the program
+/// share.
 ///
-/// It is closed by [`FleetSession::close`], or when the last of these and the last station that joined by it are dropped.
+/// It is closed by [`FleetSession::close`], or when its last copy and the last station that joined
+/// through it are dropped.
 #[derive(Clone, Debug)]
 pub struct FleetSession {
     opened: watch::Receiver<Option<Result<Session, String>>>,
@@ -23,12 +25,13 @@ pub struct FleetSession {
     is_on_one_machine: bool,
 }
 
-/// How often it is looked whether more certificates are revoked.
+/// The interval at which the list of revoked certificates is checked.
 const LOOK_EVERY: Duration = Duration::from_millis(100);
 
 impl FleetSession {
-    /// Opens a session by routers, each as in `quic/router.school:7447`; it does not wait for them. Without any it looks
-    /// for other stations by itself: on its network, or on this machine where the credentials are those of a person.
+    /// Opens a session through routers, as in `quic/router.school:7447`, without waiting for them.
+    /// Without routers it discovers other stations on its network, or on this machine if the
+    /// credentials are local.
     ///
     /// # Errors
     ///
@@ -37,10 +40,10 @@ impl FleetSession {
         let config = config::session(connect, credentials)?;
         let identity = Arc::new(credentials.identity()?);
         let (tells, opened) = watch::channel(None);
-        // It blocks while a router is away, so it has a thread of its own.
+        // Opening blocks while a router is unreachable, so it runs in its own thread.
         let opens = move || {
             let session = zenoh::open(config).wait();
-            // Whoever waited may have left.
+            // The receiver may be gone.
             drop(tells.send(Some(session.map_err(|error| error.to_string()))));
         };
         std::thread::Builder::new()
@@ -56,46 +59,46 @@ impl FleetSession {
             is_on_one_machine: credentials.is_local(),
         };
         if connect.is_empty() {
-            // It waits for nobody, and what is wrong with this machine is told at once.
+            // There is no router to wait for, and errors of this machine are reported immediately.
             session.opened().await?;
         }
         Ok(session)
     }
 
-    /// Closes it: stations that have joined by it are missed by the others.
+    /// Closes the session; the stations that joined through it appear as away.
     pub async fn close(self) {
         let session = self.opened.borrow().clone();
         if let Some(Ok(session)) = session {
-            // Those whom it does not reach miss its stations by themselves.
+            // The other members notice by themselves.
             let _ = session.close().await;
         }
     }
 
-    /// By what the program signs.
+    /// Returns the identity that signs messages.
     pub(crate) const fn identity(&self) -> &Arc<Identity> {
         &self.identity
     }
 
-    /// Whether nobody on another machine can join: that takes credentials.
+    /// Whether only programs of this machine can join: others need credentials.
     pub(crate) const fn is_on_one_machine(&self) -> bool {
         self.is_on_one_machine
     }
 
-    /// Whether a router is waited for no longer.
+    /// Whether the session is open.
     pub(crate) fn is_open(&self) -> bool {
         self.opened.borrow().is_some()
     }
 
-    /// The session, as soon as it is open.
+    /// Returns the session when it is open.
     pub(crate) async fn opened(&mut self) -> Result<Session, FleetError> {
         let opened = self.opened.wait_for(Option::is_some).await;
         let opened = opened.map_err(|error| FleetError::Zenoh(error.to_string()))?;
-        let opened = opened.clone().expect("it is waited for until it is there");
+        let opened = opened.clone().expect("awaited above");
         opened.map_err(FleetError::Zenoh)
     }
 }
 
-/// Revokes what is revoked while the program runs.
+/// Applies revocations while the program runs.
 async fn follow_revoked(file: PathBuf, identity: Weak<Identity>) {
     let mut looks = interval(LOOK_EVERY);
     looks.set_missed_tick_behavior(MissedTickBehavior::Delay);

@@ -1,4 +1,5 @@
-//! Stops of the whole fleet: each station tells those that come or come back which ones it knows of, and learns theirs.
+//! Stops of the whole fleet: stations exchange the stops that they know when one of them arrives or
+//! returns.
 
 use std::collections::{BTreeMap, HashSet};
 use std::time::{Duration, SystemTime};
@@ -13,28 +14,29 @@ use crate::asking::{Answering, Way};
 use crate::keys::{MemberKey, STOPS};
 use crate::roster::MOST;
 
-/// Whom to tell which stops of the fleet there are, and when: an engine without a network or a clock.
+/// Decides with which members to exchange stops, and when: an engine without network and clock.
 #[derive(Debug)]
 pub(crate) struct StopTelling {
     own: MemberKey,
-    /// Who is there.
+    /// The members present.
     present: HashSet<MemberKey>,
-    /// Who was there before.
+    /// The members that were present before.
     known: HashSet<MemberKey>,
-    /// Who is to be told, and when.
+    /// The members to exchange stops with, and when.
     due: BTreeMap<MemberKey, Duration>,
-    /// Until when the station has just come, or come back.
+    /// The time at which the station is settled.
     settles: Duration,
-    /// When it was at work last, by a clock that never goes back and by that of the computer.
+    /// When it last ran, by a monotonic clock and by the system's clock.
     last: (Duration, SystemTime),
 }
 
-/// So long after it has come or come back a station waits before it takes or offers work: for the link to the others, and
-/// for what they tell.
+/// How long a station waits after it arrived or returned before it accepts or offers jobs: time to
+/// connect and to learn the stops of others.
 const SETTLES_WITHIN: Duration = Duration::from_secs(4);
-/// A station that did nothing for so long may be missed by the others. They take three seconds for that.
+/// The gap after which other members may have missed this station; they take three seconds to
+/// notice.
 const GAP: Duration = Duration::from_secs(2);
-/// One that does not answer is told again after so long.
+/// The delay before an exchange is retried.
 const AGAIN: Duration = Duration::from_secs(1);
 
 impl StopTelling {
@@ -49,25 +51,30 @@ impl StopTelling {
         }
     }
 
-    /// Time passes. A station that stood still, or whose computer slept, may have missed something: it asks all.
+    /// Advances the time. A station that was suspended may have missed stops: it exchanges with all
+    /// members.
     pub(crate) fn handle_time(&mut self, now: Duration, clock: SystemTime) {
         let (before, clock_before) = self.last;
         self.last = (now, clock);
         let slept = clock.duration_since(clock_before).unwrap_or_default();
         if now.saturating_sub(before).max(slept) >= GAP {
             self.settles = now + SETTLES_WITHIN;
-            self.due = self.present.iter().map(|it| (it.clone(), now)).collect();
+            self.due = self
+                .present
+                .iter()
+                .map(|member| (member.clone(), now))
+                .collect();
         }
     }
 
-    /// Whether it has had the time to learn which stops there are.
+    /// Whether the station had time to learn the fleet's stops.
     pub(crate) fn is_settled(&self, now: Duration) -> bool {
         now >= self.settles
     }
 
-    /// A station is there. Of two that meet for the first time one tells the other.
+    /// Handles an arrival. Of two stations that meet for the first time one starts the exchange.
     pub(crate) fn came(&mut self, member: &MemberKey, now: Duration) {
-        // Of a flood of names no more is kept than of the stations themselves.
+        // A flood of names takes no more room here than in the roster.
         if *member == self.own || self.present.len() >= MOST {
             return;
         }
@@ -81,20 +88,20 @@ impl StopTelling {
         }
     }
 
-    /// A station is not there any more.
+    /// Handles a departure.
     pub(crate) fn went(&mut self, member: &MemberKey) {
         self.present.remove(member);
         self.due.remove(member);
     }
 
-    /// It was not told: it is told again, while it is there.
+    /// Schedules a retry for a member that did not answer, while it is present.
     pub(crate) fn handle_silent(&mut self, member: &MemberKey, now: Duration) {
         if self.present.contains(member) {
             self.due.insert(member.clone(), now + AGAIN);
         }
     }
 
-    /// Who is to be told now.
+    /// Returns a member to exchange stops with now.
     pub(crate) fn poll_due(&mut self, now: Duration) -> Option<MemberKey> {
         let due = self.due.iter().find(|(_, at)| **at <= now);
         let member = due?.0.clone();
@@ -103,12 +110,8 @@ impl StopTelling {
     }
 }
 
-/// Tells another station which stops of the fleet are known here, and takes those that it knows of.
-pub(crate) async fn exchange(
-    way: Option<&Way>,
-    handle: &StationHandle,
-    member: &MemberKey,
-) -> ApiAnswer {
+/// Exchanges stops with another station: sends those known here and adopts its own.
+pub(crate) async fn exchange(way: Option<&Way>, handle: &StationHandle, member: &MemberKey) -> ApiAnswer {
     let learned = match way {
         Some(way) => ask(way, handle, member).await,
         None => Err("cannot be reached yet".to_owned()),
@@ -120,7 +123,7 @@ pub(crate) async fn exchange(
         },
         Err(why) => ApiAnswer::of_problem(&MEMBER_AWAY.hinted(
             format!("{} {why}", member.name),
-            "it learns of it when it comes back",
+            "it learns of the stop when it returns",
         )),
     }
 }
@@ -134,13 +137,16 @@ async fn ask(way: &Way, handle: &StationHandle, member: &MemberKey) -> Result<()
     adopted.map(drop).map_err(|refusal| refusal.to_string())
 }
 
-/// Takes which stops another station knows of, and answers with those that are known here then.
+/// Adopts the stops of another station, and returns those known here.
 pub(crate) async fn answer(handle: StationHandle, answering: Answering, query: Query) {
-    let payload = query.payload().map(|it| it.to_bytes()).unwrap_or_default();
+    let payload = query
+        .payload()
+        .map(|payload| payload.to_bytes())
+        .unwrap_or_default();
     match parse(&payload) {
-        // Without an answer the sender tells it again.
-        Err(error) => tracing::info!(%error, "a member sends what are no stops of the fleet"),
-        // A station that ends says nothing more.
+        // Without a response the sender retries.
+        Err(error) => tracing::info!(%error, "ignored invalid stops of a member"),
+        // A station that is ending sends nothing.
         Ok(theirs) => {
             if let Ok((known, _)) = handle.adopt_fleet_stops(theirs).await {
                 answering.reply(&query, STOPS, &payload, emit(&known)).await;
@@ -157,7 +163,7 @@ fn emit(stops: &[FleetWideStop]) -> Vec<u8> {
     serde_json::to_vec(stops).expect("structures with text keys are JSON")
 }
 
-/// How long another station may take to answer.
+/// The timeout of an exchange.
 const WITHIN: Duration = Duration::from_secs(2);
 
 #[cfg(test)]
@@ -179,7 +185,7 @@ mod tests {
         SystemTime::UNIX_EPOCH + at(1_000_000 + seconds)
     }
 
-    /// A station of this name, which has settled.
+    /// A settled station of this name.
     fn telling(name: &str) -> StopTelling {
         let mut telling = StopTelling::new(key(name), at(0), clock(0));
         for second in 0..=4 {
@@ -190,7 +196,7 @@ mod tests {
 
     fn due(telling: &mut StopTelling, now: Duration) -> Vec<String> {
         std::iter::from_fn(|| telling.poll_due(now))
-            .map(|it| it.name)
+            .map(|member| member.name)
             .collect()
     }
 
@@ -227,7 +233,8 @@ mod tests {
 
     #[test]
     fn a_station_that_stood_still_or_slept_asks_all_before_it_is_settled_again() {
-        // Frozen, the one clock goes on; asleep, perhaps only the other one.
+        // A frozen process sees the monotonic clock advance; a sleeping computer perhaps only the
+        // system's clock.
         for (now, clock_now) in [(at(60), clock(60)), (at(4), clock(60))] {
             let mut telling = telling("b");
             telling.came(&key("a"), at(4));

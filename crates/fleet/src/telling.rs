@@ -1,4 +1,4 @@
-//! What this station tells the others.
+//! The published state of this station.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -13,7 +13,7 @@ use crate::identity::{Identity, Peer, SIGNATURE, statement};
 use crate::keys::MemberKey;
 use crate::roster::Told;
 
-/// Signs what this station tells. Each has a number, so that nobody can tell an old one again.
+/// Signs the published states. Each has a sequence number, which prevents replay.
 #[derive(Clone, Debug)]
 pub(crate) struct Teller {
     identity: Arc<Identity>,
@@ -33,7 +33,7 @@ impl Teller {
         }
     }
 
-    /// What goes with it: its number and the signature.
+    /// Returns the attachment of a state: its sequence number and the signature.
     pub(crate) fn sign(&self, told: &[u8]) -> Vec<u8> {
         let count = 1 + self.count.fetch_add(1, Ordering::Relaxed);
         let signature = self
@@ -43,7 +43,7 @@ impl Teller {
     }
 }
 
-/// The number of what a member tells, where it has signed it in this run.
+/// Returns the sequence number of a member's state, if the signature is valid for this run.
 pub(crate) fn number_of(
     peer: &Peer,
     member: &MemberKey,
@@ -66,19 +66,19 @@ fn told_by(member: &MemberKey, run: u64, count: u64, told: &[u8]) -> Vec<u8> {
     )
 }
 
-/// More than any state has, in bytes.
+/// The maximum length of a state, in bytes.
 const LONGEST: usize = 256 * 1024;
-/// So many groups or words a station has at the most.
+/// The maximum number of groups or offers.
 const MOST_WORDS: usize = 64;
-/// The longest address of a page, in bytes.
+/// The maximum length of a page address, in bytes.
 const LONGEST_PAGE: usize = 200;
 
-/// Reads what a station of this name tells, whose certificate names this holder. Names, groups and links that are none are left
-/// out, and so are characters that a screen would not show.
+/// Parses the state of a station of this name, whose certificate names this holder. Invalid names,
+/// groups and links are dropped, and so are non-printable characters.
 pub(crate) fn read(told: &[u8], name: &str, holder: &str) -> Result<Told, String> {
     if told.len() > LONGEST {
         return Err(format!(
-            "it has {} bytes; allowed are {LONGEST}",
+            "it has {} bytes; at most {LONGEST} are allowed",
             told.len()
         ));
     }
@@ -87,20 +87,20 @@ pub(crate) fn read(told: &[u8], name: &str, holder: &str) -> Result<Told, String
     let mut told: Told = serde_json::from_value(value).map_err(|error| error.to_string())?;
     let about = &mut told.about;
     for words in [&mut about.groups, &mut about.offers] {
-        words.retain(|it| is_fleet_name(it));
+        words.retain(|word| is_fleet_name(word));
         words.truncate(MOST_WORDS);
     }
     about.version = plain(&about.version, 40);
-    about.page.take_if(|it| !is_page(it));
-    // The certificate says it.
+    about.page.take_if(|page| !is_page(page));
+    // The holder of the certificate.
     about.given_by = (holder != name).then(|| holder.to_owned());
     Ok(told)
 }
 
-/// Leaves out what a screen would not show, or would obey.
+/// Removes control characters.
 fn strip(value: &mut Value) {
     match value {
-        Value::String(text) => text.retain(|it| it == '\n' || is_plain(it)),
+        Value::String(text) => text.retain(|char| char == '\n' || is_plain(char)),
         Value::Array(all) => all.iter_mut().for_each(strip),
         Value::Object(all) => all.values_mut().for_each(strip),
         Value::Null | Value::Bool(_) | Value::Number(_) => {}
@@ -111,11 +111,12 @@ fn is_page(text: &str) -> bool {
     let place = text
         .strip_prefix("https://")
         .or_else(|| text.strip_prefix("http://"));
-    let allowed = |it: char| it.is_ascii_alphanumeric() || ".-_[]:/".contains(it);
-    text.len() <= LONGEST_PAGE && place.is_some_and(|it| !it.is_empty() && it.chars().all(allowed))
+    let allowed = |char: char| char.is_ascii_alphanumeric() || ".-_[]:/".contains(char);
+    text.len() <= LONGEST_PAGE
+        && place.is_some_and(|host| !host.is_empty() && host.chars().all(allowed))
 }
 
-/// What this station tells, as the others read it.
+/// Serialises this station's state.
 pub(crate) fn told(about: &MemberAbout, state: &Snapshot) -> Vec<u8> {
     let about = serde_json::to_vec(about).expect("structures with text keys are JSON");
     let parts: [&[u8]; 5] = [
@@ -128,13 +129,13 @@ pub(crate) fn told(about: &MemberAbout, state: &Snapshot) -> Vec<u8> {
     parts.concat()
 }
 
-/// Whether to tell a state now: what changed is told at once, and that one is there every second.
+/// Decides when to publish: a change immediately, and a sign of life every second.
 #[derive(Debug, Default)]
 pub(crate) struct Pace {
     told: Option<(Duration, State)>,
 }
 
-/// So often a state is told that is like the one before.
+/// The interval at which an unchanged state is published.
 const STILL_THERE: Duration = Duration::from_secs(1);
 
 impl Pace {
@@ -149,7 +150,7 @@ impl Pace {
     }
 }
 
-/// Whether nobody would see a difference: the clock and the counters of the link go on all the time.
+/// Whether two states look the same: the clock and the counters of the link change all the time.
 fn is_like(one: &State, other: &State) -> bool {
     let mut one = one.clone();
     one.at_s = other.at_s;

@@ -1,11 +1,12 @@
-//! One program for several arms: parts that wait for each other at barriers.
+//! Coordinated programs: one program for several arms, with parts that wait for each other at
+//! barriers.
 //!
 //! ```text
 //!   document --> parts --> check ----> problems, before anything moves
 //!                  |
 //!                  +-----> rehearse    all arms in virtual time, on one clock    \
-//!                  |                                                              engine: who waits, who holds
-//!                  '-----> run         the stations of a fleet, by their own API /
+//!                  |                                                              engine: waiting and holding parts
+//!                  '-----> run         the stations of a fleet, through their own API /
 //! ```
 
 mod barriers;

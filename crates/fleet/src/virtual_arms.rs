@@ -1,4 +1,5 @@
-//! Virtual arms for those who have none: stations in this process, each with a page and a place in the fleet.
+//! Virtual arms for members without an arm: stations in this process, each with a page and a
+//! membership in the fleet.
 
 use std::fmt::Display;
 use std::io::ErrorKind;
@@ -17,22 +18,23 @@ use tokio::time::{Instant, MissedTickBehavior, interval, timeout};
 
 use crate::{Fleet, FleetConfig, FleetSession, own_id};
 
-/// How a station gives virtual arms.
+/// Configuration of hosted virtual arms.
 #[derive(Clone, Debug)]
 pub struct VirtualArmsConfig {
-    /// So many at a time.
+    /// The maximum number of arms.
     pub most: u16,
-    /// One that nobody looks at, and that does no job, ends after so long; more than nothing.
+    /// The time after which an unused arm ends: without a client and without a job. Greater than
+    /// zero.
     pub unused: Duration,
-    /// The station that gives them, as it was started: theirs differ in their folders and ports.
+    /// The configuration of the hosting station: the arms differ in their folders and ports.
     pub station: Config,
-    /// How it joined its fleet.
+    /// The configuration of its membership.
     pub fleet: FleetConfig,
-    /// By what it joined; theirs join by the same.
+    /// The session of the hosting station, which its arms share.
     pub session: FleetSession,
 }
 
-/// What gives virtual arms; they end with it.
+/// The host of virtual arms; they end with it.
 #[derive(Debug)]
 pub struct VirtualArms {
     ends: oneshot::Sender<()>,
@@ -40,7 +42,7 @@ pub struct VirtualArms {
 }
 
 impl VirtualArms {
-    /// Lets the station of this API give virtual arms.
+    /// Makes the station of this API host virtual arms.
     #[must_use]
     pub fn start(config: VirtualArmsConfig, api: &StationApi) -> Self {
         let (port, wishes) = ArmsPort::new();
@@ -58,15 +60,16 @@ impl VirtualArms {
         }
     }
 
-    /// Ends all of them.
+    /// Ends all arms.
     pub async fn end(self) {
-        // What has ended already gives none.
+        // The task may have ended already.
         let _ = self.ends.send(());
         let _ = self.serving.await;
     }
 }
 
-/// Where others find a station's page: under the name of its computer, where it is served for all.
+/// Returns the address of a station's page for others: with the computer's name, if it is served on
+/// all interfaces.
 #[must_use]
 pub fn page_of(computer: &str, station: &Station) -> String {
     let address = station.address();
@@ -78,17 +81,17 @@ pub fn page_of(computer: &str, station: &Station) -> String {
     }
 }
 
-/// At work.
+/// The running host.
 struct Giving {
     config: VirtualArmsConfig,
-    /// The station that gives them.
+    /// The hosting station.
     handle: StationHandle,
     given: Vec<Given>,
-    /// Those that come to rest.
+    /// Arms that are shutting down.
     ending: JoinSet<()>,
 }
 
-/// A virtual arm that was given.
+/// A hosted virtual arm.
 struct Given {
     view: GivenArm,
     station: Station,
@@ -96,9 +99,9 @@ struct Given {
     used: Instant,
 }
 
-/// So often it is looked who is used.
+/// The interval at which unused arms are searched.
 const LOOK_EVERY: Duration = Duration::from_secs(5);
-/// So long it is waited for the link to a new virtual arm, which takes milliseconds.
+/// The time to wait for the link to a new virtual arm, which takes milliseconds.
 const LINKS_WITHIN: Duration = Duration::from_secs(5);
 
 impl Giving {
@@ -111,7 +114,7 @@ impl Giving {
         looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
         loop {
             tokio::select! {
-                // Whoever asked may be gone.
+                // The requester may be gone.
                 Some(wish) = wishes.recv() => match wish {
                     ArmWish::List(reply) => drop(reply.send(self.list())),
                     ArmWish::Give(wanted, reply) => drop(reply.send(self.give(wanted).await)),
@@ -132,34 +135,35 @@ impl Giving {
         GivenArms {
             most: self.config.most,
             unused_s: self.config.unused.as_secs(),
-            arms: self.given.iter().map(|it| it.view.clone()).collect(),
+            arms: self.given.iter().map(|arm| arm.view.clone()).collect(),
         }
     }
 
     async fn give(&mut self, wanted: WantedArm) -> Result<GivenArm, Problem> {
         let WantedArm { name, seen } = wanted;
-        if let Some(given) = self.given.iter_mut().find(|it| it.view.name == name) {
+        if let Some(given) = self.given.iter_mut().find(|arm| arm.view.name == name) {
             given.used = Instant::now();
             return Ok(given.view.clone());
         }
-        // One that was given here before may still be seen.
+        // An arm that was hosted here before may still be listed.
         let folders = self.config.station.folders.of_virtual_arm(&name);
         let was_given = |id: &str| {
             folders.data().is_dir() && own_id(&folders.fleet_id()).is_ok_and(|own| own == id)
         };
-        if let Some(other) = seen.filter(|it| !was_given(&it.id)) {
-            let detail = format!("a station of the fleet is called {:?} already", other.name);
-            return Err(NAME_TAKEN.hinted(detail, "take another name"));
+        if let Some(other) = seen.filter(|other| !was_given(&other.id)) {
+            let detail = format!(
+                "the name {:?} is already used by a station of the fleet",
+                other.name
+            );
+            return Err(NAME_TAKEN.hinted(detail, "choose another name"));
         }
         let most = usize::from(self.config.most);
         if self.given.len() >= most {
             let detail =
-                format!("this station gives {most} virtual arms at a time, and all are given");
-            return Err(
-                ALL_ARMS_GIVEN.hinted(detail, "end one that nobody needs, or ask another station")
-            );
+                format!("this station hosts at most {most} virtual arms, and all are in use");
+            return Err(ALL_ARMS_GIVEN.hinted(detail, "end an unused one, or use another station"));
         }
-        // Its last one may still come to rest, in the same folder.
+        // Its predecessor may still be shutting down in the same folder.
         while self.ending.join_next().await.is_some() {}
         let given = self.start(&name).await?;
         let view = given.view.clone();
@@ -193,13 +197,14 @@ impl Giving {
         let station = Station::start(config)
             .await
             .map_err(|error| not_started(&error))?;
-        // A stop of the fleet holds it from the start on. Stations that end answer nothing more.
+        // A stop of the fleet holds it from the start. A station that is ending does not answer.
         if let Ok((stops, _)) = self.handle.adopt_fleet_stops(Vec::new()).await {
             let _ = station.handle().adopt_fleet_stops(stops).await;
         }
         let mut states = station.handle().states();
-        let is_up = states.wait_for(|it| matches!(it.state().link.phase, LinkPhase::Up));
-        // Whoever is given an arm may use it at once; one that takes longer says on its page what it waits for.
+        let is_up =
+            states.wait_for(|snapshot| matches!(snapshot.state().link.phase, LinkPhase::Up));
+        // The arm is usable immediately; if the link takes longer, the page shows why.
         let _ = timeout(LINKS_WITHIN, is_up).await;
         let page = page_of(&fleet.name, &station);
         let config = FleetConfig {
@@ -231,7 +236,7 @@ impl Giving {
                 used: Instant::now(),
             }),
             Err(problem) => {
-                // Why it is not there is what counts.
+                // Report the cause, not a failed shutdown.
                 let _ = station.end().await;
                 Err(problem)
             }
@@ -239,9 +244,9 @@ impl Giving {
     }
 
     fn end(&mut self, name: &str) -> Result<(), Problem> {
-        let Some(at) = self.given.iter().position(|it| it.view.name == name) else {
+        let Some(at) = self.given.iter().position(|arm| arm.view.name == name) else {
             let name: String = name.chars().take(40).collect();
-            return Err(NO_SUCH_ARM.problem(format!("this station gives no virtual arm {name:?}")));
+            return Err(NO_SUCH_ARM.problem(format!("this station hosts no virtual arm {name:?}")));
         };
         self.ending.spawn(self.given.swap_remove(at).end());
         Ok(())
@@ -255,7 +260,7 @@ impl Giving {
             }
         }
         let unused = self.config.unused;
-        let is_unused = |it: &mut Given| now - it.used >= unused;
+        let is_unused = |given: &mut Given| now - given.used >= unused;
         for given in self.given.extract_if(.., is_unused) {
             self.ending.spawn(given.end());
         }
@@ -267,17 +272,17 @@ impl Given {
         let state = self.station.handle().state();
         let state = state.state();
         let works = |phase| matches!(phase, JobPhase::Running | JobPhase::Paused);
-        state.clients > 0 || state.job.as_ref().is_some_and(|it| works(it.phase))
+        state.clients > 0 || state.job.as_ref().is_some_and(|job| works(job.phase))
     }
 
     async fn end(self) {
-        // The arm is a virtual one: nothing depends on how it ends.
+        // The arm is virtual: the way it ends does not matter.
         let _ = self.station.end().await;
         self.fleet.leave().await;
     }
 }
 
-/// Whether there is room for the data of one more.
+/// Checks that there is space for the data of one more arm.
 fn check_room(all: &Path, own: &Path) -> Result<(), Problem> {
     if own.is_dir() {
         return Ok(());
@@ -291,13 +296,13 @@ fn check_room(all: &Path, own: &Path) -> Result<(), Problem> {
         return Ok(());
     }
     let detail = format!(
-        "{} keeps the jobs and recordings of {kept} virtual arms, and {MOST_KEPT} are allowed",
+        "{} contains the jobs and recordings of {kept} virtual arms; at most {MOST_KEPT} are allowed",
         all.display()
     );
-    Err(ARM_NOT_STARTED.hinted(detail, "remove the folders of those that nobody needs"))
+    Err(ARM_NOT_STARTED.hinted(detail, "remove the folders of unused arms"))
 }
 
-/// The data of so many virtual arms are kept.
+/// The maximum number of arms whose data are kept.
 const MOST_KEPT: usize = 1000;
 
 fn not_started(error: &dyn Display) -> Problem {

@@ -1,4 +1,4 @@
-//! Work for any arm: what is submitted to "any arm that has a pen and A5" is done once, by one that is free.
+//! Jobs for any arm: a job for "any arm that has a pen and A5" runs once, on a free arm.
 
 mod choose;
 mod engine;

@@ -135,7 +135,7 @@ impl Agents {
         let call = self.call(context);
         let planned = call.looking(async { call.plan_drawing(read(arguments)?).await });
         let planned = Box::pin(planned).await;
-        planned.unwrap_or_else(|it| it.result())
+        planned.unwrap_or_else(|error| error.result())
     }
 
     #[tool(
@@ -238,9 +238,9 @@ impl Agents {
         // Whatever else was said: a stop is not refused.
         let reason = read::<StopArguments>(arguments)
             .ok()
-            .and_then(|it| it.reason);
+            .and_then(|arguments| arguments.reason);
         let stopped = call.stop(reason).await;
-        result(stopped.map(|it| json!({ "rests_within_s": it })))
+        result(stopped.map(|within_s| json!({ "rests_within_s": within_s })))
     }
 }
 
@@ -258,7 +258,7 @@ async fn look(call: &Call) -> Result<Value, Refused> {
     let station = call.station().await?;
     let state: State = fetch(&station, "/api/v1/state").await?;
     let mut jobs: Vec<JobView> = fetch(&station, "/api/v1/jobs").await?;
-    jobs.retain(|it| !it.phase.is_over());
+    jobs.retain(|job| !job.phase.is_over());
     let connected = call.connect().await?;
     let asks = call.asks(&connected);
     let role = if asks {

@@ -139,7 +139,7 @@ fn number(name: &str, value: f64) -> Result<f32, Refused> {
 }
 
 fn maybe(name: &str, value: Option<f64>) -> Result<Option<f32>, Refused> {
-    value.map(|it| number(name, it)).transpose()
+    value.map(|value| number(name, value)).transpose()
 }
 
 /// A move that is only looked at: one of both.

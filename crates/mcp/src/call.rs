@@ -103,7 +103,7 @@ impl Call {
         };
         tokio::select! {
             () = self.context.ct.cancelled() => {}
-            _ = gone.wait_for(|it| *it) => {}
+            _ = gone.wait_for(|gone| *gone) => {}
             () = left => {}
         }
     }
@@ -174,8 +174,12 @@ impl Call {
     /// What the others see.
     pub(crate) fn name(&self) -> String {
         let info = self.context.client_info();
-        let name = info.map_or_else(String::new, |it| it.name);
-        let name: String = name.chars().filter(|it| is_plain(*it)).take(50).collect();
+        let name = info.map_or_else(String::new, |info| info.name);
+        let name: String = name
+            .chars()
+            .filter(|character| is_plain(*character))
+            .take(50)
+            .collect();
         format!("agent {name}").trim_end().to_owned()
     }
 }

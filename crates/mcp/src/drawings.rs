@@ -150,12 +150,12 @@ impl Call {
             let subject = match (Subject::of_text(&options.what), file) {
                 (Some(text), _) => text,
                 (None, Some((name, bytes))) => {
-                    Subject::of_file(&name, bytes).map_err(|it| bad(&it))?
+                    Subject::of_file(&name, bytes).map_err(|error| bad(&error))?
                 }
                 (None, None) => return Err(bad(&"there is nothing to draw")),
             };
             let request = DrawingRequest::new(options, subject, &Materials::built_in());
-            request.map_err(|it| bad(&it))
+            request.map_err(|error| bad(&error))
         });
         reading.await?
     }
@@ -173,7 +173,7 @@ fn plan(request: DrawingRequest, arm: &PlannedFor) -> Result<Planned, Refused> {
     let (prepared, settings) = request
         .calibrated(arm.calibration.clone())
         .prepare(arm.dialect, standing_z_mm)
-        .map_err(|it| bad(&it))?;
+        .map_err(|error| bad(&error))?;
     let png = picture(&title, &prepared, &settings)?;
     let Prepared {
         plan,
@@ -184,10 +184,14 @@ fn plan(request: DrawingRequest, arm: &PlannedFor) -> Result<Planned, Refused> {
     let job = drawing_job(plan, &title);
     let summary = plan.summary();
     let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-    let pauses: Vec<&str> = job.pauses.iter().map(|it| it.message.as_str()).collect();
+    let pauses: Vec<&str> = job
+        .pauses
+        .iter()
+        .map(|pause| pause.message.as_str())
+        .collect();
     let refused = arm
         .refuses(&job)
-        .map(|it| Refused::from(Problem::from(&it)));
+        .map(|refuse| Refused::from(Problem::from(&refuse)));
     let figures = json!({
         "title": title,
         "duration_s": summary.duration_s,
@@ -227,7 +231,7 @@ fn picture(title: &str, prepared: &Prepared, settings: &Settings) -> Result<Vec<
         colors: Colors::Passes,
         view: View::Paper,
     };
-    picture.to_png(WIDTH_PX).map_err(|it| bad(&it))
+    picture.to_png(WIDTH_PX).map_err(|error| bad(&error))
 }
 
 fn bad(why: &dyn std::fmt::Display) -> Refused {

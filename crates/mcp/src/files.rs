@@ -22,7 +22,7 @@ impl FilesFolder {
     ///
     /// [`FilesFolderError`] where it is none, or cannot be read.
     pub fn new(folder: &Path) -> Result<Self, FilesFolderError> {
-        let error = |it| FilesFolderError(folder.to_owned(), it);
+        let error = |error| FilesFolderError(folder.to_owned(), error);
         fs::read_dir(folder).map_err(error)?;
         fs::canonicalize(folder).map(Self).map_err(error)
     }
@@ -33,17 +33,18 @@ impl FilesFolder {
             Refused::new("file", format!("the file `{name}` cannot be read: {why}"))
         };
         // Symbolic links are followed before it is looked where the file is.
-        let path = fs::canonicalize(self.0.join(name)).map_err(|it| unread(&it))?;
+        let path = fs::canonicalize(self.0.join(name)).map_err(|error| unread(&error))?;
         if !path.starts_with(&self.0) {
             return Err(outside(name));
         }
         // What is no file may never end, or wait for ever.
-        if !fs::metadata(&path).is_ok_and(|it| it.is_file()) {
+        if !fs::metadata(&path).is_ok_and(|metadata| metadata.is_file()) {
             return Err(unread(&"it is no file"));
         }
         let mut bytes = Vec::new();
-        let read = File::open(&path).and_then(|it| it.take(MOST_BYTES + 1).read_to_end(&mut bytes));
-        if read.map_err(|it| unread(&it))? as u64 > MOST_BYTES {
+        let read =
+            File::open(&path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+        if read.map_err(|error| unread(&error))? as u64 > MOST_BYTES {
             let most_mb = MOST_BYTES / 1_000_000;
             return Err(unread(&format!("it has more than {most_mb} MB")));
         }

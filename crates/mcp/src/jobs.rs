@@ -23,7 +23,7 @@ impl Call {
     pub(crate) async fn run_program(&self, asked: RunProgram) -> Result<Value, Refused> {
         let time = wait(asked.wait_s)?;
         let program = self.program(asked.program).await?;
-        let times = asked.times.map(|it| json!({ "count": it }));
+        let times = asked.times.map(|time| json!({ "count": time }));
         let mut station = self.connect().await?;
         if !self.asks(&station) {
             // Nothing is queued that cannot be started.
@@ -98,11 +98,11 @@ impl Call {
         let mut station = self.connect().await?;
         let Some(job) = which.job else {
             let mut jobs = station.jobs().await?;
-            let over = jobs.iter().filter(|it| it.phase.is_over()).count();
+            let over = jobs.iter().filter(|job| job.phase.is_over()).count();
             let mut left_out = over.saturating_sub(LATEST);
             let told = left_out;
-            jobs.retain(|it| {
-                let is_old = it.phase.is_over() && left_out > 0;
+            jobs.retain(|job| {
+                let is_old = job.phase.is_over() && left_out > 0;
                 left_out -= usize::from(is_old);
                 !is_old
             });
@@ -182,7 +182,7 @@ async fn follow(station: &mut StationClient, job: u64, time: Duration) -> Result
 async fn rest(station: &mut StationClient, job: u64) -> Result<(), Refused> {
     loop {
         let state = station.state().await?;
-        let runs = |it: &JobView| it.job == job && it.phase == JobPhase::Running;
+        let runs = |view: &JobView| view.job == job && view.phase == JobPhase::Running;
         if !state.job.as_ref().is_some_and(runs) {
             return Ok(());
         }
@@ -191,7 +191,7 @@ async fn rest(station: &mut StationClient, job: u64) -> Result<(), Refused> {
 
 async fn view(station: &mut StationClient, job: u64) -> Result<JobView, Refused> {
     let jobs = station.jobs().await?;
-    let found = jobs.into_iter().find(|it| it.job == job);
+    let found = jobs.into_iter().find(|view| view.job == job);
     found.ok_or_else(|| {
         Refused::new("no-such-job", format!("there is no job {job}"))
             .hinted("`jobs` lists all of them")

@@ -30,7 +30,11 @@ impl OwnJobs {
 
     /// An agent has paused a job.
     pub(crate) fn note_paused(&self, agent: &str, job: &JobView) {
-        if let Some(own) = self.lock().get_mut(&job.job).filter(|it| it.agent == agent) {
+        if let Some(own) = self
+            .lock()
+            .get_mut(&job.job)
+            .filter(|own| own.agent == agent)
+        {
             own.paused.clone_from(&job.reason);
         }
     }
@@ -42,7 +46,7 @@ impl OwnJobs {
     /// `needs-a-person`.
     pub(crate) fn check_may_resume(&self, agent: &str, job: &JobView) -> Result<(), Refused> {
         let jobs = self.lock();
-        let own = jobs.get(&job.job).filter(|it| it.agent == agent);
+        let own = jobs.get(&job.job).filter(|own| own.agent == agent);
         let why = match own {
             None => "another client queued it".to_owned(),
             Some(_) if job.waits_for_person => "it waits for a person".to_owned(),
@@ -52,7 +56,7 @@ impl OwnJobs {
             Some(_) => return Ok(()),
         };
         let reason = job.reason.as_ref();
-        let reason = reason.map_or_else(String::new, |it| format!(" ({it})"));
+        let reason = reason.map_or_else(String::new, |reason| format!(" ({reason})"));
         Err(Refused::new(
             "needs-a-person",
             format!("job {}: {why}{reason}; only a person may resume it", job.job),

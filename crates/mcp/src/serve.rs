@@ -52,15 +52,15 @@ async fn run(
         gone: gone.clone(),
     };
     let service = tokio::select! {
-        service = agents.serve((input, output)) => service.map_err(|it| ServeError(it.to_string()))?,
-        _ = ending.wait_for(|it| *it) => return Ok(()),
+        service = agents.serve((input, output)) => service.map_err(|error| ServeError(error.to_string()))?,
+        _ = ending.wait_for(|ending| *ending) => return Ok(()),
     };
     let end = service.cancellation_token();
     let waiting = service.waiting();
     tokio::pin!(waiting);
     tokio::select! {
         _ = &mut waiting => return Ok(()),
-        _ = ending.wait_for(|it| *it) => {}
+        _ = ending.wait_for(|ending| *ending) => {}
     }
     gone.send_replace(true);
     end.cancel();

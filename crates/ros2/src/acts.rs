@@ -31,11 +31,11 @@ pub(crate) async fn take_at_rest(station: &mut StationClient) -> Result<Stand, S
 /// How the arm stands, as soon as it does.
 async fn stands(station: &mut StationClient) -> Result<Stand, String> {
     loop {
-        let state = station.first_state().await.map_err(|it| match it.hint() {
-            Some(hint) => format!("{it}; {hint}"),
-            None => it.to_string(),
+        let state = station.first_state().await.map_err(|error| match error.hint() {
+            Some(hint) => format!("{error}; {hint}"),
+            None => error.to_string(),
         })?;
-        if let Some(arm) = state.arm.filter(|it| !it.moving) {
+        if let Some(arm) = state.arm.filter(|arm| !arm.moving) {
             let dialect = state.dialect.unwrap_or(Dialect::FIRMWARE_1_1);
             return Ok(Stand {
                 status: arm.status,
@@ -48,7 +48,7 @@ async fn stands(station: &mut StationClient) -> Result<Stand, String> {
 /// Takes control.
 pub(crate) async fn take(station: &mut StationClient) -> Result<(), String> {
     let taken = station.request(Request::TakeLease).await;
-    taken.map(drop).map_err(|it| refused(&it))
+    taken.map(drop).map_err(|error| refused(&error))
 }
 
 /// Goes to a target, and waits until the arm rests there; the arm is stopped where this comes to an end first.
@@ -60,11 +60,11 @@ pub(crate) async fn go(
     let command = target.command(&take_at_rest(station).await?.status);
     let request = Request::Command { command };
     let reply = station.request_at_rest(request).await;
-    let Reply::Accepted { command, .. } = reply.map_err(|it| refused(&it))? else {
+    let Reply::Accepted { command, .. } = reply.map_err(|error| refused(&error))? else {
         return Ok("done".to_owned());
     };
     tokio::select! {
-        done = station.finished(command) => done.map_err(|it| refused(&it))?,
+        done = station.finished(command) => done.map_err(|error| refused(&error))?,
         () = ended(ending) => {
             stop(station, "the program for ROS 2 was ended").await?;
             return Err("this was ended first; the arm is stopped".to_owned());
@@ -83,7 +83,7 @@ pub(crate) async fn suction(station: &mut StationClient, on: bool) -> Result<Str
     take(station).await?;
     let jog = Jog::Joint(JointJog::new(axis, 0.0));
     let done = station.request(Request::Jog { jog }).await;
-    done.map_err(|it| refused(&it))?;
+    done.map_err(|error| refused(&error))?;
     // The next target sets the pump as it is then.
     timeout(PATIENCE, shown(station, on))
         .await
@@ -97,8 +97,8 @@ pub(crate) async fn suction(station: &mut StationClient, on: bool) -> Result<Str
 /// Until a status shows the pump so.
 async fn shown(station: &mut StationClient, on: bool) -> Result<(), String> {
     loop {
-        let state = station.state().await.map_err(|it| refused(&it))?;
-        if state.arm.is_some_and(|it| it.status.suction == on) {
+        let state = station.state().await.map_err(|error| refused(&error))?;
+        if state.arm.is_some_and(|arm| arm.status.suction == on) {
             return Ok(());
         }
     }
@@ -130,7 +130,7 @@ pub(crate) async fn gripper(
 pub(crate) async fn stop(station: &mut StationClient, reason: &str) -> Result<String, String> {
     let reason = Some(reason.to_owned());
     let reply = station.request(Request::Stop { reason }).await;
-    let within_s = match reply.map_err(|it| refused(&it))? {
+    let within_s = match reply.map_err(|error| refused(&error))? {
         Reply::Stopping {
             delivered: false, ..
         } => {
@@ -171,8 +171,11 @@ pub(crate) async fn follow(
             plan.told
         )));
     }
-    let no_job = |it: &RemoteError| Fault::invalid(refused(it));
-    let job = station.submit(plan.job).await.map_err(|it| no_job(&it))?;
+    let no_job = |error: &RemoteError| Fault::invalid(refused(error));
+    let job = station
+        .submit(plan.job)
+        .await
+        .map_err(|error| no_job(&error))?;
     let started = station.request_at_rest(Request::StartJob { job }).await;
     if let Err(error) = started {
         station.forget_unbegun(job).await;
@@ -182,12 +185,12 @@ pub(crate) async fn follow(
     let mut began_s = None;
     loop {
         let event = tokio::select! {
-            event = station.next() => event.map_err(|it| no_job(&it))?,
+            event = station.next() => event.map_err(|error| no_job(&error))?,
             () = ended(cancelled) => return hold(station, job, watch).await,
         };
         match event {
             StationEvent::State(state) => {
-                let runs = |it: &JobView| it.job == job && it.phase == JobPhase::Running;
+                let runs = |view: &JobView| view.job == job && view.phase == JobPhase::Running;
                 if state.job.as_ref().is_some_and(runs) {
                     see(&state, state.at_s - *began_s.get_or_insert(state.at_s));
                 }
@@ -214,9 +217,9 @@ async fn hold(
     job: u64,
     mut watch: JobWatch,
 ) -> Result<Followed, Fault> {
-    let fault = |it: &RemoteError| Fault::invalid(refused(it));
+    let fault = |error: &RemoteError| Fault::invalid(refused(error));
     let cancelled = station.request(Request::CancelJob { job }).await;
-    cancelled.map_err(|it| fault(&it))?;
+    cancelled.map_err(|error| fault(&error))?;
     let rest = async {
         loop {
             if let StationEvent::Notice(notice) = station.next().await?
@@ -244,7 +247,7 @@ async fn check_end(station: &mut StationClient, wanted: &Wanted) -> Result<(), F
     let (found, end) = (degrees_of(&status), wanted.at(f64::INFINITY));
     for joint in 0..4 {
         let off = (found[joint] - end[joint]).abs();
-        if let Some(allowed) = wanted.end_deg[joint].filter(|it| off > *it) {
+        if let Some(allowed) = wanted.end_deg[joint].filter(|end_deg| off > *end_deg) {
             let (name, off, allowed) = (JOINTS[joint], rad(off), rad(allowed));
             return Err(Fault::new(
                 FaultCode::GoalToleranceViolated,
@@ -257,7 +260,7 @@ async fn check_end(station: &mut StationClient, wanted: &Wanted) -> Result<(), F
 
 /// Until somebody wants it to end.
 pub(crate) async fn ended(ending: &mut watch::Receiver<bool>) {
-    if ending.wait_for(|it| *it).await.is_err() {
+    if ending.wait_for(|allowed| *allowed).await.is_err() {
         // Nobody is left who could want it.
         std::future::pending::<()>().await;
     }

@@ -163,9 +163,9 @@ impl Shared {
     fn take_jogs(&self, twist: Subscription<TwistStamped>, joints: Subscription<JointJog>) {
         let (press, said) = watch::channel::<Said>(None);
         let frames = self.frames.clone();
-        let of_twist = move |it| Some(jog::of_twist(&it, &frames));
+        let of_twist = move |twist| Some(jog::of_twist(&twist, &frames));
         tokio::spawn(pass_on(twist, press.clone(), of_twist, self.told.clone()));
-        let of_joints = |it| Some(jog::of_joints(&it));
+        let of_joints = |joints| Some(jog::of_joints(&joints));
         tokio::spawn(pass_on(joints, press, of_joints, self.told.clone()));
         let buttons = Buttons {
             station: self.station.clone(),

@@ -65,7 +65,7 @@ async fn hold(
     let patience = station.dead_man();
     loop {
         let pressed = station.request(Request::Jog { jog }).await;
-        pressed.map_err(|it| refused(&it))?;
+        pressed.map_err(|error| refused(&error))?;
         let next = async {
             loop {
                 tokio::select! {

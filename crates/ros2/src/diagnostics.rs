@@ -27,12 +27,12 @@ pub(crate) fn of_no_station(node: &str, why: &str) -> DiagnosticArray {
 }
 
 fn array(node: &str, hardware_id: &str, found: Vec<Diagnosis>) -> DiagnosticArray {
-    let told = |it: Diagnosis| DiagnosticStatus {
-        level: it.level as u8,
-        name: format!("{node}: {}", it.name),
-        message: it.message,
+    let told = |diagnosis: Diagnosis| DiagnosticStatus {
+        level: diagnosis.level as u8,
+        name: format!("{node}: {}", diagnosis.name),
+        message: diagnosis.message,
         hardware_id: hardware_id.to_owned(),
-        values: it.values,
+        values: diagnosis.values,
     };
     DiagnosticArray {
         header: Header::now(""),
@@ -185,7 +185,7 @@ mod tests {
     }
 
     fn level(found: &DiagnosticArray, name: &str) -> u8 {
-        let named = |it: &&DiagnosticStatus| it.name == format!("dobot: {name}");
+        let named = |status: &&DiagnosticStatus| status.name == format!("dobot: {name}");
         found.status.iter().find(named).expect("it is told").level
     }
 
@@ -195,7 +195,10 @@ mod tests {
         // A virtual arm can harm nobody, so its laser is armed.
         state.laser.armed_for_s = 0.0;
         let found = of_state("dobot", &state, Some(&Policy::default()));
-        assert!(found.status.iter().all(|it| it.level == 0), "{found:?}");
+        assert!(
+            found.status.iter().all(|status| status.level == 0),
+            "{found:?}"
+        );
         assert_eq!(found.status.len(), 7);
     }
 
@@ -214,7 +217,7 @@ mod tests {
         let told = found
             .status
             .iter()
-            .any(|it| it.message.contains("it was reset"));
+            .any(|status| status.message.contains("it was reset"));
         assert!(told, "{found:?}");
     }
 }

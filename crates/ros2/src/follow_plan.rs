@@ -73,7 +73,7 @@ fn holds(wanted: &Wanted, period: Duration) -> Vec<usize> {
     let mut first = 0;
     for at in 1..=wanted.places.len() {
         let place = wanted.places.get(at);
-        if place.is_some_and(|it| way_deg(&wanted.places[first], it) < STILL_DEG) {
+        if place.is_some_and(|place| way_deg(&wanted.places[first], place) < STILL_DEG) {
             continue;
         }
         let last = at - 1;
@@ -92,7 +92,8 @@ fn way_deg(from: &[f64; 4], to: &[f64; 4]) -> f64 {
 }
 
 fn check_path(wanted: &Wanted, thin: &Thinned) -> Result<(), Fault> {
-    let broken = (0..4).find(|it| wanted.path_deg[*it].is_some_and(|it| thin.deviation > it));
+    let broken = (0..4)
+        .find(|joint| wanted.path_deg[*joint].is_some_and(|allowed| thin.deviation > allowed));
     let Some(joint) = broken else {
         return Ok(());
     };
@@ -196,9 +197,9 @@ fn divided(
 /// Stands where the move before ended, in as many pieces as it takes.
 fn waits(before: FollowMove, wait_s: f64) -> impl Iterator<Item = FollowMove> {
     let there = before.to_deg;
-    divided(there, there, wait_s).map(move |it| FollowMove {
+    divided(there, there, wait_s).map(move |step| FollowMove {
         percent: before.percent,
-        ..it
+        ..step
     })
 }
 

@@ -48,9 +48,9 @@ impl Frames {
     /// The transforms that change with the arm, or those that never do.
     pub(crate) fn transforms(&self, model: &Model, status: &Status, fixed: bool) -> TfMessage {
         let frames = model.link_frames(&joints_of(status)).into_iter();
-        let wanted = frames.filter(|it| it.is_fixed == fixed);
+        let wanted = frames.filter(|frame| frame.is_fixed == fixed);
         TfMessage {
-            transforms: wanted.map(|it| self.transform(&it)).collect(),
+            transforms: wanted.map(|wanted| self.transform(&wanted)).collect(),
         }
     }
 

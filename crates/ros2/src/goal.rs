@@ -105,14 +105,17 @@ impl Wanted {
 
     /// Where the joints are to be at a time, in degrees: evenly from each place to the next.
     pub(crate) fn at(&self, time_s: f64) -> [f64; 4] {
-        let next = self.at_s.partition_point(|it| *it <= time_s);
+        let next = self.at_s.partition_point(|at_s| *at_s <= time_s);
         let Some(to) = self.places.get(next) else {
             return self.places[self.places.len() - 1];
         };
         let Some(before) = next.checked_sub(1) else {
             return *to;
         };
-        let (from, [begin, end]) = (self.places[before], [before, next].map(|it| self.at_s[it]));
+        let (from, [begin, end]) = (
+            self.places[before],
+            [before, next].map(|index| self.at_s[index]),
+        );
         let share = (time_s - begin) / (end - begin);
         std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)
     }
@@ -127,7 +130,7 @@ fn joints(names: &[String]) -> Result<Vec<usize>, Fault> {
     }
     let mut found = Vec::new();
     for name in names {
-        let Some(joint) = JOINTS.iter().position(|it| it == name) else {
+        let Some(joint) = JOINTS.iter().position(|joint| joint == name) else {
             return fault(format!(
                 "joint_names has {name:?}; allowed are {allowed}: all others follow these"
             ));
@@ -215,7 +218,7 @@ fn place(
 
 /// Speeds and accelerations are what the places and their times say already, but nonsense is told.
 fn check_rates(number: usize, name: &str, values: &[f64], joints: usize) -> Result<(), Fault> {
-    if values.is_empty() || values.len() == joints && values.iter().all(|it| it.is_finite()) {
+    if values.is_empty() || values.len() == joints && values.iter().all(|value| value.is_finite()) {
         return Ok(());
     }
     Err(Fault::invalid(format!(

@@ -152,7 +152,7 @@ impl Goals {
             Ok(Followed::Held(told)) => (GoalEndStatus::Canceled, Ok(told)),
             Err(fault) => (GoalEndStatus::Aborted, Err(fault)),
         };
-        let text = result.clone().map_err(|it| it.text);
+        let text = result.clone().map_err(|error| error.text);
         self.told.outcome("follow_joint_trajectory", &text);
         let _one = self.results.lock().await;
         let sent = self
@@ -177,7 +177,7 @@ impl Goals {
 /// Where the joints are wanted and where they are, after a time.
 fn feedback(wanted: &Wanted, actual_deg: [f64; 4], at_s: f64) -> FollowFeedback {
     let desired_deg = wanted.at(at_s);
-    let error_deg: [f64; 4] = std::array::from_fn(|it| desired_deg[it] - actual_deg[it]);
+    let error_deg: [f64; 4] = std::array::from_fn(|joint| desired_deg[joint] - actual_deg[joint]);
     let point = |deg: [f64; 4]| JointTrajectoryPoint::at(deg.map(f64::to_radians), at_s);
     FollowFeedback {
         header: Header::now(""),

@@ -51,7 +51,11 @@ pub(crate) fn of_twist(wanted: &TwistStamped, frames: &Frames) -> Result<Option<
 /// What was found and what is allowed.
 pub(crate) fn of_joints(wanted: &JointJog) -> Result<Option<Jog>, String> {
     let (names, speeds) = (&wanted.joint_names, &wanted.velocities);
-    if wanted.displacements.iter().any(|it| *it != 0.0) {
+    if wanted
+        .displacements
+        .iter()
+        .any(|displacement| *displacement != 0.0)
+    {
         return Err("displacements are given; allowed are velocities in rad/s".to_owned());
     }
     if names.len() != speeds.len() {
@@ -65,7 +69,7 @@ pub(crate) fn of_joints(wanted: &JointJog) -> Result<Option<Jog>, String> {
 }
 
 fn joint((name, rad_s): (&String, &f64)) -> Result<Axis, String> {
-    let Some(at) = JOINTS.iter().position(|it| it == name) else {
+    let Some(at) = JOINTS.iter().position(|joint| joint == name) else {
         return Err(format!(
             "joint_names has {name:?}; allowed are {}",
             JOINTS.join(", ")
@@ -114,11 +118,11 @@ impl Unit {
 
 /// The one axis that is to move.
 fn one(axes: impl IntoIterator<Item = Axis>) -> Result<Option<Jog>, String> {
-    let mut moving = axes.into_iter().filter(|it| it.speed != 0.0);
+    let mut moving = axes.into_iter().filter(|axis| axis.speed != 0.0);
     let Some(axis) = moving.next() else {
         return Ok(None);
     };
-    let others: Vec<_> = moving.map(|it| it.name).collect();
+    let others: Vec<_> = moving.map(|moving| moving.name).collect();
     if !others.is_empty() {
         let (name, others) = (axis.name, others.join(", "));
         return Err(format!(
@@ -179,7 +183,7 @@ mod tests {
     fn joints(names: &[&str], velocities: &[f64]) -> Result<Option<Jog>, String> {
         of_joints(&JointJog {
             header: Header::now(""),
-            joint_names: names.iter().map(|it| (*it).to_owned()).collect(),
+            joint_names: names.iter().map(|name| (*name).to_owned()).collect(),
             displacements: Vec::new(),
             velocities: velocities.to_vec(),
             duration: 0.0,

@@ -92,7 +92,9 @@ impl Args {
             (None, Some(text)) => domain(&text)?,
         };
         let middleware = variable("RMW_IMPLEMENTATION");
-        let middleware = middleware.map(|it| Middleware::named(&it)).transpose();
+        let middleware = middleware
+            .map(|middleware| Middleware::named(&middleware))
+            .transpose();
         Ok(Settings {
             station: self.station,
             domain,
@@ -108,23 +110,26 @@ impl Args {
 }
 
 fn namespace(text: &str) -> Result<String, String> {
-    check_namespace(text).map_err(|it| it.to_string())?;
+    check_namespace(text).map_err(|error| error.to_string())?;
     Ok(text.to_owned())
 }
 
 fn domain(text: &str) -> anyhow::Result<u16> {
-    let found = text.parse().ok().filter(|it| *it <= 232);
+    let found = text.parse().ok().filter(|domain| *domain <= 232);
     found.ok_or_else(|| anyhow!("ROS_DOMAIN_ID is {text:?}; allowed are 0 to 232"))
 }
 
 fn deviation(text: &str) -> Result<f64, String> {
-    let found = text.parse().ok().filter(|it| (0.0..=90.0).contains(it));
+    let found = text
+        .parse()
+        .ok()
+        .filter(|degrees| (0.0..=90.0).contains(degrees));
     found.ok_or_else(|| "allowed are 0 to 90 degrees".to_owned())
 }
 
 /// An environment variable that is set to something.
 fn variable(name: &str) -> Option<String> {
-    std::env::var(name).ok().filter(|it| !it.is_empty())
+    std::env::var(name).ok().filter(|text| !text.is_empty())
 }
 
 /// Ctrl-C, or the request of a system that shuts down.

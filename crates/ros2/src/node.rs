@@ -53,19 +53,19 @@ impl From<CreateError> for NodeError {
 
 /// A node that takes part under the addresses of the settings.
 pub(crate) fn node(settings: &Settings) -> Result<Node, NodeError> {
-    let refused = |it: &dyn std::fmt::Display| NodeError(it.to_string());
+    let refused = |error: &dyn std::fmt::Display| NodeError(error.to_string());
     let interfaces = settings.interfaces.iter().copied().map(IpAddr::V4);
     let participant = DomainParticipantBuilder::new(settings.domain)
         .with_only_networks(interfaces)
         .build()
-        .map_err(|it| refused(&it))?;
+        .map_err(|error| refused(&error))?;
     let context = Context::from_domain_participant(participant)?;
-    let name = NodeName::new(&settings.namespace, NODE).map_err(|it| refused(&it))?;
+    let name = NodeName::new(&settings.namespace, NODE).map_err(|error| refused(&error))?;
     let options = NodeOptions::new()
         .enable_rosout(true)
         .start_parameter_services(false);
     let node = context.new_node(name, options);
-    node.map_err(|it| NodeError(format!("{it:?}")))
+    node.map_err(|error| NodeError(format!("{error:?}")))
 }
 
 impl Publishers {

@@ -75,14 +75,17 @@ pub struct UnknownMiddleware {
 ///
 /// [`BadNamespace`] where it is not.
 pub fn check_namespace(namespace: &str) -> Result<(), BadNamespace> {
-    let parts = namespace.strip_prefix('/').map(|it| it.split('/'));
-    let is_name = |it: &str| {
-        it.starts_with(|it: char| it.is_ascii_alphabetic())
-            && it.chars().all(|it| it.is_ascii_alphanumeric() || it == '_')
-            && !it.contains("__")
+    let parts = namespace.strip_prefix('/').map(|path| path.split('/'));
+    let is_name = |name: &str| {
+        name.starts_with(|character: char| character.is_ascii_alphabetic())
+            && name
+                .chars()
+                .all(|character| character.is_ascii_alphanumeric() || character == '_')
+            && !name.contains("__")
     };
     let is_good = namespace == "/"
-        || parts.is_some_and(|mut it| it.all(is_name)) && NodeName::new(namespace, NODE).is_ok();
+        || parts.is_some_and(|mut parts| parts.all(is_name))
+            && NodeName::new(namespace, NODE).is_ok();
     if is_good {
         return Ok(());
     }

@@ -23,7 +23,7 @@ impl Station {
     pub(crate) async fn connect(&self, name: &str) -> Result<StationClient, String> {
         let address = self.address().await?;
         let connected = StationClient::connect(&address, &format!("ros2 {name}")).await;
-        connected.map_err(|it| not_connected(&it))
+        connected.map_err(|error| not_connected(&error))
     }
 
     /// Its policy.
@@ -34,7 +34,7 @@ impl Station {
 
     async fn address(&self) -> Result<StationAddress, String> {
         let found = self.options.search().find().await;
-        let found = found.map_err(|it| with_hint(&it, it.hint()))?;
+        let found = found.map_err(|error| with_hint(&error, error.hint()))?;
         found.ok_or_else(|| {
             "no station runs on this machine; `dobot up` starts one, and `--station URL` names another".to_owned()
         })

@@ -43,7 +43,7 @@ pub fn thinned<const N: usize>(
         .into_iter()
         .chain(corners.iter().copied())
         .collect();
-    kept.retain(|it| *it < places.len());
+    kept.retain(|index| *index < places.len());
     kept.sort_unstable();
     kept.dedup();
     let pieces = kept.windows(2);
@@ -68,8 +68,8 @@ pub fn thinned<const N: usize>(
     let worst = spans.peek();
     Thinned {
         kept,
-        deviation: worst.map_or(0.0, |it| it.distance),
-        farthest: worst.map(|it| it.at),
+        deviation: worst.map_or(0.0, |worst| worst.distance),
+        farthest: worst.map(|worst| worst.at),
     }
 }
 
@@ -140,7 +140,7 @@ mod tests {
             places in places(), tolerance in 0.0..90.0_f64, most in 0_usize..30,
         ) {
             let thin = thinned(&places, &[], tolerance, most);
-            let way: Vec<[f64; 4]> = thin.kept.iter().map(|it| places[*it]).collect();
+            let way: Vec<[f64; 4]> = thin.kept.iter().map(|index| places[*index]).collect();
             // Between the places too, where the way goes straight.
             for ends in places.windows(2) {
                 for share in [0.0, 0.3, 0.7, 1.0] {
@@ -174,7 +174,7 @@ mod tests {
     #[test]
     fn a_straight_way_is_its_two_ends() {
         let way: Vec<[f64; 2]> = (0..100)
-            .map(|it| [f64::from(it), 2.0 * f64::from(it)])
+            .map(|n| [f64::from(n), 2.0 * f64::from(n)])
             .collect();
         let thin = thinned(&way, &[], 0.001, 50);
         assert_eq!(thin.kept, [0, 99]);
@@ -183,7 +183,7 @@ mod tests {
 
     #[test]
     fn corners_stay_on_a_straight_way_too_and_those_that_are_none_are_none() {
-        let way: Vec<[f64; 1]> = (0..10).map(|it| [f64::from(it)]).collect();
+        let way: Vec<[f64; 1]> = (0..10).map(|n| [f64::from(n)]).collect();
         assert_eq!(thinned(&way, &[4, 4, 99], 1.0, 1).kept, [0, 4, 9]);
     }
 

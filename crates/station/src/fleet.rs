@@ -240,7 +240,7 @@ impl FleetPort {
     #[must_use]
     pub fn member(&self, name: &str) -> Option<Arc<Member>> {
         let members = self.members.borrow();
-        members.iter().find(|it| it.name == name).cloned()
+        members.iter().find(|member| member.name == name).cloned()
     }
 
     async fn wish(&self, wish: FleetWish) -> Result<(), Problem> {
@@ -286,7 +286,7 @@ fn chosen(members: &[Arc<Member>], to: &Recipients) -> Result<Vec<Arc<Member>>, 
         NO_SUCH_MEMBER.hinted(detail, hint)
     };
     if let Recipients::Members(names) = to {
-        let is_unknown = |name: &&String| members.iter().all(|it| it.name != **name);
+        let is_unknown = |name: &&String| members.iter().all(|member| member.name != **name);
         if let Some(name) = names.iter().find(is_unknown) {
             let name: String = name.chars().take(40).collect();
             return Err(none(format!("no station called {name:?} has been seen")));
@@ -294,7 +294,7 @@ fn chosen(members: &[Arc<Member>], to: &Recipients) -> Result<Vec<Arc<Member>>, 
     }
     let chosen: Vec<_> = members
         .iter()
-        .filter(|it| to.include(it))
+        .filter(|member| to.include(member))
         .cloned()
         .collect();
     if chosen.is_empty() {

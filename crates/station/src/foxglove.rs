@@ -75,8 +75,8 @@ impl FoxglovePort {
             source: Box::new(source),
         };
         let listener = TcpListener::bind(address).await;
-        let listener = listener.map_err(|it| failed(FoxgloveError::Bind(it)))?;
-        let inner = front::hidden_address().map_err(|it| failed(FoxgloveError::Bind(it)))?;
+        let listener = listener.map_err(|error| failed(FoxgloveError::Bind(error)))?;
+        let inner = front::hidden_address().map_err(|error| failed(FoxgloveError::Bind(error)))?;
         let server = context
             .websocket_server()
             .listener(Arc::new(Door(came)))
@@ -84,7 +84,7 @@ impl FoxglovePort {
             .bind(inner.to_string(), 0);
         let server = server.start().await.map_err(failed)?;
         let address = listener.local_addr();
-        let address = address.map_err(|it| failed(FoxgloveError::Bind(it)))?;
+        let address = address.map_err(|error| failed(FoxgloveError::Bind(error)))?;
         let inner = SocketAddr::from((inner, server.port()));
         let mut front = JoinSet::new();
         front.spawn(front::serve(listener, inner));
@@ -216,7 +216,7 @@ impl Teller {
         } else {
             Record::FromArm(bytes)
         };
-        if self.channels.values().any(|it| it.has_sinks()) {
+        if self.channels.values().any(|channel| channel.has_sinks()) {
             self.record(packet.at, &record);
         } else {
             // Nobody looks on.
@@ -258,7 +258,7 @@ impl Teller {
     /// Tells one of the station's own messages, where somebody wants it.
     fn tell(&mut self, at_s: f64, topic: &Arc<Topic>, value: &impl Serialize) {
         let is_wanted = self.channels.get(topic.name());
-        if !is_wanted.is_some_and(|it| it.has_sinks()) {
+        if !is_wanted.is_some_and(|channel| channel.has_sinks()) {
             return;
         }
         let record = Record::Json {

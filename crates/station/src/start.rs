@@ -291,7 +291,7 @@ fn open_pty(config: &Config) -> Result<Option<VirtualPort>, StartError> {
     let Some(link) = &config.pty else {
         return Ok(None);
     };
-    let link = Some(link.as_path()).filter(|it| !it.as_os_str().is_empty());
+    let link = Some(link.as_path()).filter(|path| !path.as_os_str().is_empty());
     VirtualPort::open(link).map(Some).map_err(StartError::Pty)
 }
 

@@ -45,7 +45,7 @@ fn row(name: &str, places: &[[f64; 2]]) {
         let arm = Arm::random(&mut random);
         let touches: Vec<Touch> = places
             .iter()
-            .map(|it| arm.touch(*it, &mut random))
+            .map(|place| arm.touch(*place, &mut random))
             .collect();
         let found = match fit(&touches, TOOL) {
             Ok(found) => found,
@@ -155,8 +155,8 @@ impl Arm {
 
 /// All of the paper that is for drawing.
 fn grid() -> impl Iterator<Item = [f64; 2]> {
-    let forward = (0..=8).map(|it| 150.0 + 15.0 * f64::from(it));
-    forward.flat_map(|x_mm| (0..=10).map(move |it| [x_mm, -100.0 + 20.0 * f64::from(it)]))
+    let forward = (0..=8).map(|x| 150.0 + 15.0 * f64::from(x));
+    forward.flat_map(|x_mm| (0..=10).map(move |y| [x_mm, -100.0 + 20.0 * f64::from(y)]))
 }
 
 /// A number of the normal distribution (Box and Muller).

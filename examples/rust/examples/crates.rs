@@ -85,7 +85,7 @@ fn crates(root: &Path) -> Result<BTreeMap<String, Crate>, Box<dyn Error>> {
                 description: text("description").ok_or("no description")?.to_owned(),
                 is_no_std: library.is_ok_and(|text| text.contains("#![no_std]")),
                 uses: uses
-                    .filter_map(|it| it.strip_prefix("dobot-"))
+                    .filter_map(|name| name.strip_prefix("dobot-"))
                     .map(str::to_owned)
                     .collect(),
                 folder,

@@ -24,8 +24,12 @@ use tokio::time::{Instant, timeout_at};
 #[tokio::main(flavor = "current_thread")]
 async fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let count: u16 = arguments.next().map_or(Ok(20), |it| it.parse())?;
-    let seconds: u64 = arguments.next().map_or(Ok(1), |it| it.parse())?;
+    let count: u16 = arguments
+        .next()
+        .map_or(Ok(20), |argument| argument.parse())?;
+    let seconds: u64 = arguments
+        .next()
+        .map_or(Ok(1), |argument| argument.parse())?;
     let addresses = match arguments.next() {
         None => serve(count).await?,
         Some(first) => from(first.parse()?, count),

@@ -25,7 +25,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
 
     let settings = Settings {
         // The pen stands on the paper, or where a virtual arm has it.
-        paper: Paper::level(state.arm.map_or(-40.0, |it| it.status.z_mm.into())),
+        paper: Paper::level(state.arm.map_or(-40.0, |arm| arm.status.z_mm.into())),
         arm_limits: ArmLimits::of(dialect),
         ..Settings::default()
     };

@@ -13,7 +13,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (artwork, warnings) = source.read(&ReadOptions::default())?;
     println!("{:.1} x {:.1} mm", artwork.width_mm, artwork.height_mm);
     for layer in &artwork.layers {
-        let segments: usize = layer.strokes.iter().map(|it| it.points.len() - 1).sum();
+        let segments: usize = layer
+            .strokes
+            .iter()
+            .map(|stroke| stroke.points.len() - 1)
+            .sum();
         println!(
             "{}: {} strokes of {segments} segments, {} areas",
             layer.name,

@@ -17,9 +17,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let Some(file) = arguments.first() else {
         return Err("usage: plan_json DRAWING.svg [DIALECT] [link]".into());
     };
-    let dialect = arguments.iter().find_map(|it| it.parse::<Dialect>().ok());
+    let dialect = arguments
+        .iter()
+        .find_map(|argument| argument.parse::<Dialect>().ok());
     let mut arm_limits = ArmLimits::of(dialect.unwrap_or(Dialect::SPECIFICATION));
-    if !arguments.iter().any(|it| it == "link") {
+    if !arguments.iter().any(|argument| argument == "link") {
         arm_limits.link = LinkRate { period_s: 0.0 };
     }
     let mut settings = Settings {

@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn pixel(x: u16, y: u16, random: &mut Random) -> u8 {
     let mut light = 0.0;
     for _ in 0..RAYS {
-        let [x, y] = [f64::from(x), f64::from(y)].map(|it| it + random.share());
+        let [x, y] = [f64::from(x), f64::from(y)].map(|mm| mm + random.share());
         let [right, up] = [x - f64::from(WIDTH) / 2.0, f64::from(HEIGHT) / 2.0 - y];
         light += seen(CAMERA, towards(right, up), random, 1) / f64::from(RAYS);
     }

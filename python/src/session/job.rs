@@ -40,8 +40,8 @@ impl Session {
         });
         let (prepared, _) = planning
             .await
-            .map_err(|it| failed(it.to_string()))?
-            .map_err(|it| failed(it.to_string()))?;
+            .map_err(|error| failed(error.to_string()))?
+            .map_err(|error| failed(error.to_string()))?;
         let job = drawing_job(&prepared.plan, &title);
         self.begin(job, &state, told).await
     }
@@ -50,8 +50,8 @@ impl Session {
     pub(super) async fn run(&mut self, run: Run, told: &Teller<Told>) -> Result<(), Failure> {
         let (state, arm) = self.planned_for().await?;
         let making = tokio::task::spawn_blocking(move || run.job(&arm));
-        let job = making.await.map_err(|it| failed(it.to_string()))?;
-        let job = job.map_err(|it| Failure::Refused(Box::new(it)))?;
+        let job = making.await.map_err(|error| failed(error.to_string()))?;
+        let job = job.map_err(|error| Failure::Refused(Box::new(error)))?;
         self.begin(job, &state, told).await
     }
 
@@ -60,7 +60,7 @@ impl Session {
         let state = self.client.heard().await?;
         let rules = Rules::of(&Policy::default());
         let arm = self.client.planned_for(rules, &state).await;
-        Ok((state, arm.map_err(|it| failed(it.to_string()))?))
+        Ok((state, arm.map_err(|error| failed(error.to_string()))?))
     }
 
     /// Queues a job and does it.
@@ -161,7 +161,7 @@ impl Session {
             match self.client.next().await? {
                 StationEvent::State(state) => {
                     tell(&self.ears, &state);
-                    if let Some(it) = state.job.as_ref().filter(|it| it.job == job) {
+                    if let Some(it) = state.job.as_ref().filter(|view| view.job == job) {
                         told.tell(Told::Progress(progress(it)));
                     }
                 }

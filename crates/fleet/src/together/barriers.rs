@@ -1,35 +1,35 @@
-//! The barriers of a part, in the order in which its arm comes to them.
+//! The barriers of a part, in execution order.
 
 use std::collections::{BTreeSet, HashSet};
 use std::sync::Arc;
 
 use dobot_teach::Compiled;
 
-/// The barriers of a part, in the order in which its arm comes to them.
+/// The barriers of a part, in execution order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Barriers {
     once: Vec<Barrier>,
-    /// Those that come again and again behind the others.
+    /// The barriers that repeat after the others.
     cycle: Vec<Barrier>,
-    /// How often they do; without it until a person ends it.
+    /// The number of repetitions; `None` until a person ends it.
     times: Option<u64>,
 }
 
 /// A step of a part at which its arm waits for others.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Barrier {
-    /// Its name: all parts that have it wait for each other.
+    /// The name: all parts with this name wait for each other.
     pub(super) name: Arc<str>,
-    /// Which step it is, counted from 1 in the order in which they are done.
+    /// The step, counted from 1 in execution order.
     pub(super) step: usize,
-    /// The called program in which it stands; none in the program itself.
+    /// The called program that contains it; none in the program itself.
     pub(super) file: Option<Arc<str>>,
     /// The line on which it begins, counted from 1.
     pub(super) line: usize,
 }
 
 impl Barriers {
-    /// Those of a program.
+    /// Returns the barriers of a program.
     pub(super) fn of(program: &Compiled) -> Self {
         let mut all = Self {
             times: Some(0),
@@ -65,7 +65,7 @@ impl Barriers {
         Self { once, cycle, times }
     }
 
-    /// The next one where so many have been passed; none where no more comes.
+    /// Returns the next barrier after this many have been passed; `None` after the last one.
     pub(super) fn at(&self, passed: u64) -> Option<&Barrier> {
         let once = self.once.len() as u64;
         let place = self.place(passed);
@@ -77,16 +77,16 @@ impl Barriers {
         list.get(usize::try_from(index).ok()?)
     }
 
-    /// The names of those that still come where so many have been passed.
+    /// Returns the names of the remaining barriers after this many have been passed.
     pub(super) fn ahead(&self, passed: u64) -> BTreeSet<&str> {
         if self.is_over(passed) {
             return BTreeSet::new();
         }
         let once = self.once.len() as u64;
         let skipped = usize::try_from(passed.min(once)).unwrap_or(usize::MAX);
-        let is_last = |it: u64| self.times.is_some_and(|times| it + 1 >= times);
+        let is_last = |index: u64| self.times.is_some_and(|times| index + 1 >= times);
         let len = self.cycle.len().max(1) as u64;
-        // In its last cycle those that are behind it come no more.
+        // In the last cycle, the barriers already passed do not return.
         let behind = match passed.checked_sub(once) {
             Some(within) if is_last(within / len) => within % len,
             _ => 0,
@@ -99,25 +99,25 @@ impl Barriers {
         };
         let ahead = self.once.iter().skip(skipped);
         let ahead = ahead.chain(cycle.iter().skip(behind));
-        ahead.map(|it| &*it.name).collect()
+        ahead.map(|barrier| &*barrier.name).collect()
     }
 
-    /// Whether one of them has this name.
+    /// Whether a barrier has this name.
     pub(super) fn has(&self, name: &str) -> bool {
-        self.all().any(|it| *it.name == *name)
+        self.all().any(|barrier| *barrier.name == *name)
     }
 
-    /// All of them; those of a cycle once.
+    /// Returns all barriers; those of a cycle once.
     pub(super) fn all(&self) -> impl Iterator<Item = &Barrier> {
         self.once.iter().chain(&self.cycle)
     }
 
-    /// Whether it goes on until a person ends it.
+    /// Whether it repeats until a person ends it.
     pub(super) fn never_ends(&self) -> bool {
         self.times.is_none()
     }
 
-    /// The place among all of them: one in a cycle has the same each time.
+    /// Returns the place among all barriers: in a cycle it is the same each time.
     fn place(&self, passed: u64) -> u64 {
         let once = self.once.len() as u64;
         match passed.checked_sub(once) {
@@ -131,23 +131,23 @@ impl Barriers {
             return false;
         };
         let cycles = within.checked_div(self.cycle.len() as u64);
-        cycles.is_none_or(|it| self.times.is_some_and(|times| it >= times))
+        cycles.is_none_or(|cycles| self.times.is_some_and(|times| cycles >= times))
     }
 }
 
-/// How parts come through their barriers, where nothing goes wrong.
+/// The course of the parts through their barriers, without faults.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Course {
-    /// To their ends; or on and on, where they never end.
+    /// To their ends, or for ever if they never end.
     Through,
-    /// No further than here: so many have been passed by each.
+    /// To a deadlock: the number of barriers that each part has passed.
     Stuck(Vec<u64>),
-    /// There are more barriers than anybody looks at.
+    /// Too many barriers to check.
     TooLong,
 }
 
-/// Follows all parts through their barriers. In which order they are released makes no difference: each part has one order of
-/// its own.
+/// Follows all parts through their barriers. The order of releases makes no difference: each part
+/// has one order of its own.
 pub(super) fn course(parts: &[&Barriers]) -> Course {
     let mut passed = vec![0; parts.len()];
     let mut been = HashSet::new();
@@ -160,7 +160,7 @@ pub(super) fn course(parts: &[&Barriers]) -> Course {
             return Course::Stuck(passed);
         };
         for (next, passed) in next.iter().zip(&mut passed) {
-            *passed += u64::from(next.is_some_and(|it| it.name == name));
+            *passed += u64::from(next.is_some_and(|barrier| barrier.name == name));
         }
         let rest = parts.iter().zip(&passed);
         let only_endless = rest
@@ -174,15 +174,17 @@ pub(super) fn course(parts: &[&Barriers]) -> Course {
     Course::TooLong
 }
 
-/// A barrier at which all are that have it.
+/// Returns a barrier at which all parts with it have arrived.
 fn meeting(parts: &[&Barriers], next: &[Option<&Barrier>]) -> Option<Arc<str>> {
-    let names = next.iter().flatten().map(|it| &it.name);
+    let names = next.iter().flatten().map(|barrier| &barrier.name);
     let is_met = |name: &&Arc<str>| {
         let mut both = parts.iter().zip(next);
-        both.all(|(part, next)| !part.has(name) || next.is_some_and(|it| it.name == **name))
+        both.all(|(part, next)| {
+            !part.has(name) || next.is_some_and(|barrier| barrier.name == **name)
+        })
     };
     names.into_iter().find(is_met).cloned()
 }
 
-/// More are not looked at.
+/// The maximum number of releases that are checked.
 const MOST_RELEASES: usize = 1_000_000;

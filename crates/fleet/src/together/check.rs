@@ -1,15 +1,15 @@
-//! What is wrong with a program for several arms, found before anything moves.
+//! Problems of a coordinated program, found before anything moves.
 
 use super::barriers::{Barrier, Course, course};
 use super::part::Part;
 
-/// All that is wrong: each in one line, with file, step and what to change.
+/// Returns all problems, each in one line with file, step and remedy.
 #[must_use]
 pub fn check(parts: &[Part]) -> Vec<String> {
     let mut problems: Vec<String> = parts.iter().filter_map(untitled).collect();
     problems.extend(parts.iter().filter_map(burning));
     let alone = alone(parts);
-    // What nobody else has would be waited for besides.
+    // A barrier without a partner would also be reported as a deadlock.
     if alone.is_empty() {
         problems.extend(stuck(parts));
     }
@@ -20,22 +20,22 @@ pub fn check(parts: &[Part]) -> Vec<String> {
 fn untitled(part: &Part) -> Option<String> {
     let file = &part.file;
     let none = format!(
-        "{file}: there is no title, by which its station names the job; begin with title = \"...\""
+        "{file}: the title is missing, by which its station names the job; begin with title = \"...\""
     );
     part.compiled.title.is_empty().then_some(none)
 }
 
-/// A laser is armed by a person who stays with it.
+/// Reports laser steps: a laser is armed by a person who stays with it.
 fn burning(part: &Part) -> Option<String> {
     let step = part.burning_step()?;
     let (file, line) = (&part.file, part.compiled.steps.get(step)?.line);
     Some(format!(
-        "{file}: step {} (line {line}) switches the laser on; a laser burns only while a person who has armed it stays with it: play this program by itself",
+        "{file}: step {} (line {line}) switches the laser on; a laser may burn only while the person who armed it stays with it; run this program alone",
         step + 1
     ))
 }
 
-/// Barriers that one part has alone.
+/// Reports barriers that only one part has.
 fn alone(parts: &[Part]) -> Vec<String> {
     let barriers: Vec<_> = parts.iter().map(Part::barriers).collect();
     let mut problems = Vec::new();
@@ -45,23 +45,25 @@ fn alone(parts: &[Part]) -> Vec<String> {
                 continue;
             }
             let others = barriers.iter().filter(|other| *other != own);
-            let mut names: Vec<_> = others.flat_map(|it| it.all().map(|it| &*it.name)).collect();
+            let mut names: Vec<_> = others
+                .flat_map(|other| other.all().map(|barrier| &*barrier.name))
+                .collect();
             names.sort_unstable();
             names.dedup();
             let have = match &names[..] {
-                [] => "the others have no barrier".to_owned(),
+                [] => "the others have no barriers".to_owned(),
                 names => format!("the others have {names:?}"),
             };
             let place = place(part, it);
             problems.push(format!(
-                "{place}: no other part has this barrier, {have}; give it the same name there, or take the step away"
+                "{place}: no other part has this barrier, {have}; use the same name in both, or remove the step"
             ));
         }
     }
     problems
 }
 
-/// Parts that would wait for each other for ever.
+/// Reports deadlocks.
 fn stuck(parts: &[Part]) -> Vec<String> {
     let barriers: Vec<_> = parts.iter().map(Part::barriers).collect();
     let all: Vec<_> = barriers.iter().collect();
@@ -69,7 +71,7 @@ fn stuck(parts: &[Part]) -> Vec<String> {
         Course::Through => return Vec::new(),
         Course::TooLong => {
             return vec![
-                "the parts meet more than 1000000 times before they are through; let them repeat \"forever\", or less often"
+                "the parts meet more than 1000000 times before they finish; let them repeat \"forever\", or less often"
                     .to_owned(),
             ];
         }
@@ -92,7 +94,7 @@ fn stuck(parts: &[Part]) -> Vec<String> {
             .collect();
         let (place, elsewhere) = (place(&parts[index], it), elsewhere.join(" and "));
         problems.push(format!(
-            "{place}: it would wait for ever, since {elsewhere}; let all come to their barriers in the same order, and equally often"
+            "{place}: deadlock, since {elsewhere}; all parts must reach their barriers in the same order and equally often"
         ));
     }
     problems
@@ -101,7 +103,7 @@ fn stuck(parts: &[Part]) -> Vec<String> {
 fn where_is(part: &Part, next: Option<&Barrier>) -> String {
     match next {
         Some(next) => format!("{} waits at {}", part.arm, place(part, next)),
-        None => format!("{} has no barrier any more ({})", part.arm, part.file),
+        None => format!("{} has no barriers left ({})", part.arm, part.file),
     }
 }
 
@@ -123,7 +125,7 @@ mod tests {
 
     use super::*;
 
-    /// A part with these steps behind its first motion.
+    /// A part with these steps after its first motion.
     fn part(arm: &str, steps: &str) -> Part {
         let text =
             format!("title = \"{arm}\"\n[[steps]]\ngo = {{ x = 200, y = 0, z = 0 }}\n{steps}");
@@ -158,7 +160,7 @@ mod tests {
         assert_eq!(problems([&both, &both]), [""; 0]);
         let both = cycle("\"forever\"", &["x", "y"]);
         assert_eq!(problems([&both, &both]), [""; 0]);
-        // Once by itself and twice in a cycle is three times.
+        // Once, and twice in a cycle, is three times.
         let apart = format!("{}{}", barriers(&["x"]), cycle("2", &["x"]));
         assert_eq!(problems([&apart, &cycle("3", &["x"])]), [""; 0]);
     }
@@ -185,10 +187,7 @@ mod tests {
             found[0].contains("step 4 (line 8, barrier \"x\")"),
             "{found:?}"
         );
-        assert!(
-            found[0].contains("two has no barrier any more"),
-            "{found:?}"
-        );
+        assert!(found[0].contains("two has no barriers left"), "{found:?}");
         let found = problems([&cycle("\"forever\"", &["x"]), &cycle("5", &["x"])]);
         assert_eq!(found.len(), 1, "{found:?}");
     }

@@ -1,11 +1,11 @@
-//! The text that says which arm does which program.
+//! The document of a coordinated program: which arm runs which program.
 
 use std::collections::BTreeSet;
 
 use dobot_api::is_fleet_name;
 use serde::Deserialize;
 
-/// A program for several arms, as its text says it.
+/// A coordinated program, as parsed from its document.
 ///
 /// ```
 /// use dobot_fleet::together::Together;
@@ -25,56 +25,56 @@ use serde::Deserialize;
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Together {
-    /// What a person calls it.
+    /// The title.
     pub title: String,
-    /// What each arm does, 2 to 64.
+    /// The parts, 2 to 64.
     pub parts: Vec<PartOf>,
 }
 
-/// What one arm does.
+/// The part of one arm.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PartOf {
     /// The arm, by the name of its station in the fleet.
     pub arm: String,
-    /// The file of its taught program, beside the text.
+    /// The file of its taught program, beside the document.
     pub program: String,
 }
 
-/// Why a text is no program for several arms.
+/// The error returned when a document is invalid.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DocumentError {
-    /// It is no TOML, or has other keys.
-    #[error("{}{reason}", line.map(|it| format!("line {it}: ")).unwrap_or_default())]
+    /// Invalid TOML or an unknown key.
+    #[error("{}{reason}", line.map(|line| format!("line {line}: ")).unwrap_or_default())]
     Toml {
-        /// Where, counted from 1.
+        /// The line, counted from 1.
         line: Option<usize>,
-        /// What is wrong.
+        /// The problem.
         reason: String,
     },
-    /// It has too few or too many parts.
+    /// Too few or too many parts.
     #[error(
         "there are {0} parts; allowed are {LEAST} to {MOST}, each as [[parts]] with arm and program"
     )]
     Parts(usize),
-    /// No station is called so.
+    /// An invalid station name.
     #[error(
-        "the arm of part {part} is {arm:?}; stations have 1 to 40 small letters, digits and hyphens, the first one a letter, as in desk-3"
+        "the arm of part {part} is {arm:?}; allowed are 1 to 40 lowercase letters a to z, digits and hyphens, beginning with a letter, as in desk-3"
     )]
     Arm {
-        /// Which part, counted from 1.
+        /// The part, counted from 1.
         part: usize,
-        /// What was found.
+        /// The invalid name.
         arm: String,
     },
-    /// An arm would do two programs at once.
-    #[error("two parts are for the arm {0:?}; an arm has one part: make one program of both")]
+    /// Two parts are for the same arm.
+    #[error("two parts are for the arm {0:?}; an arm can have one part: merge the programs")]
     Twice(String),
 }
 
 impl Together {
-    /// Reads the text.
+    /// Parses a document.
     ///
     /// # Errors
     ///
@@ -103,7 +103,7 @@ impl Together {
 }
 
 fn line_of(text: &str, at: usize) -> usize {
-    text.bytes().take(at).filter(|it| *it == b'\n').count() + 1
+    text.bytes().take(at).filter(|byte| *byte == b'\n').count() + 1
 }
 
 const LEAST: usize = 2;

@@ -1,4 +1,4 @@
-//! The engine: which part waits where, when all go on, and who holds when one does not.
+//! The engine of a coordinated program: decides which parts start, wait and hold.
 
 mod depends;
 mod part_state;
@@ -13,84 +13,84 @@ use self::part_state::{At, PartState};
 use super::barriers::Barriers;
 use super::seen::Seen;
 
-/// Keeps the parts in step, and decides nothing else: no clock, no network, no rules of an arm.
+/// Keeps the parts in step. Knows no clock, no network and no rules of an arm.
 ///
-/// A part is known by its number, in the order in which they were given.
+/// A part is identified by its index.
 #[derive(Debug)]
 pub(super) struct Engine {
     parts: Vec<PartState>,
     news: VecDeque<News>,
 }
 
-/// What is to be done.
+/// An action to carry out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Wish {
-    /// The jobs of these parts are to be started, or gone on with, at the same time; [`Engine::handle_starts`] takes what has
-    /// become of it.
+    /// Start or resume the jobs of these parts simultaneously; report the results to
+    /// [`Engine::handle_starts`].
     Start {
-        /// At which barrier they were, if it is one at which all were waited for.
+        /// The barrier at which they were, if all have met there.
         barrier: Option<String>,
-        /// Which.
+        /// The parts.
         parts: Vec<usize>,
     },
-    /// The job of this part is to be paused.
+    /// Pause the job of this part.
     Pause(usize),
 }
 
-/// What became of the start of one part.
+/// The result of starting one part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Start {
-    /// Its job runs.
+    /// The job runs.
     Done,
-    /// Its station has refused it, for this reason: its job does not run.
+    /// The station refused it for this reason; the job does not run.
     Refused(String),
-    /// No answer came, for this reason: its job may run or not.
+    /// No response, for this reason; the job may run or not.
     Unclear(String),
-    /// It was not tried, since another one cannot be started.
+    /// Not tried, since another part cannot be started.
     NotTried,
 }
 
-/// What a person wants to know.
+/// An event for the user.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum News {
-    /// A part has come to a barrier.
+    /// A part has arrived at a barrier.
     Arrived {
-        /// Which.
+        /// The part.
         part: usize,
         /// The barrier.
         barrier: String,
     },
-    /// A part goes on, or begins.
+    /// A part starts or resumes.
     SetOut {
-        /// Which.
+        /// The part.
         part: usize,
     },
-    /// A part waits for a person, with this text; the others go on as far as their barriers.
+    /// A part waits for a person, with this message; the others continue to their barriers.
     WaitsForPerson {
-        /// Which.
+        /// The part.
         part: usize,
-        /// The text.
+        /// The message.
         message: String,
     },
-    /// A part is through.
+    /// A part has finished.
     Done {
-        /// Which.
+        /// The part.
         part: usize,
     },
-    /// A part does not go on, and those that depend on it hold.
+    /// A part cannot continue, and the parts that depend on it hold.
     Held {
-        /// Which.
+        /// The part.
         part: usize,
-        /// Why.
+        /// The reason.
         why: String,
-        /// Those that hold with it.
+        /// The parts that hold with it.
         with: Vec<usize>,
     },
 }
 
 impl Engine {
-    /// Parts whose jobs are queued. They are all started together.
+    /// Returns an engine for parts whose jobs are queued. All are started simultaneously.
     pub(super) fn new(parts: Vec<Barriers>) -> Self {
         Self {
             parts: parts.into_iter().map(PartState::new).collect(),
@@ -98,7 +98,7 @@ impl Engine {
         }
     }
 
-    /// Takes what is seen of a part.
+    /// Handles the observed state of a part.
     pub(super) fn handle_seen(&mut self, now: Duration, part: usize, seen: &Seen) {
         self.parts[part].heard = now;
         self.parts[part].is_silent = false;
@@ -107,26 +107,26 @@ impl Engine {
         }
     }
 
-    /// Takes that a part is not heard of, for this reason.
+    /// Handles a missing state of a part, for this reason.
     pub(super) fn handle_silent(&mut self, now: Duration, part: usize, why: &str) {
         let it = &mut self.parts[part];
         if it.at == At::Through || now.saturating_sub(it.heard) < HEARD_WITHIN {
             return;
         }
         it.is_silent = true;
-        self.trouble(part, &format!("it is not heard of: {why}"));
+        self.trouble(part, &format!("no contact: {why}"));
     }
 
-    /// Takes what became of the starts of a wish.
+    /// Handles the results of starts.
     pub(super) fn handle_starts(&mut self, starts: &[(usize, Start)]) {
-        let rests = |it: &Start| matches!(it, Start::NotTried | Start::Refused(_));
-        let all_rest = starts.iter().all(|it| rests(&it.1));
+        let rests = |start: &Start| matches!(start, Start::NotTried | Start::Refused(_));
+        let all_rest = starts.iter().all(|start| rests(&start.1));
         for (part, start) in starts {
             let it = &mut self.parts[*part];
             match start {
                 Start::Done => it.set_out(*part, &mut self.news),
                 Start::Unclear(_) => it.lose_sight(),
-                // Where others have set out it is behind them, and is started by itself.
+                // If others have started, it is late and is started alone.
                 _ if all_rest => it.take_back(),
                 _ => {}
             }
@@ -138,12 +138,12 @@ impl Engine {
         }
     }
 
-    /// Takes that a part could not be paused; that is tried again.
+    /// Handles a failed pause, which is retried.
     pub(super) fn handle_not_paused(&mut self, part: usize) {
         self.parts[part].is_pausing = false;
     }
 
-    /// Has all parts hold, because a person wants it.
+    /// Makes all parts hold on request of a person.
     pub(super) fn hold_all(&mut self, why: &str) {
         for part in 0..self.parts.len() {
             if !self.parts[part].is_over() {
@@ -152,14 +152,14 @@ impl Engine {
         }
     }
 
-    /// Has those parts go on that hold, because a person has decided so. Gives the parts that cannot, and why: those that
-    /// depend on one of them hold on.
+    /// Resumes the holding parts on request of a person. Returns the parts that cannot, with the
+    /// reason; parts that depend on one of them keep holding.
     pub(super) fn go_on(&mut self) -> Vec<(usize, String)> {
         let parts = self.parts.iter().enumerate();
         let hindered = parts.filter_map(|(part, it)| Some((part, it.hindrance()?)));
         let hindered: Vec<_> = hindered.collect();
         let ahead: Vec<_> = self.parts.iter().map(PartState::ahead).collect();
-        let mut hold: BTreeSet<usize> = hindered.iter().map(|it| it.0).collect();
+        let mut hold: BTreeSet<usize> = hindered.iter().map(|entry| entry.0).collect();
         for (part, _) in &hindered {
             hold.extend(dependents(&ahead, *part));
         }
@@ -171,7 +171,7 @@ impl Engine {
         hindered
     }
 
-    /// What is to be done next.
+    /// Returns the next action.
     pub(super) fn poll_wish(&mut self) -> Option<Wish> {
         if let Some(part) = self.parts.iter().position(PartState::is_to_be_paused) {
             self.parts[part].is_pausing = true;
@@ -182,18 +182,18 @@ impl Engine {
             return Some(self.start(None, due));
         }
         let barrier = self.complete()?;
-        let parts = self.those(|it| it.barriers.has(&barrier));
+        let parts = self.those(|part| part.barriers.has(&barrier));
         Some(self.start(Some(barrier), parts))
     }
 
-    /// What a person wants to know next.
+    /// Returns the next event for the user.
     pub(super) fn poll_news(&mut self) -> Option<News> {
         self.news.pop_front()
     }
 
-    /// Whether all parts are through.
+    /// Whether all parts have finished.
     pub(super) fn is_over(&self) -> bool {
-        self.parts.iter().all(|it| it.at == At::Through)
+        self.parts.iter().all(|part| part.at == At::Through)
     }
 
     /// Whether a part holds.
@@ -202,17 +202,19 @@ impl Engine {
         self.parts[part].is_held
     }
 
-    /// Whether those that hold are at rest, or not heard of.
+    /// Whether the holding parts are at rest, or without contact.
     pub(super) fn is_at_rest(&self) -> bool {
-        let moves = |it: &PartState| it.is_held && it.runs && !it.is_silent;
+        let moves =
+            |part_state: &PartState| part_state.is_held && part_state.runs && !part_state.is_silent;
         !self.parts.iter().any(moves)
     }
 
-    /// Whether nothing goes on any more without a person: each part is over, or holds and is at rest or not heard of.
+    /// Whether nothing continues without a person: each part has finished, or holds at rest or
+    /// without contact.
     pub(super) fn all_hold(&self) -> bool {
-        let rests = |it: &PartState| it.is_held && (it.is_silent || !it.runs);
+        let rests = |part: &PartState| part.is_held && (part.is_silent || !part.runs);
         let mut parts = self.parts.iter();
-        parts.all(|it| it.at == At::Through || rests(it))
+        parts.all(|part| part.at == At::Through || rests(part))
     }
 
     fn start(&mut self, barrier: Option<String>, parts: Vec<usize>) -> Wish {
@@ -222,17 +224,17 @@ impl Engine {
         Wish::Start { barrier, parts }
     }
 
-    /// A barrier at which all wait that have it, and none of them holds.
+    /// Returns a barrier at which all parts with it wait, and none of them holds.
     fn complete(&self) -> Option<String> {
         let waiting = self.parts.iter().filter_map(PartState::waits_at);
         let is_complete = |name: &&str| {
-            let mut all = self.parts.iter().filter(|it| it.barriers.has(name));
-            all.all(|it| !it.is_held && it.waits_at() == Some(*name))
+            let mut all = self.parts.iter().filter(|part| part.barriers.has(name));
+            all.all(|part| !part.is_held && part.waits_at() == Some(*name))
         };
         waiting.into_iter().find(is_complete).map(str::to_owned)
     }
 
-    /// A part does not go on: all that depend on it hold.
+    /// Handles a problem of a part: all parts that depend on it hold.
     fn trouble(&mut self, part: usize, why: &str) {
         if self.parts[part].trouble.as_deref() == Some(why) {
             return;
@@ -252,9 +254,12 @@ impl Engine {
 
     fn those(&self, is_so: impl Fn(&PartState) -> bool) -> Vec<usize> {
         let parts = self.parts.iter().enumerate();
-        parts.filter(|it| is_so(it.1)).map(|it| it.0).collect()
+        parts
+            .filter(|entry| is_so(entry.1))
+            .map(|entry| entry.0)
+            .collect()
     }
 }
 
-/// A part that was not heard of for so long holds all that depend on it.
+/// The time without contact after which a part, and those that depend on it, hold.
 const HEARD_WITHIN: Duration = Duration::from_secs(3);

@@ -1,4 +1,4 @@
-//! All parts with virtual arms on one clock: what would happen, and when.
+//! Rehearsal: all parts with virtual arms on one clock.
 
 use std::time::Duration;
 
@@ -14,47 +14,47 @@ use super::engine::{Engine, News, Start, Wish};
 use super::part::Part;
 use super::seen::Seen;
 
-/// What happens in a rehearsal.
+/// The result of a rehearsal.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rehearsal {
-    /// Each time that all were at a barrier, in order.
+    /// Each meeting at a barrier, in order.
     pub barriers: Vec<BarrierTime>,
-    /// What each part takes, in their order.
+    /// The times of the parts, in their order.
     pub parts: Vec<PartTime>,
 }
 
-/// When all were at a barrier.
+/// A meeting at a barrier.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BarrierTime {
     /// The barrier.
     pub barrier: String,
-    /// When, in seconds since all began.
+    /// The time, in seconds since the start.
     pub at_s: f64,
-    /// Who waited there, and how long, in the order of the parts.
+    /// The waiting times, in the order of the parts.
     pub waits: Vec<Wait>,
 }
 
-/// How long a part waited at a barrier.
+/// The waiting time of a part at a barrier.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Wait {
     /// The arm.
     pub arm: String,
-    /// How long, in seconds; 0 for the last one.
+    /// The waiting time, in seconds; 0 for the last arrival.
     pub waited_s: f64,
 }
 
-/// What a part takes.
+/// The times of a part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PartTime {
     /// The arm.
     pub arm: String,
-    /// When it was through, in seconds since all began; nothing where it goes on until a person ends it.
+    /// The end, in seconds since the start; `None` if it repeats until a person ends it.
     pub over_s: Option<f64>,
-    /// How long it waited at barriers in all, in seconds.
+    /// The total waiting time at barriers, in seconds.
     pub waited_s: f64,
 }
 
-/// Why a rehearsal does not come to its end.
+/// The error returned when a rehearsal cannot be completed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RehearseError {
@@ -63,28 +63,29 @@ pub enum RehearseError {
     Refused {
         /// The file of the part.
         file: String,
-        /// Why.
+        /// The refusal.
         refusal: Box<Refusal>,
     },
-    /// A part goes no further.
-    #[error("{file}: after {at_s:.1} s it goes no further: {why}")]
+    /// A part cannot continue.
+    #[error("{file}: stuck after {at_s:.1} s: {why}")]
     Held {
         /// The file of the part.
         file: String,
-        /// When, in seconds since all began.
+        /// The time, in seconds since the start.
         at_s: f64,
-        /// Why.
+        /// The reason.
         why: String,
     },
     /// It takes too long.
     #[error(
-        "after {0} hours the parts are not through; rehearse a shorter one, with fewer repeats"
+        "the parts have not finished after {0} hours; rehearse a shorter program, with fewer repetitions"
     )]
     TooLong(u64),
 }
 
-/// Does all parts with virtual arms, each under the rules of its own station, on one clock. Persons who are waited for are there
-/// at once. What goes on until a person ends it is done until each part has done its cycle twice.
+/// Runs all parts with virtual arms, each under the rules of its own station, on one clock. Pauses
+/// for persons are confirmed immediately. Endless programs run until each part has done its cycle
+/// twice.
 ///
 /// # Errors
 ///
@@ -94,7 +95,9 @@ pub fn rehearse(
     policy: &Policy,
     personality: Personality,
 ) -> Result<Rehearsal, RehearseError> {
-    let stage = parts.iter().map(|it| Actor::new(it, policy, personality));
+    let stage = parts
+        .iter()
+        .map(|part| Actor::new(part, policy, personality));
     let mut stage = Stage {
         engine: Engine::new(parts.iter().map(Part::barriers).collect::<Vec<Barriers>>()),
         actors: stage.collect::<Result<_, _>>()?,
@@ -114,7 +117,7 @@ pub fn rehearse(
 struct Stage<'a> {
     actors: Vec<Actor<'a>>,
     engine: Engine,
-    /// The time since all began.
+    /// The time since the start.
     now: Duration,
     barriers: Vec<BarrierTime>,
 }
@@ -125,9 +128,9 @@ struct Actor<'a> {
     station: VirtualStation,
     client: ClientId,
     job: u64,
-    /// What the clock of its station showed when all began.
+    /// The clock of its station at the start.
     began: Duration,
-    /// Since when it waits at a barrier.
+    /// The time since which it waits at a barrier.
     since: Option<Duration>,
     waited: Duration,
     over: Option<Duration>,
@@ -157,11 +160,11 @@ impl<'a> Actor<'a> {
         })
     }
 
-    /// Lets time pass, and looks.
+    /// Advances the time and observes the job.
     fn see(&mut self, now: Duration) -> Result<Seen, Refusal> {
         self.station.run_until(self.began + now, |_| false);
         let state = self.station.supervisor().state();
-        let of_state = state.job.clone().filter(|it| it.job == self.job);
+        let of_state = state.job.clone().filter(|job| job.job == self.job);
         let job = match of_state {
             Some(job) => job,
             None => self.kept()?,
@@ -169,10 +172,10 @@ impl<'a> Actor<'a> {
         Ok(Seen::of(self.part, &job, &state))
     }
 
-    /// Its job as the journal has it.
+    /// Returns its job from the journal.
     fn kept(&mut self) -> Result<JobView, Refusal> {
         let jobs = self.station.jobs()?;
-        let found = jobs.into_iter().find(|it| it.job == self.job);
+        let found = jobs.into_iter().find(|job| job.job == self.job);
         found.ok_or(Refusal::NoSuchJob(self.job))
     }
 
@@ -191,11 +194,11 @@ impl<'a> Actor<'a> {
         }
     }
 
-    /// Whether it has shown enough of what it does for ever.
+    /// Whether it has run enough cycles of an endless program.
     fn has_shown_its_cycle(&mut self) -> bool {
         let job = self.station.supervisor().job();
-        let program = job.and_then(|it| it.program);
-        self.part.never_ends() && program.is_some_and(|it| it.cycles_done >= CYCLES)
+        let program = job.and_then(|job| job.program);
+        self.part.never_ends() && program.is_some_and(|program| program.cycles_done >= CYCLES)
     }
 }
 
@@ -214,11 +217,14 @@ impl Stage<'_> {
         self.follow()?;
         while let Some(wish) = self.engine.poll_wish() {
             let Wish::Start { barrier, parts } = wish else {
-                // Only one that goes no further holds the others.
+                // Only a part that is stuck holds the others.
                 continue;
             };
             self.note_release(barrier, &parts);
-            let starts: Vec<_> = parts.into_iter().map(|it| (it, self.start(it))).collect();
+            let starts: Vec<_> = parts
+                .into_iter()
+                .map(|part| (part, self.start(part)))
+                .collect();
             self.engine.handle_starts(&starts);
         }
         self.follow()
@@ -272,14 +278,14 @@ impl Stage<'_> {
 
     fn is_over(&mut self) -> bool {
         let mut actors = self.actors.iter_mut();
-        actors.all(|it| it.over.is_some() || it.has_shown_its_cycle())
+        actors.all(|actor| actor.over.is_some() || actor.has_shown_its_cycle())
     }
 
     fn told(self) -> Rehearsal {
-        let parts = self.actors.into_iter().map(|it| PartTime {
-            arm: it.part.arm.clone(),
-            over_s: it.over.map(|it| it.as_secs_f64()),
-            waited_s: it.waited.as_secs_f64(),
+        let parts = self.actors.into_iter().map(|actor| PartTime {
+            arm: actor.part.arm.clone(),
+            over_s: actor.over.map(|time| time.as_secs_f64()),
+            waited_s: actor.waited.as_secs_f64(),
         });
         Rehearsal {
             barriers: self.barriers,
@@ -295,13 +301,13 @@ fn refused(part: &Part, refusal: Refusal) -> RehearseError {
     }
 }
 
-/// So often all are looked at: once in a tick of the controller.
+/// The interval of observations: one tick of the controller.
 const TICK: Duration = Duration::from_millis(20);
-/// An arm that was seen at rest is so for its station, too, within this.
+/// The time within which the station also sees that the arm is at rest.
 const RESTS_WITHIN: Duration = Duration::from_secs(1);
-/// Until a virtual arm has told where it is.
+/// The time until a virtual arm has reported its position.
 const SETTLED: Duration = Duration::from_secs(1);
-/// So often a part does its cycle that goes on for ever.
+/// The number of cycles of an endless part.
 const CYCLES: u64 = 2;
-/// No rehearsal goes on for longer.
+/// The maximum duration of a rehearsal.
 const LONGEST_H: u64 = 24;

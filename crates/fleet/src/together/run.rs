@@ -1,4 +1,5 @@
-//! The parts at the stations of a fleet: each is a job of its station, asked for by its API, under its rules.
+//! Runs the parts at the stations of a fleet: each is a job of its station, requested through its
+//! API, under its rules.
 
 mod home;
 
@@ -18,70 +19,71 @@ use super::part::Part;
 use super::seen::Seen;
 use crate::id::new_id;
 
-/// What a person decides while it runs.
+/// A person's decision during a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// All parts hold.
     Hold,
-    /// Those that hold go on.
+    /// The holding parts resume.
     GoOn,
-    /// What holds stays paused, and nobody looks after it any more.
+    /// Holding parts stay paused, and the run ends.
     Leave,
 }
 
-/// What a person is told while it runs.
+/// An event of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Said {
     /// The jobs of the parts, in their order: all are queued, and nothing has moved.
     Queued(Vec<u64>),
-    /// What the engine tells.
+    /// An event of the engine.
     News(News),
-    /// All that were at a barrier go on, or all begin.
+    /// All parts at a barrier continue, or all parts begin.
     Started {
-        /// The barrier; nothing at the beginning.
+        /// The barrier; `None` at the beginning.
         barrier: Option<String>,
-        /// How far apart they may have been started at the most, in milliseconds: from when the first one was asked until the
-        /// last one has answered, by the clock of this program alone.
+        /// The maximum time between the starts, in milliseconds: from the first request to the last
+        /// response, by the clock of this program alone.
         within_ms: f64,
     },
-    /// A part cannot go on, though a person wants it.
+    /// A part cannot resume, although a person requested it.
     Hindered {
-        /// Which.
+        /// The part.
         part: usize,
-        /// Why.
+        /// The reason.
         why: String,
     },
 }
 
-/// How it has ended.
+/// The outcome of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// All parts are through.
+    /// All parts have finished.
     Through,
     /// Some hold: their jobs stay paused at their stations.
     Held,
 }
 
-/// Why nothing has begun.
+/// The error returned when a run cannot begin.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RunError {
-    /// A station does not take its part.
+    /// A station refuses its part.
     #[error("{arm}: {why}")]
     Part {
         /// The arm.
         arm: String,
-        /// Why not.
+        /// The reason.
         why: String,
     },
-    /// The computer gives no random number.
-    #[error("the computer gives no random number: {0}")]
+    /// The system has no random numbers.
+    #[error("the system has no random numbers: {0}")]
     Random(String),
 }
 
-/// Queues the parts at their stations, starts them together, and keeps them in step until they are through, or until a person
-/// leaves them; where nobody is there to decide, until nothing goes on any more. Nothing has moved where it fails.
+/// Queues the parts at their stations, starts them simultaneously, and keeps them in step until
+/// they finish or a person ends the run; without a person, until nothing continues. On an error,
+/// nothing has moved.
 ///
 /// # Errors
 ///
@@ -212,7 +214,7 @@ impl Run {
     async fn act(&mut self, say: &mut impl FnMut(Said)) {
         self.tell(say);
         let wishes: Vec<Wish> = std::iter::from_fn(|| self.engine.poll_wish()).collect();
-        let pauses = wishes.iter().filter_map(|it| match it {
+        let pauses = wishes.iter().filter_map(|wish| match wish {
             Wish::Pause(part) => Some(*part),
             Wish::Start { .. } => None,
         });
@@ -257,15 +259,18 @@ impl Run {
     /// time that the starts took, in milliseconds, where all were started.
     async fn start(&mut self, parts: &[usize]) -> Option<f64> {
         let leases = self.all(parts.iter().copied(), Actor::take_control).await;
-        let has_failed = leases.iter().any(|it| it.1.is_err());
+        let has_failed = leases.iter().any(|entry| entry.1.is_err());
         let asked = Instant::now();
         let starts = if has_failed {
-            leases.iter().map(|it| (it.0, not_started(&it.1))).collect()
+            leases
+                .iter()
+                .map(|entry| (entry.0, not_started(&entry.1)))
+                .collect()
         } else {
-            let started = |it: Actor, part: usize| {
-                let lease = leases.iter().find(|it| it.0 == part);
-                let lease = lease.and_then(|it| it.1.as_ref().ok().cloned());
-                async move { it.start(lease).await }
+            let started = |actor: Actor, part: usize| {
+                let lease = leases.iter().find(|entry| entry.0 == part);
+                let lease = lease.and_then(|entry| entry.1.as_ref().ok().cloned());
+                async move { actor.start(lease).await }
             };
             let mut all = JoinSet::new();
             for &part in parts {
@@ -280,7 +285,7 @@ impl Run {
         }
         self.give_back(leases).await;
         self.engine.handle_starts(&starts);
-        let all_run = starts.iter().all(|it| it.1 == Start::Done);
+        let all_run = starts.iter().all(|entry| entry.1 == Start::Done);
         all_run.then_some(within_ms)
     }
 
@@ -330,7 +335,7 @@ impl Actor {
             None
         };
         let state: State = self.ask(Asked::get("/api/v1/state")).await?;
-        let of_state = state.job.clone().filter(|it| it.job == self.job);
+        let of_state = state.job.clone().filter(|job| job.job == self.job);
         let job = match (of_state, known) {
             (Some(job), _) | (None, Some(Some(job))) => Some(job),
             (None, Some(None)) => None,
@@ -423,9 +428,9 @@ fn not_started(lease: &Result<String, AskError>) -> Start {
     }
 }
 
-/// One that does not show itself within this is silent: the others are looked after meanwhile.
+/// The time within which the station also sees that the arm is at rest.
 const SEEN_WITHIN: Duration = Duration::from_secs(2);
-/// An arm that was seen at rest is so for its station, too, within this.
+/// The interval of observations.
 const RESTS_WITHIN: Duration = Duration::from_secs(5);
 /// So often the parts are looked at.
 const LOOK_EVERY: Duration = Duration::from_millis(100);

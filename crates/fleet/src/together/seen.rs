@@ -1,42 +1,42 @@
-//! What is seen of a part: its job, as its station tells it.
+//! The observed state of a part: its job, as reported by its station.
 
 use dobot_api::{JobPhase, JobView, LinkPhase, State};
 
 use super::part::Part;
 
-/// What is seen of a part.
+/// The observed state of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Seen {
     /// Its job waits to be started.
     Queued,
-    /// Its arm is at it, or still comes to rest.
+    /// Its job runs, or its arm is coming to rest.
     Running,
     /// Its arm rests at a barrier.
     AtBarrier {
-        /// The name of that.
+        /// The name of the barrier.
         name: String,
-        /// How far its job is: cycles, and commands of this cycle. A later place is larger.
+        /// The progress of its job: cycles, and commands of this cycle. A later place is larger.
         progress: (u64, usize),
     },
-    /// Its program waits for a person, with this text.
+    /// Its program waits for a person, with this message.
     AtPerson(String),
-    /// Its job was paused on its way, for this reason.
+    /// Its job was paused, for this reason.
     Paused(String),
-    /// Its arm could not go on, for this reason; where its job is that does not say.
+    /// Its arm could not continue, for this reason; the place of its job does not show it.
     Hindered(String),
-    /// It has done its program.
+    /// It has finished its program.
     Done,
-    /// Its job is over before it is done, for this reason.
+    /// Its job ended before it was done, for this reason.
     Ended(String),
 }
 
 impl Seen {
-    /// What the job of a part and the state of its station show.
+    /// Derives the state from the part's job and the state of its station.
     pub(super) fn of(part: &Part, job: &JobView, state: &State) -> Self {
         let reason = || {
             job.reason
                 .clone()
-                .unwrap_or_else(|| "nobody says why".into())
+                .unwrap_or_else(|| "no reason given".into())
         };
         match job.phase {
             JobPhase::Running => Self::Running,
@@ -56,7 +56,10 @@ fn paused(part: &Part, job: &JobView, reason: &str, state: &State) -> Seen {
         return Seen::Running;
     }
     if let Some(name) = part.barrier_of(reason) {
-        let cycles = job.program.as_ref().map_or(0, |it| it.cycles_done);
+        let cycles = job
+            .program
+            .as_ref()
+            .map_or(0, |program| program.cycles_done);
         return Seen::AtBarrier {
             name: name.into(),
             progress: (cycles, job.completed),
@@ -68,22 +71,22 @@ fn paused(part: &Part, job: &JobView, reason: &str, state: &State) -> Seen {
     Seen::Paused(reason.into())
 }
 
-/// Why the arm could not go on, whatever its job says.
+/// Returns the reason why the arm could not continue, whatever the place of its job.
 fn hurdle(state: &State) -> Option<String> {
     if let Some(stop) = &state.stop {
         return Some(stop.text());
     }
     if state.link.phase != LinkPhase::Up {
         let why = state.link.problem.clone();
-        return Some(why.unwrap_or_else(|| "its station does not hear the arm".into()));
+        return Some(why.unwrap_or_else(|| "its station has no connection to the arm".into()));
     }
     let why = state.trust.reason.clone().filter(|_| !state.trust.trusted);
-    why.map(|it| format!("its pose is to be confirmed: {it}"))
+    why.map(|reason| format!("its pose must be confirmed: {reason}"))
 }
 
-/// Whether the arm has nothing more to do and is seen at rest.
+/// Whether the arm has no commands left and is at rest.
 fn rests(state: &State) -> bool {
     let queue = &state.queue;
-    let moves = state.arm.as_ref().is_some_and(|it| it.moving);
+    let moves = state.arm.as_ref().is_some_and(|arm| arm.moving);
     queue.waiting == 0 && queue.under_way == 0 && !moves
 }

@@ -1,4 +1,5 @@
-//! Parts in a world where persons pause, answers are lost and stations fall silent; and rehearsals.
+//! Parts in a world where persons pause, responses are lost and stations fall silent; and
+//! rehearsals.
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
@@ -13,7 +14,7 @@ use proptest::prelude::*;
 use self::world::{Faults, World};
 use super::barriers::{Barrier, Barriers, Course, course};
 
-/// Barriers by their names: some once, then some again and again.
+/// Barriers by name: some once, then some repeatedly.
 pub(super) fn barriers(once: &[u8], cycle: &[u8], times: Option<u64>) -> Barriers {
     let named = |names: &[u8]| -> Vec<Barrier> {
         let named = names.iter().map(|name| Barrier {
@@ -27,7 +28,7 @@ pub(super) fn barriers(once: &[u8], cycle: &[u8], times: Option<u64>) -> Barrier
     Barriers::of_lists(named(once), named(cycle), times)
 }
 
-/// Which names each part comes to, one after the other: all of them meet in one order.
+/// The barriers that each part reaches, in order: all parts meet in one order.
 fn meetings() -> impl Strategy<Value = Vec<Vec<u8>>> {
     let who = prop::collection::vec(prop::collection::btree_set(0..5_usize, 2..=4), 4);
     let order = prop::collection::vec(0..4_u8, 0..12);
@@ -35,14 +36,14 @@ fn meetings() -> impl Strategy<Value = Vec<Vec<u8>>> {
         let of_part = |part: usize| {
             let names = order.iter().copied();
             names
-                .filter(|it| who[usize::from(*it)].contains(&part))
+                .filter(|index| who[usize::from(*index)].contains(&part))
                 .collect()
         };
         (0..5).map(of_part).collect()
     })
 }
 
-/// Whether parts come to their ends, where nobody knows anything but who waits where.
+/// Whether all parts reach their ends, by brute force.
 fn come_through(parts: &[Vec<u8>], seed: u64) -> bool {
     let mut random = dobot_geometry::Random::new(seed);
     let mut passed = vec![0; parts.len()];
@@ -57,8 +58,8 @@ fn come_through(parts: &[Vec<u8>], seed: u64) -> bool {
             return true;
         }
         let is_met = |name: &u8| {
-            let mut having = parts.iter().zip(&next).filter(|it| it.0.contains(name));
-            having.all(|it| *it.1 == Some(*name))
+            let mut having = parts.iter().zip(&next).filter(|part| part.0.contains(name));
+            having.all(|entry| *entry.1 == Some(*name))
         };
         let met: Vec<u8> = waiting.into_iter().filter(is_met).collect();
         if met.is_empty() {
@@ -105,8 +106,8 @@ proptest! {
         for passed in 0..=all.len() {
             let ahead: BTreeSet<String> = all[passed..].iter().map(ToString::to_string).collect();
             let found = short.ahead(passed as u64);
-            prop_assert_eq!(found, ahead.iter().map(|it| &**it).collect::<BTreeSet<_>>());
-            let next = short.at(passed as u64).map(|it| it.name.to_string());
+            prop_assert_eq!(found, ahead.iter().map(|barrier| &**barrier).collect::<BTreeSet<_>>());
+            let next = short.at(passed as u64).map(|barrier| barrier.name.to_string());
             prop_assert_eq!(next, all.get(passed).map(ToString::to_string));
         }
     }
@@ -147,7 +148,7 @@ fn one_that_somebody_starts_at_its_arm_is_paused_with_those_that_wait_for_it() {
     assert!(world.is_paused(0) && world.is_paused(1));
     let hindered = world.go_on();
     assert_eq!(hindered.len(), 1, "{hindered:?}");
-    assert!(hindered[0].1.contains("before the others were there"));
+    assert!(hindered[0].1.contains("before the others had arrived"));
     assert_eq!(world.held(), [0, 1]);
 }
 

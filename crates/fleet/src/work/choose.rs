@@ -1,4 +1,4 @@
-//! Which work goes to which arm.
+//! Chooses the arm for a job.
 
 use std::collections::HashMap;
 
@@ -7,7 +7,7 @@ use dobot_station::work_hurdle;
 
 use super::ticket::Ticket;
 
-/// Whether a station could be at work of the fleet now, as far as it tells.
+/// Whether a station could accept a job of the fleet now, according to its state.
 pub(crate) fn is_free(member: &Member) -> bool {
     let (Presence::Present, Some(about), Some(state)) =
         (&member.presence, &member.about, &member.state)
@@ -17,33 +17,37 @@ pub(crate) fn is_free(member: &Member) -> bool {
     let is_at_work = |phase: JobPhase| !phase.is_over();
     about
         .takes_work
-        .is_some_and(|it| work_hurdle(state, it).is_none())
-        && !state.job.as_ref().is_some_and(|it| is_at_work(it.phase))
+        .is_some_and(|setting| work_hurdle(state, setting).is_none())
+        && !state.job.as_ref().is_some_and(|job| is_at_work(job.phase))
 }
 
-/// Whether a station may be offered a ticket: it has all that is needed, has not refused it, and nobody has taken it away
-/// from there.
+/// Whether a ticket may be offered to a station: it has all required features, has not refused the
+/// ticket, and nobody has taken the ticket away from it.
 pub(crate) fn suits(ticket: &Ticket, member: &Member) -> bool {
-    let offers = member.about.as_ref().map(|it| &it.offers);
-    let has = |need: &String| offers.is_some_and(|it| it.contains(need));
+    let offers = member.about.as_ref().map(|offers| &offers.offers);
+    let has = |need: &String| offers.is_some_and(|offers| offers.contains(need));
     ticket.needs.iter().all(has)
-        && ticket.refused.iter().all(|it| it.member.id != member.id)
+        && ticket
+            .refused
+            .iter()
+            .all(|refusal| refusal.member.id != member.id)
         && ticket
             .before
             .iter()
-            .all(|it| it.offer.member.id != member.id)
+            .all(|earlier| earlier.offer.member.id != member.id)
 }
 
-/// Whether it is nobody else's time there: in a time slot an arm takes only its student's work.
+/// Whether no other student's time slot is active there: in a slot an arm accepts only its
+/// student's jobs.
 fn is_in_time(ticket: &Ticket, member: &Member) -> bool {
-    let slots = member.state.as_ref().and_then(|it| it.slots.as_ref());
+    let slots = member.state.as_ref().and_then(|state| state.slots.as_ref());
     slots
-        .and_then(|it| it.now.as_ref())
+        .and_then(|slot| slot.now.as_ref())
         .is_none_or(|now| is_same_person(&now.student, &ticket.student))
 }
 
-/// The ticket that goes next to this arm: of whoever has had the least time of arms so far, and of several the one that
-/// came first.
+/// Returns the next ticket for this arm: of the student who has used the least arm time so far, and
+/// the first of those.
 pub(crate) fn next<'a>(
     tickets: &'a [&Ticket],
     shares: &Shares,
@@ -51,25 +55,26 @@ pub(crate) fn next<'a>(
 ) -> Option<&'a str> {
     tickets
         .iter()
-        .filter(|it| suits(it, member) && is_in_time(it, member))
+        .filter(|ticket| suits(ticket, member) && is_in_time(ticket, member))
         .min_by(|one, other| {
-            let [(one_s, one_out), (other_s, other_out)] = [one, other].map(|it| shares.of(it));
+            let [(one_s, one_out), (other_s, other_out)] =
+                [one, other].map(|ticket| shares.of(ticket));
             one_s
                 .total_cmp(&other_s)
                 .then(one_out.cmp(&other_out))
                 .then(one.number.cmp(&other.number))
         })
-        .map(|it| it.id.as_str())
+        .map(|ticket| ticket.id.as_str())
 }
 
-/// How much of the arms' time each student has had.
+/// The arm time used by each student.
 #[derive(Debug, Default)]
 pub(crate) struct Shares(HashMap<(String, Option<String>), (f64, usize)>);
 
 impl Shares {
     pub(crate) fn new<'a>(tickets: impl Iterator<Item = &'a Ticket>) -> Self {
         let mut shares = Self::default();
-        tickets.for_each(|it| shares.add(it));
+        tickets.for_each(|ticket| shares.add(ticket));
         shares
     }
 
@@ -79,12 +84,12 @@ impl Shares {
         share.1 += usize::from(ticket.is_out());
     }
 
-    /// One more is out.
+    /// Counts one more ticket in progress.
     pub(crate) fn send_out(&mut self, ticket: &Ticket) {
         self.0.entry(student(ticket)).or_default().1 += 1;
     }
 
-    /// Time in seconds, and how many are out.
+    /// Returns the time in seconds, and the number of tickets in progress.
     fn of(&self, ticket: &Ticket) -> (f64, usize) {
         self.0.get(&student(ticket)).copied().unwrap_or_default()
     }

@@ -1,11 +1,12 @@
-//! Work for any arm, at the station where it was submitted: an engine without a disk, a network or a clock.
+//! The jobs for any arm that were submitted to this station: an engine without disk, network and
+//! clock.
 //!
-//! Three rules make that each ticket is done once:
+//! Three rules ensure that each ticket runs at most once:
 //!
-//! 1. To whom a ticket is offered, and under which key, is on the disk before that station is asked.
-//! 2. A ticket that was offered is offered to no other station before the first one has refused it for good, or a person
-//!    says so. Whatever else is answered, or nothing, the same question is asked again.
-//! 3. What a station has answered under a key it answers for ever (the journal's `take`, `refuse` and `withdraw`).
+//! 1. The station and the key of an offer are on the disk before the offer is sent.
+//! 2. An offered ticket is offered to no other station before the first one has refused it for
+//! good, or a person decides so. After any other response, or none, the same request is sent again.
+//! 3. The response of a station to a key is final (the journal's `take`, `refuse` and `withdraw`).
 
 mod showing;
 
@@ -24,53 +25,53 @@ use super::settle::{
 };
 use super::ticket::{Before, Offer, Place, Ticket};
 
-/// All work that was submitted to this station.
+/// All jobs that were submitted to this station.
 pub(crate) struct Work {
     tickets: BTreeMap<String, Ticket>,
-    /// The number of the one that came last.
+    /// The number of the last ticket.
     last_number: u64,
-    /// Changes that are not on the disk yet.
+    /// Tickets with changes that are not on the disk yet.
     unkept: BTreeSet<String>,
     keeping: Option<Keeping>,
-    /// When the disk is tried again.
+    /// When writing to the disk is retried.
     disk_due: Duration,
     members: Members,
-    /// The keys about which somebody is being asked.
+    /// The keys with a request in flight.
     asking: HashSet<String>,
-    /// When is asked next, by key.
+    /// The time of the next request, by key.
     due: HashMap<String, Duration>,
-    /// Why the last question about a key was not answered.
+    /// Why the last request for a key had no clear response.
     unclear: HashMap<String, String>,
-    /// Since when jobs that their stations start by themselves have been queued there, by key.
+    /// Since when jobs that their stations start automatically have been queued there, by key.
     queued: HashMap<String, Duration>,
-    /// Why nothing is offered now, if so.
+    /// The reason why nothing is offered now, if any.
     held: Option<String>,
-    /// Until when stations are let alone that had other work, and for how long that was.
+    /// Until when stations that had other jobs are not tried, and the length of that time.
     resting: HashMap<String, (Duration, Duration)>,
-    /// Makes the keys of offers, if it can.
+    /// Creates the keys of offers; may fail.
     new_key: Box<dyn FnMut() -> Option<String> + Send>,
 }
 
-/// What is being written.
+/// A pending write.
 #[derive(Debug)]
 struct Keeping {
     id: String,
-    /// It has changed again since.
+    /// Whether the ticket has changed since.
     is_old: bool,
 }
 
-/// What the engine wants.
+/// An action to carry out.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Wish {
-    /// Write it, for good, and say how that went. Nothing else is wanted until then.
+    /// Write the ticket durably and report the result. There are no other actions until then.
     Keep(Box<Ticket>),
-    /// Remove it from the disk.
+    /// Remove the ticket from the disk.
     Forget(String),
-    /// Ask a station.
+    /// Send a request to a station.
     Ask(Ask),
 }
 
-/// What a station is to be asked.
+/// A request to a station.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Ask {
     pub(crate) ticket: String,
@@ -81,47 +82,54 @@ pub(crate) struct Ask {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum What {
-    /// To take it.
+    /// Offer the ticket.
     Offer,
-    /// What has become of it.
+    /// Query the state of its job.
     Look,
-    /// To let it be, where it has not begun.
+    /// Withdraw the ticket, unless it has begun.
     Withdraw,
 }
 
-/// What a station answers.
+/// The response of a station.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Answer {
-    /// It has it: the job as it is now.
+    /// It has taken the ticket: the job as it is now.
     Taken(Box<JobView>),
-    /// It has refused it for good under this key.
+    /// It has refused the ticket for good under this key.
     Refused { reason: String, busy: bool },
-    /// It has never heard of it.
+    /// It does not know the key.
     Unknown,
-    /// Nobody knows: it did not answer, or not so that it would be clear.
+    /// No response, or an unclear one.
     Unclear(String),
 }
 
-/// How many tickets may be under way.
+/// The maximum number of open tickets.
 const MOST: usize = 5000;
-/// How many are kept that are over.
+/// The maximum number of finished tickets that are kept.
 const KEPT: usize = 500;
-/// How often a station is asked that has a ticket.
+/// The interval of queries to a station that has a ticket.
 const ASK_EVERY: Duration = Duration::from_secs(2);
-/// A station that starts work by itself does so within this.
+/// The time within which a station with automatic starts begins a job.
 const STARTS_WITHIN: Duration = Duration::from_secs(10);
-/// How long a station is let alone that had other work, at first and at the most.
+/// The time for which a busy station is not tried, initially and at most.
 const REST: [Duration; 2] = [Duration::from_secs(2), Duration::from_secs(60)];
 
 impl Work {
-    /// The work that was on the disk.
+    /// Restores the tickets from the disk.
     pub(crate) fn new(
         kept: Vec<Ticket>,
         new_key: impl FnMut() -> Option<String> + Send + 'static,
     ) -> Self {
         Self {
-            last_number: kept.iter().map(|it| it.number).max().unwrap_or_default(),
-            tickets: kept.into_iter().map(|it| (it.id.clone(), it)).collect(),
+            last_number: kept
+                .iter()
+                .map(|ticket| ticket.number)
+                .max()
+                .unwrap_or_default(),
+            tickets: kept
+                .into_iter()
+                .map(|ticket| (ticket.id.clone(), ticket))
+                .collect(),
             unkept: BTreeSet::new(),
             keeping: None,
             disk_due: Duration::ZERO,
@@ -136,54 +144,60 @@ impl Work {
         }
     }
 
-    /// Whether a ticket is on the disk as it is now.
+    /// Whether the current state of a ticket is on the disk.
     pub(crate) fn is_kept(&self, id: &str) -> bool {
         !self.unkept.contains(id)
     }
 
-    /// Whether it has to be known what the other stations do.
+    /// Whether the states of the other stations are needed.
     pub(crate) fn needs_members(&self) -> bool {
         self.tickets.values().any(is_open)
     }
 
-    /// The stations are so now. While `held` says why not, nothing is offered.
+    /// Updates the members. While `held` gives a reason, nothing is offered.
     pub(crate) fn see(&mut self, members: &Members, held: Option<String>) {
         self.members = members.clone();
         self.held = held;
     }
 
-    /// Whether a request of this key was for a ticket that is there.
+    /// Returns the ticket of an earlier request with this key.
     pub(crate) fn asked_before(&self, student: &str, key: &str) -> Option<WorkView> {
-        let same = |it: &&Ticket| it.student == student && it.key.as_deref() == Some(key);
-        self.tickets.values().find(same).map(|it| self.view(it))
+        let same =
+            |ticket: &&Ticket| ticket.student == student && ticket.key.as_deref() == Some(key);
+        self.tickets
+            .values()
+            .find(same)
+            .map(|ticket| self.view(ticket))
     }
 
-    /// The number of the next ticket.
+    /// Returns the number of the next ticket.
     pub(crate) const fn next_number(&mut self) -> u64 {
         self.last_number += 1;
         self.last_number
     }
 
-    /// Whether there is room for one more.
+    /// Checks that there is space for one more ticket.
     pub(crate) fn check_room(&self) -> Result<(), Problem> {
-        let open = self.tickets.values().filter(|it| is_open(it)).count();
+        let open = self
+            .tickets
+            .values()
+            .filter(|ticket| is_open(ticket))
+            .count();
         if open < MOST {
             return Ok(());
         }
-        let many = format!(
-            "{open} drawings and programs are under way already, and more than {MOST} may not"
-        );
+        let many = format!("{open} jobs are open; at most {MOST} are allowed");
         Err(TOO_MANY.hinted(many, "wait until some are done, or cancel some"))
     }
 
-    /// Takes a ticket that is on the disk.
+    /// Adds a ticket that is on the disk.
     pub(crate) fn submitted(&mut self, ticket: Ticket) -> WorkView {
         let view = self.view(&ticket);
         self.tickets.insert(ticket.id.clone(), ticket);
         view
     }
 
-    /// A person does not want it any more.
+    /// Cancels a ticket on request of a person.
     pub(crate) fn cancel(&mut self, id: &str) -> Result<WorkView, Problem> {
         let phase = self.find(id)?.phase();
         let ticket = self.ticket(id);
@@ -192,26 +206,26 @@ impl Work {
             Place::Offered(offer) | Place::Taken { offer, .. } => offer.is_withdrawn = true,
             Place::Over { .. } | Place::Cancelled => {
                 return Err(WORK_PHASE.problem(format!(
-                    "it is {phase:?}; what is waiting, offered or taken can be cancelled"
+                    "the job is {phase:?}; only a waiting, offered or taken job can be cancelled"
                 )));
             }
         }
-        if let Some(key) = ticket.offer().map(|it| it.key.clone()) {
+        if let Some(key) = ticket.offer().map(|offer| offer.key.clone()) {
             self.due.remove(&key);
         }
         self.change(id);
         self.one(id)
     }
 
-    /// A person decides that another arm is to do it, whatever has become of it.
+    /// Moves a ticket to another arm on request of a person, whatever has become of it.
     pub(crate) fn give(&mut self, id: &str) -> Result<WorkView, Problem> {
         let ticket = self.find(id)?;
         let phase = ticket.phase();
         let may = self.doubt(ticket).is_some() || phase == WorkPhase::Failed;
         let (Some(offer), true) = (ticket.offer().cloned(), may) else {
             return Err(WORK_PHASE.hinted(
-                format!("it is {phase:?}, and not in doubt"),
-                "what is in doubt or has failed can be given to another arm",
+                format!("the job is {phase:?} and not in doubt"),
+                "only a job that is in doubt or has failed can be moved to another arm",
             ));
         };
         let before = Before {
@@ -226,7 +240,7 @@ impl Work {
         self.one(id)
     }
 
-    /// What is on the disk, or not.
+    /// Handles the result of a write.
     pub(crate) fn handle_kept(&mut self, now: Duration, is_kept: bool) {
         let Some(keeping) = self.keeping.take() else {
             return;
@@ -238,7 +252,7 @@ impl Work {
         }
     }
 
-    /// What a station answered, or that it did not.
+    /// Handles the response of a station, or a missing one.
     pub(crate) fn handle_answer(&mut self, now: Duration, ask: &Ask, answer: Answer) {
         self.asking.remove(&ask.key);
         self.unclear.remove(&ask.key);
@@ -257,8 +271,9 @@ impl Work {
             }
             Answer::Unknown => {
                 let name = &ask.member.name;
-                let text =
-                    format!("{name} does not know it any more: its journal was lost or replaced");
+                let text = format!(
+                    "{name} does not know the job any more: its journal was lost or replaced"
+                );
                 self.unclear.insert(ask.key.clone(), text);
             }
             Answer::Unclear(why) => drop(self.unclear.insert(ask.key.clone(), why)),
@@ -275,7 +290,7 @@ impl Work {
         }
     }
 
-    /// What is wanted next.
+    /// Returns the next action.
     pub(crate) fn poll_wish(&mut self, now: Duration) -> Option<Wish> {
         if self.keeping.is_some() {
             return None;
@@ -301,20 +316,28 @@ impl Work {
         Some(Wish::Ask(ask))
     }
 
-    /// Gives waiting tickets to free arms, as far as there are some.
+    /// Offers waiting tickets to free arms.
     fn offer_waiting(&mut self, now: Duration) {
-        let waiting = self.tickets.values().filter(|it| it.at == Place::Waiting);
+        let waiting = self
+            .tickets
+            .values()
+            .filter(|value| value.at == Place::Waiting);
         let mut waiting: Vec<&Ticket> = waiting.collect();
         if waiting.is_empty() {
             return;
         }
-        let is_ours = |it: &&Ticket| it.is_out() || it.before.iter().any(|it| !it.is_settled);
+        let is_ours = |ticket: &&Ticket| {
+            ticket.is_out() || ticket.before.iter().any(|earlier| !earlier.is_settled)
+        };
         let ours = self.tickets.values().filter(is_ours);
         let mut taken: HashSet<String> = ours.flat_map(members_of).collect();
         let mut shares = Shares::new(self.tickets.values());
         let mut given = Vec::new();
-        for member in self.members.iter().filter(|it| is_free(it)) {
-            let rests = self.resting.get(&member.id).is_some_and(|it| now < it.0);
+        for member in self.members.iter().filter(|member| is_free(member)) {
+            let rests = self
+                .resting
+                .get(&member.id)
+                .is_some_and(|rest| now < rest.0);
             if rests || taken.contains(&member.id) {
                 continue;
             }
@@ -323,11 +346,11 @@ impl Work {
             };
             taken.insert(member.id.clone());
             shares.send_out(&self.tickets[&id]);
-            waiting.retain(|it| it.id != id);
+            waiting.retain(|waiting| waiting.id != id);
             given.push((id, work_member(member)));
         }
         for (id, member) in given {
-            // Without chance there are no keys; the computer has some later.
+            // Keys need random numbers; retry later.
             let Some(key) = (self.new_key)() else {
                 return;
             };
@@ -344,7 +367,7 @@ impl Work {
         }
     }
 
-    /// Takes tickets back from stations that start work by themselves and cannot start these.
+    /// Recalls tickets from stations with automatic starts that cannot start them.
     fn recall_hindered(&mut self, now: Duration) {
         let mut queued = HashMap::new();
         let mut recalled = Vec::new();
@@ -373,44 +396,50 @@ impl Work {
         }
     }
 
-    /// Why a station that is there and starts work by itself cannot start what is queued there. A stop or a lock counts at
-    /// once; all else may pass, and counts when it is late.
+    /// Returns why a station with automatic starts cannot start a queued job. A stop or a lock
+    /// counts immediately; other reasons may pass, and count when the job is late.
     fn hurdle(&self, member: &WorkMember, is_late: bool) -> Option<String> {
         let member = self.present(member)?;
         let (about, state) = (member.about.as_ref()?, member.state.as_ref()?);
-        let takes_work = about.takes_work.filter(|it| *it == TakesWork::Start)?;
+        let takes_work = about
+            .takes_work
+            .filter(|setting| *setting == TakesWork::Start)?;
         let hurdle = work_hurdle(state, takes_work);
         if state.stop.is_some() || state.lock.is_some() {
             return hurdle;
         }
         let within_s = STARTS_WITHIN.as_secs();
-        let late = || format!("its station did not start it within {within_s} s");
+        let late = || format!("its station did not start the job within {within_s} s");
         is_late.then(|| hurdle.unwrap_or_else(late))
     }
 
     fn next_ask(&self, now: Duration) -> Option<Ask> {
-        let open = self.tickets.values().filter(|it| is_open(it));
+        let open = self.tickets.values().filter(|ticket| is_open(ticket));
         open.flat_map(asks).find(|ask| {
-            let is_due = self.due.get(&ask.key).is_none_or(|it| *it <= now);
+            let is_due = self.due.get(&ask.key).is_none_or(|at| *at <= now);
             let is_held = ask.what == What::Offer && self.held.is_some();
             is_due && !is_held && !self.asking.contains(&ask.key) && self.is_present(&ask.member)
         })
     }
 
-    /// The oldest that is over, where there are more than are kept.
+    /// Returns the oldest finished ticket beyond the number that is kept.
     fn old(&self) -> Option<String> {
         if self.tickets.len() <= KEPT {
             return None;
         }
-        let over: Vec<_> = self.tickets.values().filter(|it| !is_open(it)).collect();
-        let oldest = over.iter().min_by_key(|it| it.number)?;
+        let over: Vec<_> = self
+            .tickets
+            .values()
+            .filter(|ticket| !is_open(ticket))
+            .collect();
+        let oldest = over.iter().min_by_key(|ticket| ticket.number)?;
         (over.len() > KEPT).then(|| oldest.id.clone())
     }
 
     fn rest(&mut self, now: Duration, member: &str) {
         let [first, most] = REST;
-        let last = self.resting.get(member).map(|it| it.1);
-        let span = last.map_or(first, |it| (it * 2).min(most));
+        let last = self.resting.get(member).map(|rest| rest.1);
+        let span = last.map_or(first, |rest| (rest * 2).min(most));
         self.resting.insert(member.into(), (now + span, span));
     }
 
@@ -418,16 +447,17 @@ impl Work {
         self.present(member).is_some()
     }
 
-    /// A station, if it can be reached.
+    /// Returns a station if it can be reached.
     fn present(&self, member: &WorkMember) -> Option<&Member> {
-        let same = |it: &&std::sync::Arc<Member>| it.id == member.id && it.name == member.name;
-        let seen = self.members.iter().find(same).map(|it| &**it);
-        seen.filter(|it| it.presence == Presence::Present)
+        let same =
+            |known: &&std::sync::Arc<Member>| known.id == member.id && known.name == member.name;
+        let seen = self.members.iter().find(same).map(|member| &**member);
+        seen.filter(|known| known.presence == Presence::Present)
     }
 
     fn change(&mut self, id: &str) {
         self.unkept.insert(id.to_owned());
-        if let Some(keeping) = self.keeping.as_mut().filter(|it| it.id == id) {
+        if let Some(keeping) = self.keeping.as_mut().filter(|keeping| keeping.id == id) {
             keeping.is_old = true;
         }
     }
@@ -435,11 +465,11 @@ impl Work {
     fn find(&self, id: &str) -> Result<&Ticket, Problem> {
         self.tickets.get(id).ok_or_else(|| {
             let id: String = id.chars().take(40).collect();
-            NO_SUCH_WORK.problem(format!("nothing of the number {id:?} was submitted here"))
+            NO_SUCH_WORK.problem(format!("no job with the id {id:?} was submitted here"))
         })
     }
 
     fn ticket(&mut self, id: &str) -> &mut Ticket {
-        self.tickets.get_mut(id).expect("it was found before")
+        self.tickets.get_mut(id).expect("found above")
     }
 }

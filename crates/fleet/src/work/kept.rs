@@ -1,4 +1,4 @@
-//! Tickets on the disk: a file for each, and one beside it with what is offered.
+//! Tickets on the disk: a file for each, and one beside it with the offered job.
 
 use std::fs::{self, File};
 use std::io;
@@ -10,15 +10,15 @@ use serde_json::Value;
 
 use super::ticket::Ticket;
 
-/// A folder with tickets. What was written survives a power cut.
+/// A folder of tickets. Written tickets survive a power cut.
 #[derive(Debug)]
 pub(crate) struct Kept {
     folder: PathBuf,
 }
 
 impl Kept {
-    /// Opens the folder, or makes it; gives the tickets in it, and what is wrong with files that are none. Those stay as
-    /// they are.
+    /// Opens or creates the folder; returns its tickets, and the problems of invalid files, which
+    /// are left unchanged.
     pub(crate) fn open(folder: &Path) -> io::Result<(Self, Vec<Ticket>, Vec<String>)> {
         make_private(folder)?;
         let kept = Self {
@@ -28,32 +28,32 @@ impl Kept {
         for entry in fs::read_dir(folder)? {
             let path = entry?.path();
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            if let Some(id) = name.strip_suffix(TICKET).filter(|it| is_id(it)) {
+            if let Some(id) = name.strip_suffix(TICKET).filter(|id| is_id(id)) {
                 match read::<Ticket>(&path) {
                     Ok(ticket) if ticket.id == id => tickets.push(ticket),
-                    Ok(_) => wrong.push(format!("{} is of another ticket", path.display())),
+                    Ok(_) => wrong.push(format!("{} contains another ticket", path.display())),
                     Err(error) => wrong.push(format!("{}: {error}", path.display())),
                 }
             } else if name.contains(".new-") {
-                // A kill has left it: it was never what counts.
+                // Left by a kill: the write was not complete.
                 fs::remove_file(&path)?;
             }
         }
         Ok((kept, tickets, wrong))
     }
 
-    /// Keeps a new ticket, with what is offered.
+    /// Writes a new ticket and its job.
     pub(crate) fn submit(&self, ticket: &Ticket, offer: &Value) -> io::Result<()> {
         write_private(&self.offer_file(&ticket.id), &offer.to_string())?;
         self.keep(ticket)
     }
 
-    /// Keeps a ticket as it is now.
+    /// Writes the current state of a ticket.
     pub(crate) fn keep(&self, ticket: &Ticket) -> io::Result<()> {
         let text = serde_json::to_string(ticket)?;
         write_private(&self.ticket_file(&ticket.id), &text)?;
         self.sync()?;
-        // What has failed may be given to another arm.
+        // A failed ticket may be moved to another arm.
         if matches!(ticket.phase(), WorkPhase::Done | WorkPhase::Cancelled) {
             remove(&self.offer_file(&ticket.id))?;
         }
@@ -66,7 +66,7 @@ impl Kept {
         remove(&self.offer_file(id))
     }
 
-    /// What is offered.
+    /// Returns the offered job.
     pub(crate) fn offer(&self, id: &str) -> io::Result<Value> {
         read(&self.offer_file(id))
     }
@@ -79,7 +79,7 @@ impl Kept {
         self.folder.join(format!("{id}{OFFER}"))
     }
 
-    /// The names in the folder, too, survive a power cut.
+    /// Makes the names in the folder durable.
     fn sync(&self) -> io::Result<()> {
         if cfg!(unix) {
             File::open(&self.folder)?.sync_all()?;
@@ -88,7 +88,7 @@ impl Kept {
     }
 }
 
-/// Removes a file, if there is one.
+/// Removes a file if it exists.
 fn remove(file: &Path) -> io::Result<()> {
     match fs::remove_file(file) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
@@ -101,7 +101,7 @@ fn read<T: DeserializeOwned>(file: &Path) -> io::Result<T> {
 }
 
 fn is_id(text: &str) -> bool {
-    text.len() == 32 && text.bytes().all(|it| it.is_ascii_hexdigit())
+    text.len() == 32 && text.bytes().all(|byte| byte.is_ascii_hexdigit())
 }
 
 const TICKET: &str = ".json";

@@ -1,4 +1,4 @@
-//! What an answer means for a ticket.
+//! The effect of a response on a ticket.
 
 use dobot_api::{JobPhase, JobView, Member, WorkMember};
 use dobot_host::WITHDRAWN;
@@ -6,12 +6,12 @@ use dobot_host::WITHDRAWN;
 use super::engine::{Ask, What};
 use super::ticket::{Before, Offer, Place, Refused, Ticket};
 
-/// Whether anybody has still to be asked about it.
+/// Whether a request for the ticket is still necessary.
 pub(crate) fn is_open(ticket: &Ticket) -> bool {
-    !ticket.phase().is_over() || ticket.before.iter().any(|it| !it.is_settled)
+    !ticket.phase().is_over() || ticket.before.iter().any(|earlier| !earlier.is_settled)
 }
 
-/// Whom to ask about it, and what.
+/// Returns the requests that the ticket needs.
 pub(crate) fn asks(ticket: &Ticket) -> Vec<Ask> {
     let ask = |offer: &Offer, what| Ask {
         ticket: ticket.id.clone(),
@@ -19,8 +19,10 @@ pub(crate) fn asks(ticket: &Ticket) -> Vec<Ask> {
         key: offer.key.clone(),
         what,
     };
-    let withdrawn = ticket.before.iter().filter(|it| !it.is_settled);
-    let mut asks: Vec<_> = withdrawn.map(|it| ask(&it.offer, What::Withdraw)).collect();
+    let withdrawn = ticket.before.iter().filter(|earlier| !earlier.is_settled);
+    let mut asks: Vec<_> = withdrawn
+        .map(|earlier| ask(&earlier.offer, What::Withdraw))
+        .collect();
     match &ticket.at {
         Place::Offered(offer) | Place::Taken { offer, .. } if offer.is_taken_back() => {
             asks.push(ask(offer, What::Withdraw));
@@ -32,15 +34,15 @@ pub(crate) fn asks(ticket: &Ticket) -> Vec<Ask> {
     asks
 }
 
-/// The stations that may be at it, by their numbers.
+/// Returns the ids of the stations that may be working on it.
 pub(crate) fn members_of(ticket: &Ticket) -> Vec<String> {
     let now = ticket.offer().filter(|_| ticket.is_out());
-    let before = ticket.before.iter().filter(|it| !it.is_settled);
-    let offers = now.into_iter().chain(before.map(|it| &it.offer));
-    offers.map(|it| it.member.id.clone()).collect()
+    let before = ticket.before.iter().filter(|earlier| !earlier.is_settled);
+    let offers = now.into_iter().chain(before.map(|earlier| &earlier.offer));
+    offers.map(|offer| offer.member.id.clone()).collect()
 }
 
-/// A station has it.
+/// Handles a taken ticket.
 pub(crate) fn settle_taken(ticket: &mut Ticket, ask: &Ask, job: Box<JobView>) {
     if let Some(before) = before(ticket, ask) {
         before.is_settled = job.phase.is_over();
@@ -60,7 +62,7 @@ pub(crate) fn settle_taken(ticket: &mut Ticket, ask: &Ask, job: Box<JobView>) {
         ticket.at = Place::Waiting;
         return;
     }
-    // One that was begun before it could be taken back stays there.
+    // A job that began before it could be recalled stays there.
     let recalled = offer.recalled.filter(|_| job.phase == JobPhase::Queued);
     let offer = Offer { recalled, ..offer };
     ticket.at = if offer.is_withdrawn && never_begun {
@@ -72,13 +74,13 @@ pub(crate) fn settle_taken(ticket: &mut Ticket, ask: &Ask, job: Box<JobView>) {
     };
 }
 
-/// A station has refused it for good under this key.
+/// Handles a final refusal under this key.
 pub(crate) fn settle_refused(ticket: &mut Ticket, ask: &Ask, reason: &str, busy: bool) {
     if let Some(before) = before(ticket, ask) {
         before.is_settled = true;
         return;
     }
-    // What it has taken it cannot refuse.
+    // A station cannot refuse what it has taken.
     let Some(offer) = current(ticket, ask).filter(|_| matches!(ticket.at, Place::Offered(_)))
     else {
         return;
@@ -96,7 +98,7 @@ pub(crate) fn settle_refused(ticket: &mut Ticket, ask: &Ask, reason: &str, busy:
     }
 }
 
-/// Whether a job was withdrawn before its arm had begun it.
+/// Whether a job was withdrawn before its arm began it.
 fn was_withdrawn(job: &JobView) -> bool {
     let reason = job.reason.as_deref().unwrap_or_default();
     job.phase == JobPhase::Stopped && job.completed == 0 && reason.starts_with(WITHDRAWN)
@@ -104,23 +106,27 @@ fn was_withdrawn(job: &JobView) -> bool {
 
 fn current(ticket: &Ticket, ask: &Ask) -> Option<Offer> {
     let offer = ticket.offer().filter(|_| ticket.is_out());
-    offer.filter(|it| it.key == ask.key).cloned()
+    offer.filter(|offer| offer.key == ask.key).cloned()
 }
 
 fn before<'a>(ticket: &'a mut Ticket, ask: &Ask) -> Option<&'a mut Before> {
     let mut before = ticket.before.iter_mut();
-    before.find(|it| it.offer.key == ask.key)
+    before.find(|earlier| earlier.offer.key == ask.key)
 }
 
-/// Whether a crash may not forget the difference: how far a job is, its station tells again.
+/// Whether the difference must survive a crash; the progress of a job need not, since its station
+/// reports it again.
 pub(crate) fn is_other(one: &Ticket, other: &Ticket) -> bool {
     let still = |ticket: &Ticket| {
         let mut ticket = ticket.clone();
         if let Place::Taken { job, .. } = &mut ticket.at {
             rest(job);
         }
-        let jobs = ticket.before.iter_mut().filter_map(|it| it.job.as_mut());
-        jobs.for_each(|it| rest(it));
+        let jobs = ticket
+            .before
+            .iter_mut()
+            .filter_map(|earlier| earlier.job.as_mut());
+        jobs.for_each(|job| rest(job));
         ticket
     };
     still(one) != still(other)

@@ -1,4 +1,4 @@
-//! The tasks around the engine: the disk, the other stations, and whoever submits.
+//! The tasks around the engine: the disk, the other stations, and the submitters.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -16,21 +16,21 @@ use super::ticket::{Place, Ticket};
 use crate::asking::{Way, ask_one};
 use crate::id::new_id;
 
-/// The work that was submitted to this station.
+/// The jobs that were submitted to this station.
 pub(crate) struct Working {
     engine: Work,
-    /// Nothing where the station has no folder for it.
+    /// Absent if the station has no folder for them.
     kept: Option<Arc<Kept>>,
-    /// What is being done.
+    /// The in-flight tasks.
     pub(crate) doing: JoinSet<Done>,
-    /// Those whose decisions are being written, with the tickets.
+    /// The submitters whose tickets are being written.
     waiting: Vec<(String, Reply)>,
-    /// Why it could not be written last.
+    /// The reason why the last write failed.
     trouble: Option<String>,
     started: Instant,
 }
 
-/// What was done.
+/// The result of a task.
 pub(crate) enum Done {
     Kept(Result<(), String>),
     Submitted(Box<Ticket>, Result<(), String>, Reply),
@@ -41,7 +41,7 @@ pub(crate) enum Done {
 type Reply = oneshot::Sender<Result<WorkView, Problem>>;
 
 impl Working {
-    /// Goes on with what is in the folder; says what in it is no work.
+    /// Restores the tickets of the folder; also returns the problems of invalid files.
     pub(crate) fn open(folder: Option<&Path>) -> std::io::Result<(Self, Vec<String>)> {
         let (kept, tickets, wrong) = match folder {
             None => (None, Vec::new(), Vec::new()),
@@ -61,14 +61,14 @@ impl Working {
         Ok((working, wrong))
     }
 
-    /// Whether it has to be known what the other stations do.
+    /// Whether the states of the other stations are needed.
     pub(crate) fn needs_members(&self) -> bool {
         self.engine.needs_members()
     }
 
-    /// Somebody here wants something.
+    /// Handles a request.
     pub(crate) fn handle(&mut self, wish: WorkWish) {
-        // Whoever asked may be gone.
+        // The requester may be gone.
         match wish {
             WorkWish::Submit(work, reply) => self.submit(*work, reply),
             WorkWish::List(reply) => drop(reply.send(Ok(self.engine.views()))),
@@ -85,12 +85,13 @@ impl Working {
 
     fn submit(&mut self, work: NewWork, reply: Reply) {
         let asked_before = work.key.as_deref();
-        let asked_before = asked_before.and_then(|it| self.engine.asked_before(&work.student, it));
+        let asked_before =
+            asked_before.and_then(|key| self.engine.asked_before(&work.student, key));
         if let Some(view) = asked_before {
             return drop(reply.send(Ok(view)));
         }
         let Some(kept) = self.kept.clone() else {
-            let none = "this station keeps no work for its fleet";
+            let none = "this station stores no jobs for its fleet";
             return drop(reply.send(Err(NO_FLEET.problem(none))));
         };
         if let Err(problem) = self.engine.check_room() {
@@ -99,7 +100,7 @@ impl Working {
         let id = match new_id() {
             Ok(id) => id,
             Err(error) => {
-                let none = format!("the computer gives no random number: {error}");
+                let none = format!("the system has no random numbers: {error}");
                 return drop(reply.send(Err(WORK_FILE.problem(none))));
             }
         };
@@ -124,13 +125,13 @@ impl Working {
         });
     }
 
-    /// Something was done. Says what goes wrong with the disk, once.
+    /// Handles the result of a task. Returns a disk problem once.
     pub(crate) fn settle(&mut self, done: Result<Done, JoinError>) -> Option<String> {
         let now = self.started.elapsed();
         match done {
             Ok(Done::Answered(ask, answer)) => self.engine.handle_answer(now, &ask, answer),
             Ok(Done::Submitted(ticket, Ok(()), reply)) => {
-                // Whoever asked may be gone.
+                // The requester may be gone.
                 drop(reply.send(Ok(self.engine.submitted(*ticket))));
             }
             Ok(Done::Submitted(_, Err(why), reply)) => {
@@ -143,29 +144,28 @@ impl Working {
                 return self.trouble.clone().filter(|_| was.is_none());
             }
             Ok(Done::Forgotten) => {}
-            // Tasks do not panic; should one, its question is asked again when the station is started again.
-            Err(error) => return Some(format!("work for the fleet: {error}")),
+            // Tasks do not panic; after a panic the request is repeated when the station is
+            // restarted.
+            Err(error) => return Some(format!("jobs for the fleet: {error}")),
         }
         None
     }
 
-    /// Tells those who decided something that it is on the disk, or why it is not yet.
+    /// Reports to the submitters whether their tickets are on the disk.
     fn tell(&mut self, trouble: Option<&String>) {
         let engine = &self.engine;
         let ready = |(id, _): &mut (String, Reply)| trouble.is_some() || engine.is_kept(id);
         for (id, reply) in self.waiting.extract_if(.., ready) {
-            // Whoever asked may be gone.
+            // The requester may be gone.
             drop(reply.send(match trouble {
                 None => engine.one(&id),
-                Some(why) => {
-                    Err(WORK_FILE.hinted(why, "it is written as soon as that is possible"))
-                }
+                Some(why) => Err(WORK_FILE.hinted(why, "the write is retried automatically")),
             }));
         }
     }
 
-    /// Begins what is to be done now. Only where there is work to give it is asked who is there. While `held` says why not,
-    /// nothing is offered.
+    /// Starts the due actions. The members are only queried if there are jobs to offer. While
+    /// `held` gives a reason, nothing is offered.
     pub(crate) fn go_on(
         &mut self,
         way: Option<&Way>,
@@ -192,13 +192,16 @@ impl Working {
                 }
                 Wish::Forget(id) => {
                     self.doing.spawn(async move {
-                        // What stays is forgotten after the next start.
+                        // A remaining file is removed after the next start.
                         drop(spawn_blocking(move || kept.forget(&id)).await);
                         Done::Forgotten
                     });
                 }
                 Wish::Ask(ask) => {
-                    let member = members.iter().find(|it| it.id == ask.member.id).cloned();
+                    let member = members
+                        .iter()
+                        .find(|member| member.id == ask.member.id)
+                        .cloned();
                     let (way, api) = (way.cloned(), api.clone());
                     self.doing.spawn(async move {
                         let answer = match (request(&kept, &ask).await, member) {
@@ -206,7 +209,7 @@ impl Working {
                                 read(&ask_one(way.as_ref(), &api, &member, &request).await.answer)
                             }
                             (Err(why), _) => Answer::Unclear(why),
-                            (_, None) => Answer::Unclear("it is not there".into()),
+                            (_, None) => Answer::Unclear("it is away".into()),
                         };
                         Done::Answered(ask, answer)
                     });
@@ -216,16 +219,16 @@ impl Working {
     }
 }
 
-/// Whether something is on the disk, or why not.
+/// Returns whether a write succeeded, or why it failed.
 fn written(outcome: Result<std::io::Result<()>, JoinError>) -> Result<(), String> {
-    let told = |why: String| format!("work for the fleet cannot be written: {why}");
+    let told = |why: String| format!("jobs for the fleet cannot be written: {why}");
     match outcome {
         Ok(outcome) => outcome.map_err(|error| told(error.to_string())),
         Err(error) => Err(told(error.to_string())),
     }
 }
 
-/// The request by which a station is asked.
+/// Returns the request to a station.
 async fn request(kept: &Arc<Kept>, ask: &Ask) -> Result<ApiRequest, String> {
     let of_key = format!("{OFFERS}/{}", ask.key);
     let (method, path) = match ask.what {
@@ -237,7 +240,7 @@ async fn request(kept: &Arc<Kept>, ask: &Ask) -> Result<ApiRequest, String> {
         let (kept, id) = (kept.clone(), ask.ticket.clone());
         let read = spawn_blocking(move || kept.offer(&id)).await;
         let read = read.map_err(|error| error.to_string())?;
-        Some(read.map_err(|error| format!("it cannot be read from the disk: {error}"))?)
+        Some(read.map_err(|error| format!("the job cannot be read from the disk: {error}"))?)
     } else {
         None
     };
@@ -250,16 +253,16 @@ async fn request(kept: &Arc<Kept>, ask: &Ask) -> Result<ApiRequest, String> {
     })
 }
 
-/// What an answer says. Only what the other station's journal has answered counts.
+/// Parses a response. Only a response of the other station's journal is final.
 fn read(answer: &ApiAnswer) -> Answer {
     if answer.is_success() {
         return match serde_json::from_value(answer.body.clone()) {
             Ok(job) => Answer::Taken(job),
-            Err(error) => Answer::Unclear(format!("its answer is not understood: {error}")),
+            Err(error) => Answer::Unclear(format!("unreadable response: {error}")),
         };
     }
     let Ok(problem) = serde_json::from_value::<Problem>(answer.body.clone()) else {
-        return Answer::Unclear(format!("it answered with the status {}", answer.status));
+        return Answer::Unclear(format!("it responded with status {}", answer.status));
     };
     let is = |name: &str| problem.kind == format!("/api/v1/problems/{name}");
     let (busy, refused) = (is(ARM_BUSY.name), is(WORK_REFUSED.name));

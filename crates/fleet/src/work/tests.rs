@@ -1,4 +1,4 @@
-//! Work for any arm, against stations in virtual time with real journals.
+//! Jobs for any arm, against stations in virtual time with real journals.
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
@@ -12,7 +12,7 @@ use dobot_supervisor::StoppedBy;
 use self::world::World;
 use super::kept::Kept;
 
-/// A queue of short drawings, while stations are killed and the network falls apart.
+/// A queue of short drawings, while stations are killed and the network splits.
 struct Storm {
     seed: u64,
     homes: usize,
@@ -23,7 +23,7 @@ struct Storm {
 }
 
 impl Storm {
-    /// Lets it pass, and tells what is left of it.
+    /// Runs the storm and returns the final world.
     fn pass(&self) -> World {
         let mut world = World::new(self.seed, self.homes, self.desks);
         for number in 1..=self.drawings {
@@ -34,10 +34,10 @@ impl Storm {
         let mut heals = Duration::ZERO;
         let hour = Duration::from_secs(4 * 3600);
         while !is_over(&world) {
-            assert!(world.now < hour, "it comes to an end: {:?}", open(&world));
+            assert!(world.now < hour, "it ends: {:?}", open(&world));
             world.step();
             let kills = world.figures.kills_of_homes + world.figures.kills_of_desks;
-            // Spread over the time that all of it takes.
+            // Spread over the whole time.
             if kills < self.kills && world.below(4) == 0 {
                 let which = world.one_of(self.homes + self.desks);
                 match which.checked_sub(self.homes) {
@@ -57,16 +57,19 @@ impl Storm {
 }
 
 fn is_over(world: &World) -> bool {
-    let all = world.homes.iter().all(|it| it.work.is_some());
-    all && world.views().iter().all(|it| it.phase.is_over())
+    let all = world.homes.iter().all(|home| home.work.is_some());
+    all && world.views().iter().all(|view| view.phase.is_over())
 }
 
 fn open(world: &World) -> Vec<dobot_api::WorkView> {
-    let open = world.views().into_iter().filter(|it| !it.phase.is_over());
+    let open = world
+        .views()
+        .into_iter()
+        .filter(|view| !view.phase.is_over());
     open.take(3).collect()
 }
 
-/// Each drawing was begun by one arm, once, and its ticket says what became of it there.
+/// Checks that each drawing was begun by one arm, once, and that its ticket has the right result.
 fn check(world: &mut World, drawings: u64) {
     let views = world.views();
     assert_eq!(views.len() as u64, drawings, "none is lost");
@@ -121,7 +124,7 @@ fn whatever_happens_each_drawing_is_begun_by_one_arm() {
     }
 }
 
-/// A fleet of one home, in which the one station that has a drawing is gone for ever.
+/// A fleet of one home, in which the one station that has a drawing is gone permanently.
 fn without_the_taker() -> (World, String) {
     let mut world = World::new(3, 1, 1);
     world.submit(0, 1, "Anna");
@@ -159,7 +162,7 @@ fn what_a_station_that_is_gone_has_is_in_doubt_until_a_person_gives_it_to_anothe
     assert_eq!(view.before[0].member.name, "desk-1");
     assert!(
         !view.before[0].is_settled,
-        "nobody knows yet what the first one has drawn"
+        "the progress at the first one is still unknown"
     );
 }
 
@@ -220,7 +223,7 @@ fn work_that_is_cancelled_before_it_is_begun_is_begun_by_nobody() {
     while world
         .views()
         .iter()
-        .any(|it| it.phase != WorkPhase::Cancelled)
+        .any(|view| view.phase != WorkPhase::Cancelled)
     {
         world.step();
     }
@@ -244,7 +247,9 @@ fn a_student_with_one_drawing_does_not_wait_for_the_ten_of_another() {
         world.step();
     }
     let order: Vec<String> = world.desks[0].titles();
-    let place = order.iter().position(|it| it == "drawing 11 of home 0");
+    let place = order
+        .iter()
+        .position(|order| order == "drawing 11 of home 0");
     assert_eq!(place, Some(1), "{order:?}");
 }
 
@@ -298,7 +303,7 @@ fn tickets_are_there_again_after_a_kill_and_a_file_that_is_none_is_left_and_told
     assert!(Kept::open(folder.path()).unwrap().1.is_empty());
 }
 
-/// Steps until something is so.
+/// Steps until the condition is met.
 fn until(world: &mut World, what: &str, is_so: impl Fn(&World) -> bool) {
     for _ in 0..3000 {
         if is_so(world) {
@@ -313,7 +318,7 @@ fn is_in(phase: WorkPhase) -> impl Fn(&World) -> bool {
     move |world| world.views()[0].phase == phase
 }
 
-/// A fleet of one home, and of one station that starts by itself what it takes.
+/// A fleet of one home and one station with automatic starts.
 fn with_one_that_starts(seed: u64) -> World {
     let mut world = World::new(seed, 1, 1);
     let desk = &mut world.desks[0];
@@ -352,12 +357,12 @@ fn while_the_fleet_is_stopped_nothing_is_offered_and_the_list_says_why() {
 fn what_was_offered_before_a_stop_is_not_offered_again_while_it_holds() {
     for seed in 0..10 {
         let mut world = World::new(seed, 1, 1);
-        // Whatever the home asks is lost.
+        // All requests of the home are lost.
         world.sides[1] = true;
         world.submit(0, 1, "Anna");
         until(&mut world, "it is offered", is_in(WorkPhase::Offered));
         world.homes[0].held = Some("stopped".into());
-        // What was on its way is lost or there.
+        // In-flight messages are lost or delivered.
         for _ in 0..300 {
             world.step();
         }
@@ -375,7 +380,7 @@ fn what_was_offered_before_a_stop_is_not_offered_again_while_it_holds() {
 fn a_ticket_that_was_taken_just_before_a_stop_goes_back_to_the_queue_and_is_done_after_the_reset() {
     for seed in 0..10 {
         let mut world = with_one_that_starts(seed);
-        // The stop comes between taking and starting.
+        // The stop arrives between taking and starting.
         world.desks[0].can_start = false;
         world.submit(0, 1, "Anna");
         until(&mut world, "it is taken", is_in(WorkPhase::Taken));
@@ -392,7 +397,7 @@ fn a_ticket_that_was_taken_just_before_a_stop_goes_back_to_the_queue_and_is_done
         }
         assert_eq!(world.views()[0].phase, WorkPhase::Waiting);
         assert!(world.begun().is_empty());
-        // Only what stops an arm was sent.
+        // Only stopping packets were sent.
         let packets = &world.desks[0].station.packets()[before..];
         assert!(packets.len() < 20, "{}", packets.len());
         world.desks[0].station.reset_fleet("Ms Weber");

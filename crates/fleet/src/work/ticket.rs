@@ -1,39 +1,40 @@
-//! A ticket: work for any arm, with all that has to be known of it after a crash.
+//! Tickets: jobs for any arm, with all that must survive a crash.
 
 use dobot_api::{JobPhase, JobView, WorkBefore, WorkMember, WorkPhase, WorkView};
 use serde::{Deserialize, Serialize};
 
-/// Work for any arm, as it is on the disk of the station where it was submitted.
+/// A job for any arm, as stored on the disk of the station to which it was submitted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Ticket {
     /// 32 hexadecimal digits.
     pub(crate) id: String,
-    /// Which one it is of those submitted here: they are served in that order.
+    /// The sequence number at this station; tickets are served in this order.
     pub(crate) number: u64,
     pub(crate) title: String,
     pub(crate) student: String,
     pub(crate) group: Option<String>,
     pub(crate) needs: Vec<String>,
     pub(crate) submitted_ms: i64,
-    /// What the sender calls the request for it.
+    /// The submitter's key of the request.
     pub(crate) key: Option<String>,
     pub(crate) at: Place,
-    /// Who cannot do it, and why.
+    /// The stations that cannot run it, with reasons.
     pub(crate) refused: Vec<Refused>,
-    /// From whom a person has taken it.
+    /// The stations from which a person has taken it.
     pub(crate) before: Vec<Before>,
-    /// Who gave it back last without having begun it, and why; absent once it is offered again.
+    /// The station that returned it last without having begun it, with the reason; absent once it
+    /// is offered again.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) returned: Option<Refused>,
 }
 
-/// How far a ticket is.
+/// The place of a ticket.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub(crate) enum Place {
     Waiting,
-    /// A station is or was asked to take it: from here on it may have it.
+    /// Offered to a station: from here on the station may have it.
     Offered(Offer),
     /// A station has it as a job.
     Taken {
@@ -48,21 +49,21 @@ pub(crate) enum Place {
     Cancelled,
 }
 
-/// What was offered to whom.
+/// An offer to a station.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Offer {
     pub(crate) member: WorkMember,
-    /// By what the other station knows it, for good. Nobody else learns it.
+    /// The key by which the other station identifies it permanently. No one else learns it.
     pub(crate) key: String,
-    /// Whether a person does not want it any more.
+    /// Whether a person has cancelled it.
     pub(crate) is_withdrawn: bool,
-    /// Why it is taken back for another arm or a later time, where the arm cannot begin it.
+    /// Why it is recalled for another arm or a later time, if the arm cannot begin it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) recalled: Option<String>,
 }
 
-/// A station that cannot do it, or not now.
+/// A station that cannot run it, or not now.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Refused {
@@ -75,14 +76,14 @@ pub(crate) struct Refused {
 #[serde(deny_unknown_fields)]
 pub(crate) struct Before {
     pub(crate) offer: Offer,
-    /// The job there as it was heard of last; `None` where it was never heard of.
+    /// The last known state of the job there; `None` if it was never received.
     pub(crate) job: Option<Box<JobView>>,
-    /// Nothing more of it will be drawn there.
+    /// Whether nothing more of it will be drawn there.
     pub(crate) is_settled: bool,
 }
 
 impl Ticket {
-    /// The offer that it stands or falls with.
+    /// Returns the offer that decides its result.
     pub(crate) const fn offer(&self) -> Option<&Offer> {
         match &self.at {
             Place::Offered(offer) | Place::Taken { offer, .. } | Place::Over { offer, .. } => {
@@ -92,7 +93,7 @@ impl Ticket {
         }
     }
 
-    /// The job that has come of it.
+    /// Returns its job.
     pub(crate) fn job(&self) -> Option<&JobView> {
         match &self.at {
             Place::Taken { job, .. } | Place::Over { job, .. } => Some(job),
@@ -111,12 +112,12 @@ impl Ticket {
         }
     }
 
-    /// Whether a station may still be at it, as far as is known here.
+    /// Whether a station may still be working on it, as far as is known here.
     pub(crate) const fn is_out(&self) -> bool {
         matches!(self.at, Place::Offered(_) | Place::Taken { .. })
     }
 
-    /// The time of an arm that it took or takes, in seconds, as far as is known.
+    /// Returns the arm time that it took or takes, in seconds, as far as is known.
     pub(crate) fn arm_s(&self) -> f64 {
         let Some(job) = self.job() else {
             return 0.0;
@@ -124,7 +125,7 @@ impl Ticket {
         let planned_s = job.planned_s.unwrap_or_default();
         match job.phase {
             JobPhase::Stopped | JobPhase::Failed => {
-                #[expect(clippy::cast_precision_loss, reason = "a share needs no more")]
+                #[expect(clippy::cast_precision_loss, reason = "sufficient for a share")]
                 let share = job.completed as f64 / job.commands.max(1) as f64;
                 planned_s * share
             }
@@ -132,7 +133,7 @@ impl Ticket {
         }
     }
 
-    /// What others see of it.
+    /// Returns the public view.
     pub(crate) fn view(&self, doubt: Option<String>) -> WorkView {
         WorkView {
             id: self.id.clone(),
@@ -144,7 +145,7 @@ impl Ticket {
             phase: self.phase(),
             doubt,
             reason: self.reason(),
-            member: self.offer().map(|it| it.member.clone()),
+            member: self.offer().map(|offer| offer.member.clone()),
             job: self.job().cloned(),
             before: self.before.iter().map(Before::view).collect(),
         }
@@ -156,17 +157,18 @@ impl Ticket {
             Place::Offered(offer) | Place::Taken { offer, .. } if offer.is_withdrawn => {
                 let name = &offer.member.name;
                 Some(format!(
-                    "it is being withdrawn from {name}; what the arm is at goes on until it is stopped there"
+                    "it is being withdrawn from {name}; a running job continues until it is stopped there"
                 ))
             }
             Place::Offered(offer) | Place::Taken { offer, .. } => {
                 let why = offer.recalled.as_ref()?;
                 let name = &offer.member.name;
-                Some(format!("it is being taken back from {name}: {why}"))
+                Some(format!("it is being recalled from {name}: {why}"))
             }
             Place::Waiting if !self.refused.is_empty() || self.returned.is_some() => {
                 let refused = self.refused.iter().chain(&self.returned);
-                let told = refused.map(|it| format!("{}: {}", it.member.name, it.reason));
+                let told =
+                    refused.map(|refused| format!("{}: {}", refused.member.name, refused.reason));
                 Some(told.collect::<Vec<_>>().join("; "))
             }
             _ => None,
@@ -191,7 +193,7 @@ impl Before {
     }
 }
 
-/// What of a job may have been drawn, in words.
+/// Describes how much of a job may have been drawn.
 pub(crate) fn drawn(job: Option<&JobView>, is_settled: bool) -> String {
     match job {
         None if is_settled => "nothing of it was drawn".into(),
@@ -199,8 +201,12 @@ pub(crate) fn drawn(job: Option<&JobView>, is_settled: bool) -> String {
         Some(job) if job.phase == JobPhase::Done => "all of it was drawn".into(),
         Some(job) => {
             let (done, all) = (job.completed, job.commands);
-            let more = if is_settled { "" } else { ", and it may go on" };
-            format!("{done} of {all} commands were done when it was heard of last{more}")
+            let more = if is_settled {
+                ""
+            } else {
+                ", and it may continue"
+            };
+            format!("{done} of {all} commands were done at the last report{more}")
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Stations with virtual arms that join, over real sockets of this machine.
+//! Stations with virtual arms that join over real sockets of this machine.
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
@@ -25,7 +25,7 @@ use zenoh::handlers::FifoChannelHandler;
 use zenoh::qos::Priority;
 use zenoh::query::Reply;
 
-/// A station, and its place in its fleet.
+/// A station and its membership.
 struct Desk {
     station: Station,
     session: FleetSession,
@@ -34,17 +34,17 @@ struct Desk {
     folder: tempfile::TempDir,
 }
 
-/// How long anything may take on a busy machine.
+/// The timeout of any operation on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(180);
 
-/// The authority of the person who runs these tests, for programs of this machine.
+/// The local authority of the user who runs these tests.
 static OWN: LazyLock<tempfile::TempDir> = LazyLock::new(|| tempfile::tempdir().unwrap());
 
 fn own_authority() -> PathBuf {
     OWN.path().join("fleet-authority")
 }
 
-/// The credentials of a program of this machine.
+/// Local credentials.
 fn of_this_machine(name: &str) -> Credentials {
     Credentials::local(&own_authority(), name).unwrap()
 }
@@ -137,7 +137,7 @@ impl Desk {
         (answer.status, answer.body)
     }
 
-    /// A token that only this station knows.
+    /// A token that only this station accepts.
     fn admin(&self) -> String {
         let file = self.folder.path().join("admin.txt");
         if let Ok(known) = std::fs::read_to_string(&file) {
@@ -155,7 +155,7 @@ impl Desk {
         serde_json::from_value::<FleetView>(body).unwrap().members
     }
 
-    /// Waits until this station sees what it should.
+    /// Waits until the members, as this station sees them, meet the condition.
     async fn sees(&self, what: &str, is_so: impl Fn(&[Member]) -> bool) {
         let mut looks = interval(Duration::from_millis(50));
         let looking = async {
@@ -172,7 +172,7 @@ impl Desk {
         );
     }
 
-    /// Asks several stations, with a token that this one knows, or none.
+    /// Sends a request to several stations, with an optional token.
     async fn all_as(&self, token: Option<String>, body: Value) -> Vec<MemberAnswer> {
         let path = "/api/v1/fleet/requests";
         let (status, body) = self.ask_as(token, "POST", path, Some(body)).await;
@@ -186,7 +186,7 @@ impl Desk {
         serde_json::from_value(body).unwrap()
     }
 
-    /// Ends the station; what it keeps stays.
+    /// Ends the station; its data remain.
     async fn left(self) -> tempfile::TempDir {
         self.fleet.leave().await;
         self.station.end().await.unwrap();
@@ -199,12 +199,12 @@ impl Desk {
 }
 
 fn present(names: &[&str]) -> impl Fn(&[Member]) -> bool {
-    let names: Vec<String> = names.iter().map(|&it| it.into()).collect();
+    let names: Vec<String> = names.iter().map(|&name| name.into()).collect();
     move |members| {
         let there: Vec<_> = members
             .iter()
-            .filter(|it| it.presence == Presence::Present && it.state.is_some())
-            .map(|it| it.name.clone())
+            .filter(|member| member.presence == Presence::Present && member.state.is_some())
+            .map(|member| member.name.clone())
             .collect();
         there == names
     }
@@ -212,14 +212,14 @@ fn present(names: &[&str]) -> impl Fn(&[Member]) -> bool {
 
 fn is_away(name: &str) -> impl Fn(&[Member]) -> bool {
     move |members| {
-        let member = members.iter().find(|it| it.name == name);
-        member.is_some_and(|it| it.presence == Presence::Away)
+        let member = members.iter().find(|member| member.name == name);
+        member.is_some_and(|member| member.presence == Presence::Away)
     }
 }
 
 async fn router(port: u16) -> (Router, String) {
     let address = format!("quic/127.0.0.1:{port}");
-    // A router that has ended lets its port go a little later.
+    // A router that has ended frees its port a little later.
     let mut looks = interval(Duration::from_millis(10));
     while std::net::UdpSocket::bind(("127.0.0.1", port)).is_err() {
         looks.tick().await;
@@ -247,7 +247,9 @@ async fn stations_see_each_other_and_one_that_left_is_away() {
         .await;
     assert_eq!(answers.len(), 2);
     assert!(
-        answers.iter().all(|it| it.answer.body == json!("ok\n")),
+        answers
+            .iter()
+            .all(|answer| answer.answer.body == json!("ok\n")),
         "{answers:?}"
     );
     two.end().await;
@@ -267,10 +269,10 @@ async fn stations_see_each_other_and_one_that_left_is_away() {
 async fn a_stop_of_all_switches_every_laser_off() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
-    let mut packets = [&one, &two].map(|it| it.station.handle().passed());
+    let mut packets = [&one, &two].map(|arm| arm.station.handle().passed());
     let answers = one.stop_all().await;
     assert!(
-        answers.iter().all(|it| it.answer.is_success()),
+        answers.iter().all(|answer| answer.answer.is_success()),
         "{answers:?}"
     );
     for packets in &mut packets {
@@ -304,12 +306,12 @@ async fn each_station_judges_by_its_own_tokens() {
     let [one, two] = two_desks(&at).await;
     let lease = json!({"to": "all", "method": "POST", "path": "/api/v1/lease"});
     let answers = one.all_as(Some(one.admin()), lease).await;
-    let statuses: Vec<_> = answers.iter().map(|it| it.answer.status).collect();
+    let statuses: Vec<_> = answers.iter().map(|answer| answer.answer.status).collect();
     // The token is one of desk-1.
     assert_eq!(statuses, [200, 401]);
     let (_, state) = two.ask("GET", "/api/v1/state", None).await;
     assert!(state["lease"].is_null(), "{state}");
-    // Accepted there, too, it opens both.
+    // Accepted by both, it opens both.
     let token = dobot_station::Token::of_secret(&one.admin()).unwrap();
     let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
     tokens.accept(Role::Control, "teacher", &token).unwrap();
@@ -338,13 +340,14 @@ async fn time_slots_are_set_for_a_group_and_outlive_their_station() {
     let answers = one.all_as(Some(one.admin()), wanted).await;
     assert_eq!(answers.len(), 2);
     assert!(
-        answers.iter().all(|it| it.answer.is_success()),
+        answers.iter().all(|answer| answer.answer.is_success()),
         "{answers:?}"
     );
     let is_annas_time = |members: &[Member]| {
-        let now = |it: &Member| {
+        let now = |member: &Member| {
             Some(
-                it.state
+                member
+                    .state
                     .as_ref()?
                     .slots
                     .as_ref()?
@@ -354,14 +357,16 @@ async fn time_slots_are_set_for_a_group_and_outlive_their_station() {
                     .clone(),
             )
         };
-        members.iter().all(|it| now(it).as_deref() == Some("anna"))
+        members
+            .iter()
+            .all(|member| now(member).as_deref() == Some("anna"))
     };
     one.sees("whose time it is at both", is_annas_time).await;
     let folder = two.left().await;
     let two = Desk::in_folder("desk-2", &at, None, folder).await;
     let lease = |who: &dobot_station::Token| {
         let token = Some(who.secret().to_owned());
-        // What he calls himself makes no difference.
+        // The name that the client gives makes no difference.
         two.ask_as(
             token,
             "POST",
@@ -402,7 +407,7 @@ async fn without_its_router_a_station_goes_on_and_finds_the_others_again() {
     one.sees("that desk-2 is away", is_away("desk-2")).await;
     let answers = one.stop_all().await;
     let stopped = |name: &str| {
-        let of = answers.iter().find(|it| it.member == name).unwrap();
+        let of = answers.iter().find(|answer| answer.member == name).unwrap();
         of.answer.is_success()
     };
     assert!(stopped("desk-1") && !stopped("desk-2"), "{answers:?}");
@@ -426,7 +431,7 @@ async fn two_stations_of_one_name_are_told_and_both_can_be_stopped() {
         Desk::up("desk-2", &at, None).await,
     ];
     let refused = |members: &[Member]| {
-        let refused = |it: &&Member| matches!(it.presence, Presence::Refused { .. });
+        let refused = |member: &&Member| matches!(member.presence, Presence::Refused { .. });
         members.iter().filter(refused).count() == 2
     };
     one.sees("that both are refused", refused).await;
@@ -436,14 +441,14 @@ async fn two_stations_of_one_name_are_told_and_both_can_be_stopped() {
             json!({"to": {"members": ["desk-2"]}, "method": "GET", "path": "/healthz"}),
         )
         .await;
-    let refused = |it: &MemberAnswer| it.answer.status == 409;
+    let refused = |member_answer: &MemberAnswer| member_answer.answer.status == 409;
     assert!(
         answers.len() == 2 && answers.iter().all(refused),
         "{answers:?}"
     );
     let answers = one.stop_all().await;
     assert!(
-        answers.len() == 3 && answers.iter().all(|it| it.answer.is_success()),
+        answers.len() == 3 && answers.iter().all(|answer| answer.answer.is_success()),
         "{answers:?}"
     );
     for desk in twins {
@@ -455,14 +460,14 @@ async fn two_stations_of_one_name_are_told_and_both_can_be_stopped() {
 }
 
 fn certificates(folder: &Path) -> Vec<Credentials> {
-    let holders = ["router=127.0.0.1", "desk-1", "desk-2"].map(|it| it.parse().unwrap());
+    let holders = ["router=127.0.0.1", "desk-1", "desk-2"].map(|name| name.parse().unwrap());
     Credentials::make(folder, &holders).unwrap()
 }
 
 #[tokio::test(flavor = "multi_thread")]
 async fn only_those_with_a_certificate_of_the_fleet_belong_to_it() {
     let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
-    let [ours, strange] = folders.each_ref().map(|it| certificates(it.path()));
+    let [ours, strange] = folders.each_ref().map(|folder| certificates(folder.path()));
     let at = format!("quic/127.0.0.1:{}", free_port());
     let router = Router::start(std::slice::from_ref(&at), &ours[0]).await;
     let router = router.unwrap();
@@ -498,14 +503,14 @@ async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
         let answer = answer_of(&replies.unwrap()).await;
         assert_eq!(answer["status"], status, "{answer}");
     }
-    // What is told under a name that nobody has is nobody's.
+    // A state under an unknown name is ignored.
     stranger.put("dobot/2/ghost/00/told", "{}").await.unwrap();
     let token = "dobot/alive/9/9.9.9/future/00112233445566778899aabbccddeeff";
     let _token = stranger.liveliness().declare_token(token).await.unwrap();
     let versions = |members: &[Member]| {
-        members.iter().any(|it| match &it.presence {
+        members.iter().any(|member| match &member.presence {
             Presence::Refused { problem } => {
-                it.name == "future" && problem.detail.contains("dobot 9.9.9")
+                member.name == "future" && problem.detail.contains("dobot 9.9.9")
             }
             _ => false,
         })
@@ -516,13 +521,13 @@ async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
     router.end().await;
 }
 
-/// One who speaks Zenoh, and belongs to the fleet as any program of this person does.
+/// A Zenoh client that belongs to the fleet, as any local program does.
 async fn stranger(at: &str) -> zenoh::Session {
     static NUMBER: Mutex<u32> = Mutex::new(0);
     let folder = {
         let mut number = NUMBER.lock().unwrap();
         *number += 1;
-        // The authority is there before it makes this certificate.
+        // The authority exists before it issues this certificate.
         drop(of_this_machine("stranger"));
         let name = format!("stranger-{number}");
         let holder = [name.parse().unwrap()];
@@ -550,14 +555,14 @@ async fn stranger(at: &str) -> zenoh::Session {
     zenoh::open(config).await.unwrap()
 }
 
-/// The same, once a station is there.
+/// A stranger that has discovered a station.
 async fn stranger_who_sees(name: &str, at: &str) -> zenoh::Session {
     let stranger = stranger(at).await;
     is_there(&stranger, name).await;
     stranger
 }
 
-/// Waits until a station is there: it declares what it answers first.
+/// Waits until a station is present: it declares its resources first.
 async fn is_there(stranger: &zenoh::Session, name: &str) {
     let key = format!("dobot/alive/*/*/{name}/**");
     let alive = stranger.liveliness().declare_subscriber(key).history(true);
@@ -569,7 +574,7 @@ async fn is_there(stranger: &zenoh::Session, name: &str) {
 async fn stop_by(stranger: &zenoh::Session, name: &str) -> Value {
     let stop = br#"{"method": "POST", "path": "/api/v1/stop"}"#;
     let key = format!("dobot/2/{name}/*/api");
-    // As stations ask for it: before all else that is on its way.
+    // With the priority that stations use for stops.
     let asked = stranger.get(key).payload(&stop[..]).timeout(PATIENCE);
     let asked = asked.priority(Priority::RealTime).express(true);
     answer_of(&asked.await.unwrap()).await
@@ -586,12 +591,12 @@ async fn answer_of(replies: &FifoChannelHandler<Reply>) -> Value {
 async fn a_station_that_waits_for_what_the_others_tell_is_stopped_meanwhile() {
     let (router, at) = router(free_port()).await;
     let stranger = stranger(&at).await;
-    // Somebody who is asked what it is, and does not answer.
+    // A station that does not answer state queries.
     let silent = "dobot/2/silent/00112233445566778899aabbccddeeff/told";
     let silent = stranger.declare_queryable(silent).await.unwrap();
     let is_stopped_first = async || {
         let one = Desk::up("desk-1", &at, None).await;
-        // Before it has a network, it tells at once what it knows.
+        // Without a network it answers immediately from its own knowledge.
         is_there(&stranger, "desk-1").await;
         let stops = async {
             let _asked = silent.recv_async().await.unwrap();
@@ -606,7 +611,8 @@ async fn a_station_that_waits_for_what_the_others_tell_is_stopped_meanwhile() {
         one.end().await;
         is_first
     };
-    // A busy machine may keep a stop for longer than anybody waits for the silent one, but not each time.
+    // A busy machine may delay a stop longer than the timeout of the silent station, but not each
+    // time.
     let mut tries = 0;
     while !is_stopped_first().await {
         tries += 1;
@@ -640,7 +646,7 @@ async fn a_message_that_no_station_takes_reaches_none_and_a_stop_works_after_it(
     let (router, at) = router(free_port()).await;
     let one = Desk::up("desk-1", &at, None).await;
     let stranger = stranger_who_sees("desk-1", &at).await;
-    // More than the router and the stations take at all.
+    // More than the router and the stations accept in total.
     let flood = stranger
         .get("dobot/2/desk-1/*/api")
         .payload(vec![b' '; 90 << 20]);
@@ -648,7 +654,7 @@ async fn a_message_that_no_station_takes_reaches_none_and_a_stop_works_after_it(
     let other = stranger_who_sees("desk-1", &at).await;
     assert_eq!(stop_by(&other, "desk-1").await["status"], 200);
     let answered = replies.try_recv().ok().flatten();
-    let answered = answered.is_some_and(|it| it.result().is_ok());
+    let answered = answered.is_some_and(|reply| reply.result().is_ok());
     assert!(!answered, "it was taken");
     one.end().await;
     other.close().await.unwrap();
@@ -688,8 +694,13 @@ async fn a_stolen_token_that_is_removed_moves_no_arm_any_more_not_even_with_the_
     assert_eq!(answers[0].answer.status, 401, "{answers:?}");
     let answers = thief("POST", "/api/v1/lease", Value::Null).await;
     assert_eq!(answers[0].answer.status, 401, "{answers:?}");
-    // The stop that follows is the first that the arm is told of a motion.
-    assert!(one.stop_all().await.iter().all(|it| it.answer.is_success()));
+    // The stop that follows is the first packet of a motion that the arm receives.
+    assert!(
+        one.stop_all()
+            .await
+            .iter()
+            .all(|answer| answer.answer.is_success())
+    );
     let first = async {
         loop {
             let packet = packets.recv().await.unwrap();
@@ -722,7 +733,7 @@ async fn between_too_many_requests_a_stop_works() {
     let laser_off = LASER_OFF.emit(&dialect()).to_bytes();
     let dark = async { while packets.recv().await.unwrap().bytes != laser_off {} };
     timeout(PATIENCE, dark).await.unwrap();
-    // A busy network may lose some; whoever is answered is told.
+    // A busy network may lose some; answered requesters get a response.
     for replies in flood {
         let Ok(Ok(reply)) = timeout(PATIENCE, replies.recv_async()).await else {
             continue;
@@ -744,7 +755,10 @@ async fn whoever_looks_is_told_what_changes_elsewhere() {
     let [one, two] = two_desks(&at).await;
     two.ask("POST", "/api/v1/stop", None).await;
     let stopped = |members: &[Member]| {
-        let state = members.iter().find(|it| it.name == "desk-2").unwrap();
+        let state = members
+            .iter()
+            .find(|member| member.name == "desk-2")
+            .unwrap();
         state.state.as_ref().unwrap().stop.is_some()
     };
     one.sees("that desk-2 is stopped", stopped).await;

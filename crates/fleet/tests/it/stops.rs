@@ -18,33 +18,37 @@ use super::{
 const DRILL: &str = "stopped: fleet, by test at desk-1: fire drill";
 
 impl Desk {
-    /// Waits until the state of this station is so.
+    /// Waits until the state of this station meets the condition.
     async fn is(&self, what: &str, is_so: impl Fn(&State) -> bool) {
         let mut states = self.station.handle().states();
-        let waited = timeout(PATIENCE, states.wait_for(|it| is_so(it.state()))).await;
+        let waited = timeout(
+            PATIENCE,
+            states.wait_for(|snapshot| is_so(snapshot.state())),
+        )
+        .await;
         let state = self.station.handle().state();
         assert!(waited.is_ok(), "{}: never {what}: {state:?}", self.name);
     }
 
     async fn is_stopped(&self) {
-        self.is("stopped by the fleet", |it| {
-            text(it).as_deref() == Some(DRILL)
+        self.is("stopped by the fleet", |state| {
+            text(state).as_deref() == Some(DRILL)
         })
         .await;
     }
 
     async fn is_at_rest(&self) {
-        self.is("at rest", |it| {
-            it.stop.as_ref().is_some_and(|it| it.at_rest)
+        self.is("at rest", |state| {
+            state.stop.as_ref().is_some_and(|stop| stop.at_rest)
         })
         .await;
     }
 
     async fn is_free(&self) {
-        self.is("let go", |it| it.stop.is_none()).await;
+        self.is("released", |state| state.stop.is_none()).await;
     }
 
-    /// Stops the whole fleet; gives those that did not answer.
+    /// Stops the whole fleet; returns the members that did not answer.
     async fn drill(&self) -> Vec<String> {
         let body = json!({"reason": "fire drill"});
         let (status, body) = self.ask("POST", "/api/v1/fleet/stop", Some(body)).await;
@@ -52,16 +56,16 @@ impl Desk {
         silent(&body)
     }
 
-    /// Lets the whole fleet move again; gives those that do not know it yet.
+    /// Resets the stop of the whole fleet; returns the members that do not know it yet.
     async fn reset_all(&self) -> Vec<String> {
         let (status, body) = self.ask("DELETE", "/api/v1/fleet/stop", None).await;
         assert_eq!(status, 200, "{body}");
         silent(&body)
     }
 
-    /// Whether a person at this station may move the arm now.
+    /// Tries to move the arm on behalf of a person at this station.
     async fn moves(&self) -> (u16, Value) {
-        self.is("linked", |it| it.arm.is_some()).await;
+        self.is("linked", |state| state.arm.is_some()).await;
         let (status, lease) = self.ask("POST", "/api/v1/lease", None).await;
         assert_eq!(status, 200, "{lease}");
         let request = |method: &str, path: &str| ApiRequest {
@@ -81,7 +85,7 @@ impl Desk {
         (answer.status, answer.body)
     }
 
-    /// No person at this station can move the arm.
+    /// Checks that no person at this station can move the arm.
     async fn refuses_to_move(&self) {
         let (status, problem) = self.moves().await;
         assert_eq!(status, 409, "{problem}");
@@ -100,13 +104,13 @@ fn text(state: &State) -> Option<String> {
 
 fn silent(answers: &Value) -> Vec<String> {
     let answers = answers.as_array().unwrap().iter();
-    let silent = answers.filter(|it| it["answer"]["status"] != 200);
+    let silent = answers.filter(|answer| answer["answer"]["status"] != 200);
     silent
-        .map(|it| it["member"].as_str().unwrap().to_owned())
+        .map(|answer| answer["member"].as_str().unwrap().to_owned())
         .collect()
 }
 
-/// The commands that have reached an arm, but for what brings it to rest.
+/// Returns the commands that have reached an arm, except those that bring it to rest.
 fn motions(packets: &mut broadcast::Receiver<PassedPacket>) -> Vec<Command> {
     let mut sent = Vec::new();
     while let Ok(packet) = packets.try_recv() {
@@ -115,7 +119,7 @@ fn motions(packets: &mut broadcast::Receiver<PassedPacket>) -> Vec<Command> {
             sent.push(Command::parse(&packet, &dialect()).unwrap());
         }
     }
-    sent.retain(|it| !matches!(it, Command::JointJog(_)));
+    sent.retain(|command| !matches!(command, Command::JointJog(_)));
     sent
 }
 
@@ -131,7 +135,7 @@ async fn a_station_that_joins_late_is_stopped_with_the_others_and_all_stay_so_th
         desk.refuses_to_move().await;
     }
     assert!(motions(&mut packets).is_empty());
-    // All of them at once, so that none can tell another one.
+    // All restart at the same time, so that none can inform another.
     let mut folders = Vec::new();
     for desk in [one, two, late] {
         folders.push((desk.name.clone(), desk.left().await));
@@ -158,7 +162,7 @@ async fn a_station_that_was_cut_off_is_stopped_when_it_comes_back_and_let_go_by_
     two.is_stopped().await;
     two.refuses_to_move().await;
     one.sees("both again", present(&["desk-1", "desk-2"])).await;
-    // The reset comes while it is away once more.
+    // The reset happens while it is away again.
     second.end().await;
     one.sees("that desk-2 is away", is_away("desk-2")).await;
     one.is_at_rest().await;
@@ -184,7 +188,7 @@ async fn an_arm_that_a_person_lets_go_moves_and_the_stop_does_not_come_back_to_i
     two.is_at_rest().await;
     let (status, body) = two.ask("DELETE", "/api/v1/stop", None).await;
     assert_eq!(status, 200, "{body}");
-    // The others tell it again when it comes back, and when it is started again.
+    // The others send it again when it returns, and when it is restarted.
     first.end().await;
     one.sees("that desk-2 is away", is_away("desk-2")).await;
     let (second, _) = router(port).await;
@@ -192,15 +196,15 @@ async fn an_arm_that_a_person_lets_go_moves_and_the_stop_does_not_come_back_to_i
     let folder = two.left().await;
     let two = Desk::in_folder("desk-2", &at, None, folder).await;
     two.sees("both", present(&["desk-1", "desk-2"])).await;
-    let knows = |it: &State| it.fleet_stops.iter().any(FleetWideStop::holds);
+    let knows = |state: &State| state.fleet_stops.iter().any(FleetWideStop::holds);
     two.is("told of it", knows).await;
     let (status, moved) = two.moves().await;
     assert_eq!(status, 202, "{moved}");
     one.refuses_to_move().await;
-    // It is one of the fleet still, which holds whoever comes.
+    // A stopped member remains, which holds new arrivals.
     let late = Desk::up("desk-3", &at, None).await;
     late.is_stopped().await;
-    // Those who do not answer within two seconds are asked again.
+    // Members that do not answer within two seconds are asked again.
     drop(two.reset_all().await);
     for desk in [&one, &two, &late] {
         desk.is_free().await;
@@ -211,7 +215,7 @@ async fn an_arm_that_a_person_lets_go_moves_and_the_stop_does_not_come_back_to_i
     second.end().await;
 }
 
-/// A station that submits work and starts what it takes.
+/// A station that submits jobs and starts the jobs that it takes.
 async fn worker(name: &str, at: &str, folder: tempfile::TempDir) -> Desk {
     let mut config = FleetConfig {
         work: Some(Folders::at(folder.path()).fleet_work()),
@@ -235,7 +239,7 @@ impl Desk {
         serde_json::from_value(body).unwrap()
     }
 
-    /// Waits until the work that was submitted here is so.
+    /// Waits until the job that was submitted here meets the condition.
     async fn has_work(&self, what: &str, is_so: impl Fn(&WorkView) -> bool) {
         let mut looks = interval(Duration::from_millis(50));
         let looking = async {
@@ -252,25 +256,25 @@ impl Desk {
 async fn while_the_fleet_is_stopped_its_queue_waits_and_no_arm_that_comes_begins_anything() {
     let (router, at) = router(free_port()).await;
     let one = worker("desk-1", &at, tempfile::tempdir().unwrap()).await;
-    one.is("linked", |it| it.arm.is_some()).await;
+    one.is("linked", |state| state.arm.is_some()).await;
     assert!(one.drill().await.is_empty());
     one.submit("first").await;
     let late = worker("desk-2", &at, tempfile::tempdir().unwrap()).await;
-    let mut packets = [&one, &late].map(|it| it.station.handle().passed());
+    let mut packets = [&one, &late].map(|arm| arm.station.handle().passed());
     late.is_stopped().await;
-    let says = |it: &WorkView| {
-        let reason = it.reason.as_deref().unwrap_or_default();
-        it.phase == WorkPhase::Waiting && reason.contains(DRILL)
+    let says = |work: &WorkView| {
+        let reason = work.reason.as_deref().unwrap_or_default();
+        work.phase == WorkPhase::Waiting && reason.contains(DRILL)
     };
     one.has_work("waiting, with the reason", says).await;
-    // A person lets one arm go: the queue of the fleet waits all the same.
-    late.is("at rest", |it| {
-        it.stop.as_ref().is_some_and(|it| it.at_rest)
+    // A person releases one arm: the queue of the fleet still waits.
+    late.is("at rest", |state| {
+        state.stop.as_ref().is_some_and(|stop| stop.at_rest)
     })
     .await;
     late.ask("DELETE", "/api/v1/stop", None).await;
     late.is_free().await;
-    // The home is killed, and goes on with what is on its disk.
+    // The home is killed, and resumes with the jobs on its disk.
     let one = worker("desk-1", &at, one.left().await).await;
     one.is_stopped().await;
     one.has_work("waiting, with the reason", says).await;
@@ -279,7 +283,8 @@ async fn while_the_fleet_is_stopped_its_queue_waits_and_no_arm_that_comes_begins
     }
     one.is_at_rest().await;
     one.reset_all().await;
-    one.has_work("done", |it| it.phase == WorkPhase::Done).await;
+    one.has_work("done", |work| work.phase == WorkPhase::Done)
+        .await;
     for desk in [one, late] {
         desk.end().await;
     }

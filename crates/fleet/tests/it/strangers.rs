@@ -1,4 +1,4 @@
-//! Those who belong to the fleet, or do not any more, and want what is not theirs.
+//! Current and former members that try to get data that are not theirs.
 
 use std::sync::Arc;
 
@@ -6,10 +6,10 @@ use zenoh::query::Query;
 
 use super::*;
 
-/// A key, and what was asked there.
+/// A key, and the request received there.
 type Heard = (String, Vec<u8>);
 
-/// A member of the fleet that answers for all others, and keeps what it is asked.
+/// A member that answers for all others and records its requests.
 struct Thief {
     session: zenoh::Session,
     heard: Arc<Mutex<Vec<Heard>>>,
@@ -21,14 +21,16 @@ impl Thief {
         let heard = Arc::<Mutex<Vec<_>>>::default();
         let hears = heard.clone();
         let answers = move |query: Query| {
-            let payload = query.payload().map(|it| it.to_bytes().into_owned());
+            let payload = query
+                .payload()
+                .map(|payload| payload.to_bytes().into_owned());
             let key = query.key_expr().as_str().to_owned();
             hears
                 .lock()
                 .unwrap()
                 .push((key, payload.unwrap_or_default()));
             let forged = json!({"status": 200, "body": "forged"}).to_string();
-            // With a signature that is none.
+            // With an invalid signature.
             let reply = query.reply(query.key_expr(), forged).attachment([0; 64]);
             zenoh::Wait::wait(reply).unwrap();
         };
@@ -39,7 +41,7 @@ impl Thief {
         Self { session, heard }
     }
 
-    /// Waits until it hears what is asked of desk-2; meanwhile its answers do not count.
+    /// Waits until it receives a request to desk-2; its responses are ignored.
     async fn hears(&self, one: &Desk) {
         let hears = async {
             while self.heard().is_empty() {
@@ -59,7 +61,7 @@ fn to_two(method: &str, path: &str) -> Value {
     json!({"to": {"members": ["desk-2"]}, "method": method, "path": path})
 }
 
-/// Lets the token of one desk be accepted by the other.
+/// Makes a desk accept the token of another.
 fn accept(one: &Desk, two: &Desk) -> String {
     let token = dobot_station::Token::of_secret(&one.admin()).unwrap();
     let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
@@ -80,11 +82,13 @@ async fn a_member_that_answers_for_others_reads_no_token_and_its_answers_do_not_
     let control = answers[0].answer.body["token"].as_str().unwrap().to_owned();
     let stopped = one.stop_all().await;
     assert!(
-        stopped.iter().all(|it| it.answer.is_success()),
+        stopped.iter().all(|answer| answer.answer.is_success()),
         "{stopped:?}"
     );
     assert!(
-        stopped.iter().all(|it| it.answer.body != json!("forged")),
+        stopped
+            .iter()
+            .all(|answer| answer.answer.body != json!("forged")),
         "{stopped:?}"
     );
     let heard = thief.heard();
@@ -93,10 +97,13 @@ async fn a_member_that_answers_for_others_reads_no_token_and_its_answers_do_not_
         "{heard:?}"
     );
     for secret in [&token, &control] {
-        let reads = |text: &[u8]| text.windows(secret.len()).any(|it| it == secret.as_bytes());
+        let reads = |text: &[u8]| {
+            text.windows(secret.len())
+                .any(|window| window == secret.as_bytes())
+        };
         assert!(!heard.iter().any(|(_, payload)| reads(payload)));
     }
-    // What was heard does nothing when it is sent again.
+    // A replayed request has no effect.
     for (key, payload) in heard.into_iter().filter(|(_, it)| it.len() > 32) {
         if !key.ends_with("/sealed") {
             continue;
@@ -126,10 +133,13 @@ async fn where_only_somebody_else_answers_a_station_is_not_said_to_be_stopped() 
     two.end().await;
     one.sees("that desk-2 is away", is_away("desk-2")).await;
     let stopped = one.stop_all().await;
-    let two = stopped.iter().find(|it| it.member == "desk-2").unwrap();
+    let two = stopped
+        .iter()
+        .find(|answer| answer.member == "desk-2")
+        .unwrap();
     assert_eq!(two.answer.status, 503, "{stopped:?}");
     let detail = two.answer.body["detail"].as_str().unwrap();
-    assert!(detail.contains("it has not signed"), "{detail}");
+    assert!(detail.contains("forged responses were ignored"), "{detail}");
     one.end().await;
     thief.session.close().await.unwrap();
     router.end().await;
@@ -140,7 +150,10 @@ async fn what_a_member_tells_in_the_name_of_another_one_is_not_shown() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let members = one.members().await;
-    let desk = members.iter().find(|it| it.name == "desk-2").unwrap();
+    let desk = members
+        .iter()
+        .find(|member| member.name == "desk-2")
+        .unwrap();
     let key = format!("dobot/2/desk-2/{}/told", desk.id);
     let mut about = desk.about.clone().unwrap();
     about.groups = vec!["forged".into()];
@@ -162,7 +175,10 @@ async fn what_a_member_tells_in_the_name_of_another_one_is_not_shown() {
     }
     two.ask("POST", "/api/v1/stop", None).await;
     let is_stopped = |members: &[Member]| {
-        let desk = members.iter().find(|it| it.name == "desk-2").unwrap();
+        let desk = members
+            .iter()
+            .find(|member| member.name == "desk-2")
+            .unwrap();
         desk.state.as_ref().unwrap().stop.is_some()
     };
     one.sees("that desk-2 is stopped", is_stopped).await;
@@ -178,21 +194,26 @@ async fn a_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping(
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let stranger = stranger_who_sees("desk-2", &at).await;
-    // Somebody in the place of desk-2 among them, signed by nobody.
+    // Among them one with the name of desk-2, signed by nobody.
     let fakes = (0..1000)
-        .map(|it| format!("fake-{it}"))
+        .map(|number| format!("fake-{number}"))
         .chain(["desk-2".into()]);
     let mut tokens = Vec::new();
     for name in fakes {
         let key = format!("dobot/alive/2/0.1.0/{name}/{}/9/AAAA", "f".repeat(32));
         tokens.push(stranger.liveliness().declare_token(key).await.unwrap());
     }
-    // One of another version comes after them: they are heard of.
+    // The token of another version follows them: all have been received.
     let last = format!("dobot/alive/9/9.9.9/last/{}", "e".repeat(32));
     tokens.push(stranger.liveliness().declare_token(last).await.unwrap());
-    let has_last = |members: &[Member]| members.iter().any(|it| it.name == "last");
+    let has_last = |members: &[Member]| members.iter().any(|member| member.name == "last");
     one.sees("the last one", has_last).await;
-    let names: Vec<_> = one.members().await.into_iter().map(|it| it.name).collect();
+    let names: Vec<_> = one
+        .members()
+        .await
+        .into_iter()
+        .map(|member| member.name)
+        .collect();
     assert_eq!(names, ["desk-1", "desk-2", "last"]);
     let asked = json!({"to": {"members": ["desk-2"]}, "method": "GET", "path": "/healthz"});
     let answers = one.all_as(None, asked).await;
@@ -200,7 +221,7 @@ async fn a_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping(
     assert_eq!(answers[0].answer.status, 200, "{answers:?}");
     let stopped = one.stop_all().await;
     let has_stopped = |name: &str| {
-        let it = stopped.iter().find(|it| it.member == name).unwrap();
+        let it = stopped.iter().find(|answer| answer.member == name).unwrap();
         it.answer.is_success()
     };
     assert!(
@@ -218,7 +239,7 @@ async fn a_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping(
 async fn whoever_has_a_revoked_certificate_neither_sees_nor_stops_anybody() {
     let folder = tempfile::tempdir().unwrap();
     let at = format!("quic/127.0.0.1:{}", free_port());
-    // A copy on a stick that was lost.
+    // A copy on a lost stick.
     let stick = certificates(folder.path()).remove(2);
     Credentials::revoke(folder.path(), "desk-2").unwrap();
     let again = Credentials::make(folder.path(), &["desk-2".parse().unwrap()]).unwrap();

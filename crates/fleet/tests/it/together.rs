@@ -1,4 +1,4 @@
-//! One program for several arms, at stations that are joined.
+//! Coordinated programs at stations of a fleet.
 
 use std::collections::BTreeMap;
 
@@ -37,7 +37,7 @@ impl Room {
         }
         let mut address = StationAddress::new(desks[0].station.url()).unwrap();
         address.token = Some(desks[0].admin());
-        let packets = desks.iter().map(|it| it.station.handle().passed());
+        let packets = desks.iter().map(|desk| desk.station.handle().passed());
         Self {
             router,
             home: Home::new(address),
@@ -46,7 +46,7 @@ impl Room {
         }
     }
 
-    /// Whether a target behind the barrier was sent to this arm.
+    /// Whether a target after the barrier was sent to this arm.
     fn has_gone_past(&mut self, desk: usize) -> bool {
         let packets = &mut self.packets[desk];
         let sent = std::iter::from_fn(|| match packets.try_recv() {
@@ -54,8 +54,8 @@ impl Room {
             Err(TryRecvError::Empty | TryRecvError::Closed) => None,
             Err(TryRecvError::Lagged(_)) => panic!("packets of desk {desk} were missed"),
         });
-        let mut commands = sent.filter(|it| it.to_arm).map(|it| command(&it));
-        commands.any(|it| matches!(it, Some(Command::MoveTo(it)) if it.y_mm == BEHIND_MM))
+        let mut commands = sent.filter(|sent| sent.to_arm).map(|sent| command(&sent));
+        commands.any(|command| matches!(command, Some(Command::MoveTo(command)) if command.y_mm == BEHIND_MM))
     }
 
     async fn close(self) {
@@ -68,7 +68,12 @@ impl Room {
 
 fn is_ready(names: &[&str]) -> impl Fn(&[Member]) -> bool {
     let present = present(names);
-    let hears = |it: &Member| it.state.as_ref().is_some_and(|it| it.arm.is_some());
+    let hears = |member: &Member| {
+        member
+            .state
+            .as_ref()
+            .is_some_and(|state| state.arm.is_some())
+    };
     move |members| present(members) && members.iter().all(hears)
 }
 
@@ -77,7 +82,7 @@ fn command(packet: &PassedPacket) -> Option<Command> {
     Command::parse(&packet, &dialect()).ok()
 }
 
-/// A part that does something, waits for the others and goes on behind the barrier.
+/// A part that does something, waits for the others and continues after the barrier.
 fn part(arm: &str, before: &str) -> Part {
     let text = format!(
         "title = \"part of {arm}\"\n\
@@ -95,7 +100,7 @@ fn part(arm: &str, before: &str) -> Part {
     }
 }
 
-/// Goes to and fro so often, before the barrier.
+/// Moves back and forth before the barrier.
 fn to_and_fro(times: u32) -> String {
     format!(
         "[[steps]]\nrepeat = {times}\n\
@@ -104,10 +109,10 @@ fn to_and_fro(times: u32) -> String {
     )
 }
 
-/// The y to which all go behind the barrier.
+/// The y of all targets after the barrier.
 const BEHIND_MM: f32 = -30.0;
 
-/// A program that runs, and what it has said.
+/// A running program and its events.
 struct Running {
     orders: mpsc::Sender<Order>,
     said: mpsc::UnboundedReceiver<Said>,
@@ -121,7 +126,7 @@ impl Running {
         let (sender, said) = mpsc::unbounded_channel();
         let home = home.clone();
         let ended = tokio::spawn(async move {
-            let say = |it| drop(sender.send(it));
+            let say = |event| drop(sender.send(event));
             run(&home, &parts, is_attended, ordered, say).await.unwrap()
         });
         Self {
@@ -131,7 +136,7 @@ impl Running {
         }
     }
 
-    /// Waits until this is said; gives all that was said before it, and it.
+    /// Waits for an event; returns it and all events before it.
     async fn until(&mut self, is_it: impl Fn(&Said) -> bool) -> Vec<Said> {
         let mut all = Vec::new();
         let waiting = async {
@@ -167,11 +172,11 @@ async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
         part("desk-3", "[[steps]]\nwait = \"is the sheet there?\"\n"),
     ];
     let mut running = Running::begin(&room.home, parts, true);
-    let mut said = running.until(|it| is_at_barrier(it, 0)).await;
-    if !said.iter().any(|it| is_at_barrier(it, 1)) {
-        said.extend(running.until(|it| is_at_barrier(it, 1)).await);
+    let mut said = running.until(|event| is_at_barrier(event, 0)).await;
+    if !said.iter().any(|event| is_at_barrier(event, 1)) {
+        said.extend(running.until(|event| is_at_barrier(event, 1)).await);
     }
-    let is_asked = |it: &Said| matches!(it, Said::News(News::WaitsForPerson { part: 2, .. }));
+    let is_asked = |event: &Said| matches!(event, Said::News(News::WaitsForPerson { part: 2, .. }));
     if !said.iter().any(is_asked) {
         said.extend(running.until(is_asked).await);
     }
@@ -181,11 +186,11 @@ async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
     for desk in 0..3 {
         assert!(!room.has_gone_past(desk), "desk {desk}");
     }
-    // A person goes on with the third one; then all do.
+    // A person resumes the third part; then all continue.
     room.desks[2].start(jobs[2]).await;
-    let released = |it: &Said| {
+    let released = |event: &Said| {
         matches!(
-            it,
+            event,
             Said::Started {
                 barrier: Some(_),
                 ..
@@ -193,7 +198,10 @@ async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
         )
     };
     let said = running.until(released).await;
-    assert!(said.iter().any(|it| is_at_barrier(it, 2)), "{said:#?}");
+    assert!(
+        said.iter().any(|event| is_at_barrier(event, 2)),
+        "{said:#?}"
+    );
     assert_eq!(running.end().await, Outcome::Through);
     for desk in 0..3 {
         assert!(room.has_gone_past(desk), "desk {desk}");
@@ -211,12 +219,11 @@ async fn when_a_station_is_gone_the_others_hold_before_the_barrier() {
         part("desk-3", &long),
     ];
     let mut running = Running::begin(&room.home, parts, false);
-    running.until(|it| is_at_barrier(it, 0)).await;
+    running.until(|event| is_at_barrier(event, 0)).await;
     room.desks.remove(1).end().await;
-    let is_held =
-        |it: &Said| matches!(it, Said::News(News::Held { part: 1, with, .. }) if *with == [0, 2]);
+    let is_held = |event: &Said| matches!(event, Said::News(News::Held { part: 1, with, .. }) if *with == [0, 2]);
     running.until(is_held).await;
-    // Nobody is there to decide.
+    // No person is present to decide.
     assert_eq!(running.end().await, Outcome::Held);
     let (_, state) = room.desks[1].ask("GET", "/api/v1/state", None).await;
     assert_eq!(state["job"]["phase"], "paused", "{state}");
@@ -231,9 +238,9 @@ async fn a_stop_of_the_fleet_holds_all_parts_before_the_barrier() {
     let mut room = Room::open().await;
     let parts = vec![part("desk-1", ""), part("desk-2", &to_and_fro(400))];
     let mut running = Running::begin(&room.home, parts, false);
-    running.until(|it| is_at_barrier(it, 0)).await;
+    running.until(|event| is_at_barrier(event, 0)).await;
     let answers = room.desks[2].stop_all().await;
-    assert!(answers.iter().all(|it| it.answer.is_success()));
+    assert!(answers.iter().all(|answer| answer.answer.is_success()));
     assert_eq!(running.end().await, Outcome::Held);
     for desk in 0..2 {
         assert!(!room.has_gone_past(desk), "desk {desk}");
@@ -261,11 +268,11 @@ async fn a_person_has_all_hold_and_go_on() {
     ];
     let mut running = Running::begin(&room.home, parts, true);
     running
-        .until(|it| matches!(it, Said::Started { barrier: None, .. }))
+        .until(|event| matches!(event, Said::Started { barrier: None, .. }))
         .await;
     running.orders.send(Order::Hold).await.unwrap();
     running
-        .until(|it| matches!(it, Said::News(News::Held { .. })))
+        .until(|event| matches!(event, Said::News(News::Held { .. })))
         .await;
     running.orders.send(Order::GoOn).await.unwrap();
     assert_eq!(running.end().await, Outcome::Through);

@@ -1,4 +1,4 @@
-//! Virtual arms for those who have none.
+//! Virtual arms for members without an arm.
 
 use std::time::Duration;
 
@@ -18,7 +18,7 @@ use super::{
 const HOUR: Duration = Duration::from_secs(3600);
 const ARMS: &str = "/api/v1/fleet/virtual-arms";
 
-/// A station that gives so many arms.
+/// A station that hosts this many arms.
 async fn giving(at: &str, most: u16, unused: Duration) -> (Desk, VirtualArms) {
     let hall = Desk::up("hall", at, None).await;
     let config = VirtualArmsConfig {
@@ -33,7 +33,7 @@ async fn giving(at: &str, most: u16, unused: Duration) -> (Desk, VirtualArms) {
 }
 
 impl Desk {
-    /// Asks the station of this name, by the fleet.
+    /// Sends a request to the station of this name, through the fleet.
     async fn of(&self, member: &str, method: &str, path: &str, body: Value) -> (u16, Value) {
         let asked =
             json!({"to": {"members": [member]}, "method": method, "path": path, "body": body});
@@ -45,7 +45,7 @@ impl Desk {
         (answer.status, answer.body)
     }
 
-    /// What is refused, by the kind.
+    /// Returns the kind of a refusal.
     async fn refused(&self, method: &str, path: &str, body: Option<Value>) -> String {
         let (status, body) = self.ask(method, path, body).await;
         assert!(status >= 400, "{body}");
@@ -54,7 +54,7 @@ impl Desk {
     }
 }
 
-/// One who listens to the events of the fleet.
+/// A client of the fleet's event stream.
 struct Board(Lines<BufReader<TcpStream>>);
 
 impl Board {
@@ -66,7 +66,7 @@ impl Board {
         Self(BufReader::new(stream).lines())
     }
 
-    /// Waits for an event with this text in it.
+    /// Waits for an event that contains this text.
     async fn hears(&mut self, event: &str, text: &str) {
         let event = format!("event: {event}");
         let heard = async {
@@ -83,7 +83,7 @@ impl Board {
 }
 
 fn is_unknown(name: &str) -> impl Fn(&[Member]) -> bool {
-    move |members| members.iter().all(|it| it.name != name)
+    move |members| members.iter().all(|member| member.name != name)
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -107,11 +107,11 @@ async fn whoever_has_no_arm_is_given_a_virtual_one_that_all_see_and_that_knows_t
     let about = anna.about.unwrap();
     assert_eq!(about.given_by.as_deref(), Some("hall"));
     assert_eq!(about.page.as_deref(), given["page"].as_str());
-    // It is controlled with a token of the station that gave it, and with no other one.
+    // It is controlled with a token of the hosting station only.
     let lease = "/api/v1/lease";
     assert_eq!(hall.of("anna", "POST", lease, Value::Null).await.0, 200);
     assert_eq!(desk.of("anna", "POST", lease, Value::Null).await.0, 401);
-    // One who comes back gets the same.
+    // A second request returns the same arm.
     let (_, again) = hall.ask("POST", ARMS, Some(json!({"name": "anna"}))).await;
     assert_eq!(again, given);
     let (_, listed) = hall.ask("GET", ARMS, None).await;
@@ -119,7 +119,7 @@ async fn whoever_has_no_arm_is_given_a_virtual_one_that_all_see_and_that_knows_t
         listed,
         json!({"most": 2, "unused_s": 3600, "arms": [given]})
     );
-    // They end with the station that gave them.
+    // They end with the hosting station.
     arms.end().await;
     desk.sees("that it is gone", is_unknown("anna")).await;
     hall.end().await;
@@ -171,7 +171,7 @@ async fn what_is_no_name_or_taken_or_too_much_is_told_and_nothing_is_started() {
     );
     let there: Vec<_> = hall.members().await;
     assert!(is_unknown("ben")(&there), "{there:#?}");
-    // The name of a station that is away stays its own.
+    // The name of a station that is away stays reserved.
     desk.end().await;
     hall.sees("that desk-1 is away", is_away("desk-1")).await;
     assert_eq!(
@@ -241,7 +241,7 @@ async fn an_arm_that_nobody_looks_at_ends_by_itself() {
     };
     timeout(PATIENCE, ends).await.unwrap();
     hall.sees("that it is gone", is_unknown("anna")).await;
-    // There is room for another one.
+    // There is space for another one.
     let (status, given) = hall.ask("POST", ARMS, Some(json!({"name": "ben"}))).await;
     assert_eq!(status, 200, "{given}");
     arms.end().await;

@@ -106,7 +106,7 @@ async fn a_cancelled_trajectory_holds_on_its_way_and_leaves_no_job_behind() {
     let held = where_it_stands(&mut station).await;
     assert!(held[0] > 0.0, "{held:?}");
     let jobs = station.jobs().await.expect("they are told");
-    assert!(jobs.iter().all(|it| it.phase.is_over()), "{jobs:?}");
+    assert!(jobs.iter().all(|job| job.phase.is_over()), "{jobs:?}");
 }
 
 #[tokio::test]

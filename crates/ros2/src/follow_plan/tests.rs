@@ -29,8 +29,8 @@ fn plan(wanted: &Wanted) -> Result<FollowPlan, Fault> {
 fn targets(plan: &FollowPlan) -> Vec<MoveJoints> {
     let commands = plan.job.commands.iter();
     commands
-        .filter_map(|it| match it {
-            Command::MoveJoints(it) => Some(*it),
+        .filter_map(|command| match command {
+            Command::MoveJoints(command) => Some(*command),
             _ => None,
         })
         .collect()
@@ -45,7 +45,7 @@ fn wave(points: u32, within_s: f64) -> Wanted {
     };
     let places: Vec<[f64; 4]> = (1..=points).map(at).collect();
     let times = (1..=points).map(|n| within_s * f64::from(n) / f64::from(points));
-    let points: Vec<(&[f64], f64)> = places.iter().map(|it| &it[..]).zip(times).collect();
+    let points: Vec<(&[f64], f64)> = places.iter().map(|place| &place[..]).zip(times).collect();
     wanted(&points)
 }
 
@@ -118,7 +118,7 @@ fn where_the_trajectory_stands_the_arm_waits() {
         panic!("{:?}", plan.job.commands);
     };
     assert_eq!((there.pause_s, back.pause_s), (0.0, 0.0));
-    let waits = [wait, longer].map(|it| (it.base_deg, it.pause_s));
+    let waits = [wait, longer].map(|plan| (plan.base_deg, plan.pause_s));
     assert_eq!(waits, [(20.0, 1.5); 2]);
     assert!((plan.takes_s - 7.0).abs() < 1e-6, "{}", plan.takes_s);
 }
@@ -127,7 +127,10 @@ fn where_the_trajectory_stands_the_arm_waits() {
 fn a_slow_way_is_divided_so_that_the_arm_can_hold_soon() {
     let plan = plan(&wanted(&[(&[60.0, 45.0, 45.0, 0.0], 11.0)]));
     let plan = plan.expect("it can be followed");
-    let found: Vec<f32> = targets(&plan).iter().map(|it| it.base_deg).collect();
+    let found: Vec<f32> = targets(&plan)
+        .iter()
+        .map(|target| target.base_deg)
+        .collect();
     assert_eq!(found, [10.0, 20.0, 30.0, 40.0, 50.0, 60.0]);
     assert!((plan.takes_s - 11.0).abs() < 1e-6, "{}", plan.takes_s);
     // One speed for all of them, and the one of power-up.
@@ -158,8 +161,8 @@ fn the_speed_of_power_up_comes_back_at_the_end() {
     let commands = plan.expect("it can be followed").job.commands;
     let percents: Vec<f32> = commands
         .iter()
-        .filter_map(|it| match it {
-            Command::PlaybackAdjustment(it) => Some(it.speed_percent),
+        .filter_map(|command| match command {
+            Command::PlaybackAdjustment(command) => Some(command.speed_percent),
             _ => None,
         })
         .collect();
@@ -185,13 +188,13 @@ proptest! {
     fn the_arm_is_never_earlier_than_the_trajectory_nor_faster_than_at_power_up(
         points in prop::collection::vec((-90.0..90.0_f64, -90.0..90.0_f64, 0.05..20.0_f64), 1..30),
     ) {
-        let places: Vec<[f64; 4]> = points.iter().map(|it| [it.0, 45.0, 45.0, it.1]).collect();
+        let places: Vec<[f64; 4]> = points.iter().map(|point| [point.0, 45.0, 45.0, point.1]).collect();
         let mut at_s = 0.0;
-        let times = points.iter().map(|it| {
-            at_s += it.2;
+        let times = points.iter().map(|point| {
+            at_s += point.2;
             at_s
         });
-        let told: Vec<(&[f64], f64)> = places.iter().map(|it| &it[..]).zip(times).collect();
+        let told: Vec<(&[f64], f64)> = places.iter().map(|place| &place[..]).zip(times).collect();
         let wanted = wanted(&told);
         let plan = plan(&wanted).expect("it can be followed");
         // A last wait of less than a tick of 20 ms is left out.

@@ -15,7 +15,7 @@ pub(crate) fn goal(names: &[&str], points: &[(&[f64], f64)]) -> FollowGoal {
         frame_id: String::new(),
     };
     let point = |(deg, at_s): &(&[f64], f64)| JointTrajectoryPoint {
-        positions: deg.iter().map(|it| it.to_radians()).collect(),
+        positions: deg.iter().map(|deg| deg.to_radians()).collect(),
         velocities: Vec::new(),
         accelerations: Vec::new(),
         effort: Vec::new(),
@@ -24,7 +24,7 @@ pub(crate) fn goal(names: &[&str], points: &[(&[f64], f64)]) -> FollowGoal {
     FollowGoal {
         trajectory: JointTrajectory {
             header: header(),
-            joint_names: names.iter().map(|it| (*it).to_owned()).collect(),
+            joint_names: names.iter().map(|name| (*name).to_owned()).collect(),
             points: points.iter().map(point).collect(),
         },
         multi_dof_trajectory: MultiDofTrajectory {
@@ -188,7 +188,7 @@ proptest! {
             prop_assert_eq!(wanted.places[0], STANDS);
             prop_assert_eq!(wanted.places.len(), wanted.at_s.len());
             prop_assert!(wanted.at_s.is_sorted_by(|a, b| a < b));
-            prop_assert!(wanted.places.iter().flatten().all(|it| it.is_finite()));
+            prop_assert!(wanted.places.iter().flatten().all(|value| value.is_finite()));
         }
     }
 }

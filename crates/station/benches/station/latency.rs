@@ -46,7 +46,10 @@ pub(crate) fn measure() {
     report("WebSocket", web);
     report("raw port", raw);
     let watched = crowd.leave();
-    assert!(watched.iter().all(|it| !it.dropped), "nobody was dropped");
+    assert!(
+        watched.iter().all(|watched| !watched.dropped),
+        "nobody was dropped"
+    );
     println!("{}", load());
 }
 
@@ -63,13 +66,13 @@ fn one_turn(
     let mut beside = None;
     if turn.is_multiple_of(2) {
         std::thread::sleep(pause);
-        beside = bridge.as_mut().map(|it| it.way.time(&command));
+        beside = bridge.as_mut().map(|bridge| bridge.way.time(&command));
     }
     std::thread::sleep(pause);
     let time = way.time(&command);
     if turn % 2 == 1 {
         std::thread::sleep(pause);
-        beside = bridge.as_mut().map(|it| it.way.time(&command));
+        beside = bridge.as_mut().map(|bridge| bridge.way.time(&command));
     }
     // A status permits one command: the next one comes more than a period after this.
     std::thread::sleep(Duration::from_millis(40));
@@ -150,7 +153,7 @@ impl Bridge {
     /// Starts it, where it is installed.
     fn start() -> Option<Self> {
         let port = Port::open(None);
-        let free = TcpListener::bind("127.0.0.1:0").and_then(|it| it.local_addr());
+        let free = TcpListener::bind("127.0.0.1:0").and_then(|listener| listener.local_addr());
         let free = free.expect("there is a free port");
         let child = Program::new("socat")
             .arg(format!("TCP-LISTEN:{},bind=127.0.0.1,nodelay", free.port()))
@@ -191,9 +194,9 @@ fn get_ready(socket: &mut WebSocket) {
     let command = START.into();
     let answer = socket.ask(&Request::Command { command });
     let number = answer["reply"]["command"].clone();
-    socket.wait(|it| {
-        let news = &it["notice"];
-        assert_ne!(news["type"], "command_failed", "{it}");
+    socket.wait(|message| {
+        let news = &message["notice"];
+        assert_ne!(news["type"], "command_failed", "{message}");
         news["type"] == "command_done" && news["command"] == number
     });
 }

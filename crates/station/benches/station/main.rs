@@ -17,14 +17,14 @@ fn main() {
         return;
     }
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let names: Vec<&String> = words.iter().filter(|it| !it.starts_with('-')).collect();
+    let names: Vec<&String> = words.iter().filter(|word| !word.starts_with('-')).collect();
     let all: [(&str, fn()); 3] = [
         ("latency", latency::measure),
         ("watchers", watchers::measure),
         ("stop", stop::measure),
     ];
     for (name, measure) in all {
-        if names.is_empty() || names.iter().any(|it| name.contains(it.as_str())) {
+        if names.is_empty() || names.iter().any(|wanted| name.contains(wanted.as_str())) {
             println!("{name}");
             measure();
         }

@@ -45,7 +45,7 @@ pub(crate) fn measure() {
 /// Lets the arm draw for a while: a stop falls into any part of a vector.
 fn draw(socket: &mut WebSocket, job: u64, turn: usize) {
     socket.ask(&Request::StartJob { job });
-    socket.wait(|it| it["state"]["job"]["phase"] == "running");
+    socket.wait(|message| message["state"]["job"]["phase"] == "running");
     std::thread::sleep(Duration::from_millis(900 + (turn as u64 * 37) % 160));
 }
 
@@ -76,7 +76,7 @@ fn stop_by_post(station: &str, port: &Port) -> Duration {
 
 /// Waits until the arm rests, and lets it move again.
 fn reset(socket: &mut WebSocket) {
-    socket.wait(|it| it["state"]["stop"]["at_rest"] == true);
+    socket.wait(|message| message["state"]["stop"]["at_rest"] == true);
     socket.ask(&Request::ResetStop);
 }
 

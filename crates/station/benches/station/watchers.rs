@@ -25,7 +25,7 @@ pub(crate) fn measure() {
     let arm = CountingArm::start();
     let station = StationProcess::start(&arm.port.path);
     let mut first = WebSocket::connect(&station.http, "notices=false");
-    first.wait(|it| it["state"]["link"]["phase"] == "up");
+    first.wait(|message| message["state"]["link"]["phase"] == "up");
     let crowd = Crowd::gather(clients, &station.http, "notices=false");
     // So that all of them have settled down.
     std::thread::sleep(SETTLE);
@@ -36,7 +36,7 @@ pub(crate) fn measure() {
     let watched = crowd.leave();
     let sent = arm.end();
     let (lost, late) = judge(&watched, &sent, (began, ended));
-    let dropped = watched.iter().filter(|it| it.dropped).count();
+    let dropped = watched.iter().filter(|watcher| watcher.dropped).count();
     println!("{clients} clients, {dropped} dropped, {lost} states lost");
     Times::new(late).print("from the arm's status to a client's state");
     let share = |cpu: Duration| 100.0 * cpu.as_secs_f64() / (ended - began).as_secs_f64();

@@ -71,7 +71,7 @@ async fn pass(mut client: TcpStream, inner: SocketAddr) -> io::Result<()> {
 /// Reads until the empty line, and what came with it.
 async fn read_head(client: &mut TcpStream) -> io::Result<Vec<u8>> {
     let mut head = Vec::new();
-    while !head.windows(4).any(|it| it == b"\r\n\r\n") {
+    while !head.windows(4).any(|window| window == b"\r\n\r\n") {
         if client.read_buf(&mut head).await? == 0 || head.len() > HEAD_LIMIT {
             return Err(io::ErrorKind::InvalidData.into());
         }
@@ -83,14 +83,17 @@ async fn read_head(client: &mut TcpStream) -> io::Result<Vec<u8>> {
 fn check(head: &[u8]) -> Result<(), &'static str> {
     let mut headers = [httparse::EMPTY_HEADER; 64];
     let mut request = httparse::Request::new(&mut headers);
-    if !request.parse(head).is_ok_and(|it| it.is_complete()) {
+    if !request
+        .parse(head)
+        .is_ok_and(|request| request.is_complete())
+    {
         return Err("this is not an HTTP request");
     }
     let origins = request
         .headers
         .iter()
-        .filter(|it| it.name.eq_ignore_ascii_case("origin"));
-    let mut texts = origins.map(|it| str::from_utf8(it.value).unwrap_or_default());
+        .filter(|header| header.name.eq_ignore_ascii_case("origin"));
+    let mut texts = origins.map(|header| str::from_utf8(header.value).unwrap_or_default());
     if texts.all(is_allowed) {
         Ok(())
     } else {
@@ -111,7 +114,7 @@ fn is_allowed(origin: &str) -> bool {
         Some("https") if host == "foxglove.dev" || host.ends_with(".foxglove.dev") => true,
         Some("http" | "https") => {
             let bare = host.trim_start_matches('[').trim_end_matches(']');
-            host == "localhost" || bare.parse::<IpAddr>().is_ok_and(|it| it.is_loopback())
+            host == "localhost" || bare.parse::<IpAddr>().is_ok_and(|ip| ip.is_loopback())
         }
         _ => false,
     }

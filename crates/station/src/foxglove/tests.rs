@@ -30,7 +30,9 @@ impl Onlooker {
         };
         while onlooker.channels.is_empty() {
             let said = onlooker.said().await;
-            let advertised = said.as_ref().and_then(|it| it["channels"].as_array());
+            let advertised = said
+                .as_ref()
+                .and_then(|message| message["channels"].as_array());
             for channel in advertised.into_iter().flatten() {
                 let name = channel["topic"]
                     .as_str()
@@ -155,7 +157,10 @@ async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
         "/wire/to_arm",
     ];
     assert_eq!(names, recorded);
-    let transform = onlooker.advertised.iter().find(|it| it["topic"] == "/tf");
+    let transform = onlooker
+        .advertised
+        .iter()
+        .find(|channel| channel["topic"] == "/tf");
     let transform = transform.expect("it is offered");
     assert_eq!(transform["schemaName"], "foxglove.FrameTransforms");
     assert_eq!(transform["encoding"], "json");
@@ -163,7 +168,10 @@ async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
         .expect("it is JSON");
     assert_eq!(schema["type"], "object");
     for topic in ["/arm/ink", "/arm/target"] {
-        let scene = onlooker.advertised.iter().find(|it| it["topic"] == topic);
+        let scene = onlooker
+            .advertised
+            .iter()
+            .find(|channel| channel["topic"] == topic);
         let scene = scene.expect("it is offered");
         assert_eq!(scene["schemaName"], "foxglove.SceneUpdate");
     }

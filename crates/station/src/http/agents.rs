@@ -32,7 +32,7 @@ pub(super) async fn agents(
     let body = collect(body, HttpAgents::MOST_BYTES).await?;
     let request = Request::from_parts(parts, Body::from(body));
     let answer = app.agents.answer(request, token, place).await;
-    let answer = answer.map_err(|it| TOO_MANY_CLIENTS.problem(it.to_string()))?;
+    let answer = answer.map_err(|error| TOO_MANY_CLIENTS.problem(error.to_string()))?;
     told(answer).await
 }
 
@@ -40,7 +40,7 @@ pub(super) async fn agents(
 async fn told(answer: Response) -> Result<Response, NotDone> {
     let status = answer.status();
     let kind = answer.headers().get(CONTENT_TYPE);
-    if !status.is_client_error() || kind.is_some_and(|it| it == "application/json") {
+    if !status.is_client_error() || kind.is_some_and(|kind| kind == "application/json") {
         return Ok(answer);
     }
     let text = to_bytes(answer.into_body(), LONGEST_TEXT).await;

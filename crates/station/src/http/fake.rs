@@ -97,7 +97,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
                 let _ = reply.send(Ok(()));
             }
             Message::Policy { reply, policy, .. } => {
-                telling.ends.change_rules(|it| it.policy = *policy);
+                telling.ends.change_rules(|rules| rules.policy = *policy);
                 let _ = reply.send(Ok(()));
             }
             Message::Planned { .. } => panic!("it plans no jobs"),
@@ -145,7 +145,7 @@ fn answer(offers: &mut HashMap<String, OfferAnswer>, key: String, ask: OfferAsk)
     };
     let is_busy = offers
         .values()
-        .any(|it| matches!(it, OfferAnswer::Taken(_)));
+        .any(|answer| matches!(answer, OfferAnswer::Taken(_)));
     if let Some(known) = offers.get(&key) {
         return known.clone();
     }

@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn a_proof_counts_for_its_token_and_statement_only() {
-        let [one, other] = ["a", "b"].map(|it| it.repeat(64));
+        let [one, other] = ["a", "b"].map(|digit| digit.repeat(64));
         let proof = prove(&one, b"stop");
         assert!(is_proved(&public_key(&one), b"stop", &proof));
         assert!(!is_proved(&public_key(&one), b"go", &proof));

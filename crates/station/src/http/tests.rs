@@ -156,7 +156,7 @@ impl Harness {
         let is_endless = parts
             .headers
             .get("content-type")
-            .is_some_and(|it| it == "text/event-stream");
+            .is_some_and(|header| header == "text/event-stream");
         let body = if is_endless {
             what_is_there(body)
         } else {

@@ -78,8 +78,8 @@ async fn a_second_program_is_told_why_it_is_turned_away_and_the_first_is_served_
     // What it sends at once does not keep the reason from it.
     second.write_all(&packet(50)).await.expect("it is open");
     let reason = read_to_end(&mut second).await;
-    let [first_name, second_name] = [&first, &second].map(|it| {
-        let from = it.local_addr().expect("it is connected");
+    let [first_name, second_name] = [&first, &second].map(|socket| {
+        let from = socket.local_addr().expect("it is connected");
         format!("raw program {from}")
     });
     assert!(reason.contains(&first_name), "{reason}");

@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let all = curves::all();
     for curves in all
         .iter()
-        .filter(|it| name.as_ref().is_none_or(|name| name == it.name))
+        .filter(|curves| name.as_ref().is_none_or(|name| name == curves.name))
     {
         for (acceleration_mm_s2, speed_mm_s) in CASES {
             let case = Case {
@@ -54,8 +54,16 @@ struct Case {
 
 impl Case {
     fn print(&self, curves: &Curves) -> Result<(), Box<dyn Error>> {
-        let optima_s: Vec<f64> = curves.meant.iter().map(|it| self.optimum_s(it)).collect();
-        let links_s: Vec<f64> = curves.given.iter().map(|it| self.link_s(it)).collect();
+        let optima_s: Vec<f64> = curves
+            .meant
+            .iter()
+            .map(|curve| self.optimum_s(curve))
+            .collect();
+        let links_s: Vec<f64> = curves
+            .given
+            .iter()
+            .map(|curve| self.link_s(curve))
+            .collect();
         let both = optima_s.iter().zip(&links_s);
         let bound_s: f64 = both.map(|(optimum_s, link_s)| optimum_s.max(*link_s)).sum();
         for (arm, has_ticks) in [("even", false), ("stock", true)] {
@@ -84,8 +92,11 @@ impl Case {
         let begin = Instant::now();
         let plan = prepare_passes(vec![pass], &settings, |_| Ok::<(), String>(()))?.plan;
         let took_s = begin.elapsed().as_secs_f64();
-        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
-        let drawn_s: f64 = draws.clone().map(|it| f64::from(it.duration_s)).sum();
+        let draws = plan
+            .moves
+            .iter()
+            .filter(|motion| motion.kind == MoveKind::Draw);
+        let drawn_s: f64 = draws.clone().map(|draw| f64::from(draw.duration_s)).sum();
         let (mean_mm, largest_mm) = off(&curves.given, &plan);
         Ok(format!(
             "{drawn_s:.1} s | {:.3} | {} | {mean_mm:.4} mm | {largest_mm:.4} mm | {:.3} | {:.0} ms |",

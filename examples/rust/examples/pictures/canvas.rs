@@ -112,7 +112,7 @@ impl Canvas {
     }
 
     fn pixels(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-        points.iter().map(|it| self.pixel(*it)).collect()
+        points.iter().map(|point| self.pixel(*point)).collect()
     }
 
     fn pixel(&self, at: [f64; 2]) -> [f64; 2] {

@@ -61,7 +61,7 @@ impl Report {
 
     fn watchdogs(&mut self, times: u64) {
         let all = watchdogs::run(times);
-        let sum: usize = all.iter().map(|it| it.times).sum();
+        let sum: usize = all.iter().map(|row| row.times).sum();
         self.line(WATCHDOGS);
         self.line(&format!("{sum} stations in all.\n"));
         self.table(
@@ -86,7 +86,7 @@ impl Report {
                 &it.lit_s,
                 &it.stood_s,
             ];
-            let most = most.map(|it| format!("{:.2}", it.most())).join(" | ");
+            let most = most.map(|row| format!("{:.2}", row.most())).join(" | ");
             let cells = format!("{} | {most} | {} | {}", it.doing, it.unasked, it.burnt);
             self.row(it.fate, cells);
             self.wrong(it.wrong);
@@ -222,7 +222,7 @@ impl Report {
 
     fn stops(&mut self, stops: u64) {
         let all = stops::run(stops);
-        let sum: usize = all.iter().map(|it| it.times).sum();
+        let sum: usize = all.iter().map(|row| row.times).sum();
         self.line(STOPS);
         self.line(&format!("{sum} stops in all.\n"));
         self.table(
@@ -271,7 +271,7 @@ impl Report {
         self.line(LONG_LINES);
         let sum: usize = all.len() * long_lines::LineEnd::ALL.len();
         self.line(&format!("{times} times each, {sum} cases.\n"));
-        let ends = long_lines::LineEnd::ALL.map(|it| it.to_string());
+        let ends = long_lines::LineEnd::ALL.map(|end| end.to_string());
         let columns: Vec<&str> = ends
             .iter()
             .map(String::as_str)

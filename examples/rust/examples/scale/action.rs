@@ -53,8 +53,8 @@ async fn move_it(
     turn: usize,
 ) -> Result<Duration, Box<dyn Error + Send + Sync>> {
     let mut states = desk.station.handle().states();
-    let rests = |it: &dobot_api::State| it.queue.waiting == 0 && it.queue.under_way == 0;
-    states.wait_for(|it| rests(it.state())).await?;
+    let rests = |state: &dobot_api::State| state.queue.waiting == 0 && state.queue.under_way == 0;
+    states.wait_for(|snapshot| rests(snapshot.state())).await?;
     let x_mm = if turn.is_multiple_of(2) { 205.0 } else { 200.0 };
     let there = MoveTo::to(x_mm, 0.0, 50.0).with_mode(MovingMode::MovJ);
     let command = Command::from(there);

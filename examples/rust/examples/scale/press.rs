@@ -57,17 +57,20 @@ fn tell(what: &str, presses: &[Press]) {
     if presses.is_empty() {
         return;
     }
-    let all = presses.iter().flat_map(|it| it.packets.clone()).collect();
+    let all = presses
+        .iter()
+        .flat_map(|press| press.packets.clone())
+        .collect();
     Times::new(all).print(&format!("{what}: each laser-off packet"));
     let last = presses
         .iter()
-        .filter_map(|it| it.packets.iter().max().copied());
+        .filter_map(|press| press.packets.iter().max().copied());
     Times::new(last.collect()).print(&format!("{what}: the last one"));
-    let answered = presses.iter().map(|it| it.answered);
+    let answered = presses.iter().map(|press| press.answered);
     Times::new(answered.collect()).print(&format!("{what}: the answer"));
-    let silent: usize = presses.iter().map(|it| it.silent).sum();
+    let silent: usize = presses.iter().map(|press| press.silent).sum();
     if silent > 0 {
-        let asked: usize = presses.iter().map(|it| it.packets.len()).sum();
+        let asked: usize = presses.iter().map(|press| press.packets.len()).sum();
         println!(
             "{what}: {silent} of {asked} stopped after it was answered that they cannot be reached"
         );
@@ -97,8 +100,8 @@ async fn press(stations: &Stations) -> Result<Press, Box<dyn Error + Send + Sync
     let began = Instant::now();
     let answers = stop(&first).await?;
     let answered = began.elapsed();
-    let failed = answers.iter().filter(|it| !it.answer.is_success());
-    let (late, refused): (Vec<_>, Vec<_>) = failed.partition(|it| is_late(it));
+    let failed = answers.iter().filter(|answer| !answer.answer.is_success());
+    let (late, refused): (Vec<_>, Vec<_>) = failed.partition(|answer| is_late(answer));
     if let [first, ..] = &*refused {
         return Err(format!("{} did not take the stop, as {first:?}", refused.len()).into());
     }
@@ -110,7 +113,7 @@ async fn press(stations: &Stations) -> Result<Press, Box<dyn Error + Send + Sync
     let arrived: Option<Vec<_>> = arrived.into_iter().collect();
     let arrived = arrived.ok_or("too many packets passed at once to see all of them")?;
     Ok(Press {
-        packets: arrived.into_iter().map(|it| it - began).collect(),
+        packets: arrived.into_iter().map(|at| at - began).collect(),
         answered,
         silent: late.len(),
     })
@@ -166,8 +169,8 @@ where
 
 /// Waits until a stopped arm rests, and lets it move again.
 async fn let_move(teacher: &Client) -> Result<(), Box<dyn Error + Send + Sync>> {
-    until(teacher.handle(), |it| {
-        it.stop.as_ref().is_some_and(|it| it.at_rest)
+    until(teacher.handle(), |state| {
+        state.stop.as_ref().is_some_and(|stop| stop.at_rest)
     })
     .await?;
     teacher.request(Request::ResetStop).await?;
@@ -184,7 +187,7 @@ async fn burn(teacher: &Client) -> Result<u64, Box<dyn Error + Send + Sync>> {
         return Err("a job that was submitted has a number".into());
     };
     teacher.request(Request::StartJob { job: job.job }).await?;
-    until(teacher.handle(), |it| it.laser.on).await?;
+    until(teacher.handle(), |state| state.laser.on).await?;
     Ok(job.job)
 }
 
@@ -192,7 +195,10 @@ async fn until(
     handle: &StationHandle,
     is_so: impl Fn(&State) -> bool,
 ) -> Result<(), Box<dyn Error + Send + Sync>> {
-    handle.states().wait_for(|it| is_so(it.state())).await?;
+    handle
+        .states()
+        .wait_for(|snapshot| is_so(snapshot.state()))
+        .await?;
     Ok(())
 }
 

@@ -73,7 +73,7 @@ impl Stations {
 
     /// Waits until each of them knows each.
     pub(crate) async fn all_know_all(&self) {
-        let names = self.all.iter().map(|it| it.name.as_str());
+        let names = self.all.iter().map(|item| item.name.as_str());
         // Before anybody is asked it is looked whether all are known: the last one never is, so nobody is asked.
         let names: Vec<_> = names.chain([NOBODY]).collect();
         let request = ApiRequest {
@@ -108,7 +108,10 @@ impl Stations {
         let mut looks = interval(LOOK_EVERY);
         loop {
             let view: FleetView = fetch(&first, "/api/v1/fleet").await?;
-            let told = view.members.iter().filter(|it| it.state.is_some());
+            let told = view
+                .members
+                .iter()
+                .filter(|station| station.state.is_some());
             if told.count() == self.all.len() {
                 return Ok(Board(reads));
             }
@@ -185,7 +188,7 @@ impl Desk {
         answer.status == 404
             && answer.body["detail"]
                 .as_str()
-                .is_some_and(|it| it.contains(NOBODY))
+                .is_some_and(|body| body.contains(NOBODY))
     }
 
     /// Where its API is.

@@ -33,10 +33,10 @@ impl Usage {
             format!("{} cannot be read: {error}; Linux has it", folder.display())
         })?;
         let field = |name: &str| {
-            let line = status.lines().find_map(|it| it.strip_prefix(name));
-            let number = line.and_then(|it| it.split_whitespace().next());
+            let line = status.lines().find_map(|line| line.strip_prefix(name));
+            let number = line.and_then(|line| line.split_whitespace().next());
             number
-                .and_then(|it| it.parse::<u32>().ok())
+                .and_then(|digits| digits.parse::<u32>().ok())
                 .ok_or(format!("no {name} in {status}"))
         };
         Ok(Self {

@@ -1,9 +1,9 @@
-//! Who depends on whom.
+//! Dependencies between parts.
 
 use std::collections::BTreeSet;
 
-/// The parts that still share a barrier with this one, directly or through others; `ahead` has the names of the barriers that
-/// are still before each.
+/// Returns the parts that still share a barrier with this one, directly or through others; `ahead`
+/// has the names of the remaining barriers of each.
 pub(super) fn dependents(ahead: &[BTreeSet<&str>], part: usize) -> Vec<usize> {
     let mut reached = BTreeSet::from([part]);
     let mut waiting = vec![part];
@@ -25,7 +25,7 @@ mod tests {
     #[test]
     fn parts_depend_on_each_other_through_others_and_only_while_a_barrier_is_before_them() {
         let ahead = [&["x"][..], &["x", "y"], &["y"], &["z"], &["z"], &[]];
-        let ahead = ahead.map(|it| it.iter().copied().collect::<BTreeSet<_>>());
+        let ahead = ahead.map(|names| names.iter().copied().collect::<BTreeSet<_>>());
         assert_eq!(dependents(&ahead, 0), [1, 2]);
         assert_eq!(dependents(&ahead, 4), [3]);
         assert!(dependents(&ahead, 5).is_empty());

@@ -1,4 +1,4 @@
-//! One part, as the engine knows it.
+//! The state of one part in the engine.
 
 use std::collections::{BTreeSet, VecDeque};
 use std::time::Duration;
@@ -7,54 +7,54 @@ use super::News;
 use crate::together::barriers::Barriers;
 use crate::together::seen::Seen;
 
-/// One part, as the engine knows it.
+/// The state of one part in the engine.
 #[expect(
     clippy::struct_excessive_bools,
-    reason = "where it is, whether it holds and what it was asked for change apart from each other"
+    reason = "place, hold and requests change independently"
 )]
 #[derive(Debug)]
 pub(super) struct PartState {
     pub(super) barriers: Barriers,
-    /// How many of them are passed.
+    /// The number of barriers passed.
     passed: u64,
     pub(super) at: At,
-    /// How far its job was at the last barrier to which it has come.
+    /// The progress of its job at the last barrier reached.
     arrived: Option<(u64, usize)>,
-    /// Whether its arm was at it when it was seen last.
+    /// Whether its job ran at the last observation.
     pub(super) runs: bool,
-    /// It was let go on from where it waits, and is not known to have set out.
+    /// Released from its barrier, but not yet seen to have started.
     is_released: bool,
-    /// The others have gone on without it.
+    /// The others have continued without it.
     is_behind: bool,
-    /// It is to be started by itself.
+    /// It has to be started alone.
     start_is_due: bool,
-    /// The answer to its start did not come, and it was not seen since.
+    /// The response to its start is missing, and it was not observed since.
     is_unknown: bool,
-    /// When it was heard of last.
+    /// The time of the last contact.
     pub(super) heard: Duration,
-    /// It was not heard of for too long.
+    /// Without contact for too long.
     pub(super) is_silent: bool,
-    /// Why it does not go on.
+    /// The reason why it does not continue.
     pub(super) trouble: Option<String>,
-    /// It is not to go on before a person has decided so.
+    /// It must not continue before a person decides so.
     pub(super) is_held: bool,
-    /// It was asked to pause since it holds.
+    /// A pause was requested since it holds.
     pub(super) is_pausing: bool,
 }
 
-/// Where a part is.
+/// The place of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum At {
     /// Before its first step.
     Queued,
     Running,
-    /// At the barrier that comes next.
+    /// At the next barrier.
     Waiting,
     /// Its program waits for a person.
     Person(String),
     Paused,
     Through,
-    /// It cannot be gone on with, for this reason.
+    /// It cannot be resumed, for this reason.
     Broken(String),
 }
 
@@ -78,11 +78,11 @@ impl PartState {
         }
     }
 
-    /// Takes what is seen of it.
+    /// Handles an observed state.
     ///
     /// # Errors
     ///
-    /// Why it does not go on, or cannot any more.
+    /// The reason why it does not continue, or cannot any more.
     pub(super) fn see(
         &mut self,
         part: usize,
@@ -96,9 +96,9 @@ impl PartState {
         }
         if self.is_further(seen) {
             if !self.is_released {
-                return self.broken("somebody started its job before the others were there");
+                return self.broken("its job was started before the others had arrived");
             }
-            // The answer to its start was lost.
+            // The response to its start was lost.
             self.set_out(part, news);
         }
         match seen {
@@ -119,7 +119,7 @@ impl PartState {
         }
     }
 
-    /// Its job runs.
+    /// Handles a started job.
     pub(super) fn set_out(&mut self, part: usize, news: &mut VecDeque<News>) {
         self.passed += u64::from(self.at == At::Waiting);
         self.go(At::Running);
@@ -128,26 +128,26 @@ impl PartState {
         news.push_back(News::SetOut { part });
     }
 
-    /// The answer to its start did not come.
+    /// Handles a missing response to its start.
     pub(super) const fn lose_sight(&mut self) {
         self.is_unknown = true;
     }
 
-    /// It is about to be started.
+    /// Marks it as about to be started.
     pub(super) fn release(&mut self) {
         self.is_behind = self.start_is_due && self.at == At::Waiting;
         self.start_is_due = false;
         self.is_released = true;
     }
 
-    /// It was not started after all.
+    /// Handles a start that was not carried out.
     pub(super) fn take_back(&mut self) {
         self.is_released = self.is_behind;
-        // At a barrier it waits on, with the others.
+        // At a barrier it keeps waiting with the others.
         self.start_is_due = self.is_behind || self.at != At::Waiting;
     }
 
-    /// A person has decided that it goes on.
+    /// Resumes on request of a person.
     pub(super) fn go_on(&mut self) {
         if !self.is_held {
             return;
@@ -159,7 +159,7 @@ impl PartState {
         self.is_pausing = false;
     }
 
-    /// Why it cannot go on, whatever a person decides.
+    /// Returns the reason why it cannot be resumed at all.
     pub(super) fn hindrance(&self) -> Option<String> {
         match &self.at {
             At::Broken(why) => Some(why.clone()),
@@ -168,14 +168,14 @@ impl PartState {
         }
     }
 
-    /// Where it waits for the others, and is not let go on yet.
+    /// Returns the barrier at which it waits unreleased.
     pub(super) fn waits_at(&self) -> Option<&str> {
         let waits = self.at == At::Waiting && !self.is_released;
         let barrier = self.barriers.at(self.passed).filter(|_| waits);
-        barrier.map(|it| &*it.name)
+        barrier.map(|barrier| &*barrier.name)
     }
 
-    /// The barriers that are still before it.
+    /// Returns the names of its remaining barriers.
     pub(super) fn ahead(&self) -> BTreeSet<&str> {
         if self.at == At::Through {
             return BTreeSet::new();
@@ -196,14 +196,14 @@ impl PartState {
         matches!(self.at, At::Through | At::Broken(_))
     }
 
-    /// It is somewhere by itself: a start that was due is not any more.
+    /// Changes its place by itself: a due start is dropped.
     fn go(&mut self, to: At) {
         self.at = to;
         self.is_released = false;
         self.start_is_due = false;
     }
 
-    /// Whether its job is further than where it is believed to wait.
+    /// Whether its job is past the barrier at which it should wait.
     fn is_further(&self, seen: &Seen) -> bool {
         if !matches!(self.at, At::Queued | At::Waiting) {
             return false;
@@ -222,11 +222,11 @@ impl PartState {
         progress: (u64, usize),
         news: &mut VecDeque<News>,
     ) -> Result<(), String> {
-        let next = self.barriers.at(self.passed).map(|it| it.name.clone());
+        let next = self.barriers.at(self.passed).map(|at| at.name.clone());
         if next.as_deref() != Some(name) {
-            let next = next.map_or("none".to_owned(), |it| format!("{it:?}"));
+            let next = next.map_or("none".to_owned(), |name| format!("{name:?}"));
             return self.broken(&format!(
-                "it waits at the barrier {name:?}, and by its program {next} comes next"
+                "it waits at the barrier {name:?}, but the next one of its program is {next}"
             ));
         }
         self.go(At::Waiting);
@@ -247,7 +247,7 @@ impl PartState {
         self.go(at);
     }
 
-    /// One that holds is paused because of that, and one that is about to be started still is.
+    /// Handles a pause: holding explains it, and a pending start stays pending.
     fn pause(&mut self, reason: &str) -> Result<(), String> {
         let is_starting = self.start_is_due && self.at == At::Paused;
         let was_asked = self.is_held && self.is_pausing || is_starting;
@@ -264,7 +264,7 @@ impl PartState {
     fn finish(&mut self, part: usize, news: &mut VecDeque<News>) -> Result<(), String> {
         if let Some(next) = self.barriers.at(self.passed) {
             let next = next.name.clone();
-            return self.broken(&format!("it is done before the barrier {next:?}"));
+            return self.broken(&format!("it finished before the barrier {next:?}"));
         }
         self.at = At::Through;
         self.is_held = false;

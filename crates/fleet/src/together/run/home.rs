@@ -1,17 +1,18 @@
-//! The station by which the others are asked.
+//! The station through which requests to the others are sent.
 
 use dobot_api::problem_kinds::{ENDING, MEMBER_AWAY, ProblemKind, TIMEOUT};
 use dobot_api::{ApiAnswer, MemberAnswer, Problem, StationAddress, post};
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-/// The station by which the others are asked, with the token that each of them accepts.
+/// The station through which requests to the others are sent, with a token that each of them
+/// accepts.
 #[derive(Clone, Debug)]
 pub struct Home {
     address: StationAddress,
 }
 
-/// What a station is asked for.
+/// A request to a station.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Asked {
     pub(super) method: &'static str,
@@ -21,30 +22,30 @@ pub(super) struct Asked {
     pub(super) body: Option<Value>,
 }
 
-/// Why a station has not done what it was asked for.
+/// The error returned when a request was not carried out.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub(super) enum AskError {
-    /// It has refused it.
+    /// The station refused it.
     #[error("{detail}")]
     Refused {
-        /// The end of the address of the kind of problem.
+        /// The last part of the problem's type.
         kind: String,
-        /// Why, and what to do.
+        /// The reason and the remedy.
         detail: String,
     },
-    /// No answer came: it may have done it or not.
+    /// No response: it may have been carried out or not.
     #[error("{0}")]
     Unclear(String),
 }
 
 impl Home {
-    /// The station at an address, which belongs to a fleet.
+    /// Returns the station at an address, which must belong to a fleet.
     #[must_use]
     pub const fn new(address: StationAddress) -> Self {
         Self { address }
     }
 
-    /// Asks one station of the fleet.
+    /// Sends a request to one station of the fleet.
     pub(super) async fn ask<T: DeserializeOwned>(
         &self,
         arm: &str,
@@ -60,7 +61,7 @@ impl Home {
         });
         let answers: Result<Vec<MemberAnswer>, _> = post(&self.address, REQUESTS, &request).await;
         let answers = answers.map_err(|error| AskError::Unclear(error.to_string()))?;
-        let none = || AskError::Unclear("no answer came".to_owned());
+        let none = || AskError::Unclear("no response".to_owned());
         read(&answers.into_iter().next().ok_or_else(none)?.answer)
     }
 }
@@ -89,31 +90,35 @@ impl AskError {
     }
 }
 
-/// What an answer says. A station that is away has refused nothing.
+/// Parses a response. A station that is away has refused nothing.
 fn read<T: DeserializeOwned>(answer: &ApiAnswer) -> Result<T, AskError> {
     if answer.is_success() {
         let body = serde_json::from_value(answer.body.clone());
         return body.map_err(|error| {
-            AskError::Unclear(format!(
-                "its station answers what is not understood: {error}"
-            ))
+            AskError::Unclear(format!("its station sent an unreadable response: {error}"))
         });
     }
     let Ok(problem) = serde_json::from_value::<Problem>(answer.body.clone()) else {
         let status = answer.status;
         return Err(AskError::Unclear(format!(
-            "its station answers with the status {status}"
+            "its station responded with status {status}"
         )));
     };
     let kind = problem.name().to_owned();
-    let hint = problem.hint.map(|it| format!("; {it}")).unwrap_or_default();
+    let hint = problem
+        .hint
+        .map(|hint| format!("; {hint}"))
+        .unwrap_or_default();
     let detail = format!("{}{hint}", problem.detail);
-    if UNCLEAR.iter().any(|it| it.name == kind) {
+    if UNCLEAR
+        .iter()
+        .any(|u_n_c_l_e_a_r| u_n_c_l_e_a_r.name == kind)
+    {
         return Err(AskError::Unclear(detail));
     }
     Err(AskError::Refused { kind, detail })
 }
 
 const REQUESTS: &str = "/api/v1/fleet/requests";
-/// Where a station may have done what it was asked for all the same.
+/// Problems after which the station may still have carried out the request.
 const UNCLEAR: [&ProblemKind; 3] = [&MEMBER_AWAY, &ENDING, &TIMEOUT];

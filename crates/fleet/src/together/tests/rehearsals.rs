@@ -1,4 +1,4 @@
-//! Rehearsals: real rules and virtual arms.
+//! Rehearsals with real rules and virtual arms.
 
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ fn part(arm: &str, steps: &str) -> Part {
     }
 }
 
-/// Goes there, waits so long, then for the other, and goes back.
+/// Moves there, pauses, waits for the other part, and moves back.
 fn there_and_back(pause_s: u32) -> String {
     format!(
         "[[steps]]\ngo = {{ x = 200, y = 60, z = 0 }}\npause = {pause_s}\n\
@@ -36,7 +36,7 @@ fn rehearsed(parts: &[Part]) -> Rehearsal {
     rehearse(parts, &Policy::default(), Personality::Specification).unwrap()
 }
 
-/// A status comes every 80 ms; to see that an arm rests takes one or two more.
+/// A status arrives every 80 ms; detecting rest takes one or two more.
 const STATUSES_S: f64 = 0.35;
 
 #[test]
@@ -52,9 +52,9 @@ fn one_waits_at_the_barrier_for_as_long_as_the_other_pauses_before_it() {
     let waited_s = there.waits[0].waited_s;
     assert!((waited_s - 5.0).abs() < STATUSES_S, "{told:#?}");
     assert!(there.waits[1].waited_s < STATUSES_S, "{told:#?}");
-    // From there on both do the same.
+    // From there on both parts do the same.
     assert!(
-        back.waits.iter().all(|it| it.waited_s < STATUSES_S),
+        back.waits.iter().all(|wait| wait.waited_s < STATUSES_S),
         "{told:#?}"
     );
     let [one, two] = &told.parts[..] else {
@@ -73,7 +73,10 @@ fn what_goes_on_for_ever_is_rehearsed_until_it_has_shown_its_cycle() {
                  [[steps.steps]]\ngo = { x = 200, y = -60, z = 0 }\n";
     let told = rehearsed(&[part("one", cycle), part("two", cycle)]);
     assert!(told.barriers.len() >= 2, "{told:#?}");
-    assert!(told.parts.iter().all(|it| it.over_s.is_none()), "{told:#?}");
+    assert!(
+        told.parts.iter().all(|part| part.over_s.is_none()),
+        "{told:#?}"
+    );
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Stations with jobs that go from barrier to barrier, as far as the engine can tell.
+//! Simulated stations whose jobs go from barrier to barrier.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -9,13 +9,13 @@ use super::barriers;
 use crate::together::engine::{Engine, News, Start, Wish};
 use crate::together::seen::Seen;
 
-/// What goes wrong.
+/// The kinds of faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Faults {
     None,
     /// Persons pause.
     Pauses,
-    /// Persons pause, stations fall silent, refuse to start, and answers are lost.
+    /// Persons pause, stations fall silent or refuse to start, and responses are lost.
     All,
 }
 
@@ -26,7 +26,7 @@ pub(super) struct World {
     random: Random,
     faults: Faults,
     now: Duration,
-    /// Who has to hold by now.
+    /// The parts that have to hold now.
     expected: BTreeSet<usize>,
 }
 
@@ -34,12 +34,12 @@ pub(super) struct World {
 #[derive(Debug)]
 struct Desk {
     script: Vec<u8>,
-    /// How many barriers are passed.
+    /// The number of barriers passed.
     passed: usize,
     is: Is,
-    /// Until when nobody hears of it.
+    /// The end of its silence.
     silent_until: Duration,
-    /// How many had been passed when the engine last knew.
+    /// The number of barriers passed when the engine last knew.
     known: usize,
     refuses_next: bool,
 }
@@ -58,7 +58,7 @@ impl World {
         let engine = Engine::new(
             scripts
                 .iter()
-                .map(|it| barriers(it, &[], Some(0)))
+                .map(|script| barriers(script, &[], Some(0)))
                 .collect(),
         );
         let desks = scripts.into_iter().map(|script| Desk {
@@ -79,7 +79,7 @@ impl World {
         }
     }
 
-    /// Until all are through; from some time on nothing goes wrong any more.
+    /// Runs until all parts have finished; after some time there are no more faults.
     pub(super) fn come_through(&mut self) {
         for round in 0..20_000 {
             if self.engine.is_over() {
@@ -94,13 +94,10 @@ impl World {
                 self.go_on();
             }
         }
-        panic!(
-            "they do not come through: {:?} {:?}",
-            self.desks, self.engine
-        );
+        panic!("they do not finish: {:?} {:?}", self.desks, self.engine);
     }
 
-    /// The first round: all are started.
+    /// Starts all parts for the first time.
     pub(super) fn start(&mut self) {
         self.round();
     }
@@ -124,7 +121,8 @@ impl World {
         self.desks[part].refuses_next = true;
     }
 
-    /// A station falls silent: who holds after that, and not before three seconds are over.
+    /// Silences a station; returns the parts that hold after that, and not before three seconds
+    /// have passed.
     pub(super) fn silent_until_held(&mut self, part: usize) -> Vec<usize> {
         let since = self.now;
         self.desks[part].silent_until = Duration::MAX;
@@ -139,7 +137,7 @@ impl World {
 
     pub(super) fn held(&self) -> Vec<usize> {
         (0..self.desks.len())
-            .filter(|it| self.engine.is_held(*it))
+            .filter(|item| self.engine.is_held(*item))
             .collect()
     }
 
@@ -160,7 +158,7 @@ impl World {
         hindered
     }
 
-    /// The arms do something.
+    /// Advances the arms.
     fn move_on(&mut self) {
         for part in 0..self.desks.len() {
             let (moves, goes_wrong) = (self.random.chance(30.0), self.random.chance(4.0));
@@ -210,19 +208,19 @@ impl World {
         }
     }
 
-    /// Where one is refused from the outset, none is started.
+    /// If one part is refused from the outset, none is started.
     fn start_all(&mut self, parts: &[usize]) {
-        let refuses = |it: &usize| self.desks[*it].refuses_next;
+        let refuses = |index: &usize| self.desks[*index].refuses_next;
         if let Some(refusing) = parts.iter().copied().find(refuses) {
             self.desks[refusing].refuses_next = false;
-            let start = |it: usize| {
-                if it == refusing {
+            let start = |index: usize| {
+                if index == refusing {
                     Start::Refused("the arm is not there".into())
                 } else {
                     Start::NotTried
                 }
             };
-            let starts: Vec<_> = parts.iter().map(|it| (*it, start(*it))).collect();
+            let starts: Vec<_> = parts.iter().map(|index| (*index, start(*index))).collect();
             return self.engine.handle_starts(&starts);
         }
         let mut starts = Vec::new();
@@ -239,7 +237,7 @@ impl World {
         };
         match fate {
             0 => return Start::Refused("the arm still moves".into()),
-            1 => return Start::Unclear("the question was lost".into()),
+            1 => return Start::Unclear("the request was lost".into()),
             _ => {}
         }
         self.check_is_released(part);
@@ -247,13 +245,13 @@ impl World {
         desk.passed += usize::from(desk.is == Is::AtBarrier);
         desk.is = Is::Running;
         if fate == 2 {
-            return Start::Unclear("the answer was lost".into());
+            return Start::Unclear("the response was lost".into());
         }
         desk.known = desk.passed;
         Start::Done
     }
 
-    /// Whoever goes past a barrier does so when all have come to it, that time of it.
+    /// Checks that a part passes a barrier only after all have reached it.
     fn check_is_released(&self, part: usize) {
         let desk = &self.desks[part];
         if desk.is != Is::AtBarrier {
@@ -266,7 +264,7 @@ impl World {
                 let arrivals = it.arrivals(name);
                 assert!(
                     arrivals >= time,
-                    "{part} goes past {name} before {other} is there"
+                    "{part} passes {name} before {other} has arrived"
                 );
             }
         }
@@ -285,30 +283,33 @@ impl World {
         }
     }
 
-    /// Nobody else holds.
+    /// Checks that no other part holds.
     fn check_held(&self) {
         if self.faults == Faults::Pauses {
             let held: BTreeSet<usize> = self.held().into_iter().collect();
-            let open = |it: &&usize| self.desks[**it].is != Is::Done;
+            let open = |index: &&usize| self.desks[**index].is != Is::Done;
             let expected = self.expected.iter().filter(open).copied().collect();
             let held = held.iter().filter(open).copied().collect::<BTreeSet<_>>();
             assert_eq!(held, expected);
         }
     }
 
-    /// Those that still have a barrier in common with a part, or with one that has.
+    /// Returns the parts that share a remaining barrier with a part, directly or through others.
     fn depend_on(&self, part: usize) -> BTreeSet<usize> {
-        let ahead = |it: &Desk| -> BTreeSet<u8> { it.script[it.known..].iter().copied().collect() };
+        let ahead = |index: &Desk| -> BTreeSet<u8> {
+            index.script[index.known..].iter().copied().collect()
+        };
         let mut names = ahead(&self.desks[part]);
         for _ in 0..self.desks.len() {
             let near = self
                 .desks
                 .iter()
                 .map(ahead)
-                .filter(|it| !it.is_disjoint(&names));
+                .filter(|ahead| !ahead.is_disjoint(&names));
             names = near.flatten().chain(names.clone()).collect();
         }
-        let depends = |it: &usize| *it != part && !ahead(&self.desks[*it]).is_disjoint(&names);
+        let depends =
+            |index: &usize| *index != part && !ahead(&self.desks[*index]).is_disjoint(&names);
         (0..self.desks.len()).filter(depends).collect()
     }
 }
@@ -327,10 +328,10 @@ impl Desk {
         }
     }
 
-    /// How often it has come to a barrier.
+    /// How many times it has reached a barrier.
     fn arrivals(&self, name: u8) -> usize {
         let upto = self.passed + usize::from(self.is == Is::AtBarrier);
         let names = self.script.iter().take(upto);
-        names.filter(|it| **it == name).count()
+        names.filter(|passed| **passed == name).count()
     }
 }

@@ -1,4 +1,4 @@
-//! What others see of the work.
+//! The public view of the tickets.
 
 use std::sync::Arc;
 
@@ -9,16 +9,19 @@ use crate::work::choose::suits;
 use crate::work::ticket::{Place, Ticket, drawn};
 
 impl Work {
-    /// All of it, in the order in which it came.
+    /// Returns all tickets, in the order of their submission.
     pub(crate) fn views(&self) -> Vec<WorkView> {
         let mut tickets: Vec<_> = self.tickets.values().collect();
-        tickets.sort_by_key(|it| it.number);
-        tickets.into_iter().map(|it| self.view(it)).collect()
+        tickets.sort_by_key(|ticket| ticket.number);
+        tickets
+            .into_iter()
+            .map(|ticket| self.view(ticket))
+            .collect()
     }
 
-    /// One of it.
+    /// Returns one ticket.
     pub(crate) fn one(&self, id: &str) -> Result<WorkView, Problem> {
-        self.find(id).map(|it| self.view(it))
+        self.find(id).map(|ticket| self.view(ticket))
     }
 
     pub(super) fn view(&self, ticket: &Ticket) -> WorkView {
@@ -29,17 +32,22 @@ impl Work {
                 view.reason.or_else(|| self.lacking(ticket)),
             ];
             let reasons: Vec<_> = reasons.into_iter().flatten().collect();
-            view.reason = Some(reasons.join("; ")).filter(|it| !it.is_empty());
+            view.reason = Some(reasons.join("; ")).filter(|text| !text.is_empty());
         }
         view
     }
 
-    /// What the stations that are there do not have.
+    /// Returns the requirement that no present station meets.
     fn lacking(&self, ticket: &Ticket) -> Option<String> {
-        let is_there = |it: &&Arc<Member>| it.presence == Presence::Present;
-        let takes = |it: &Member| it.about.as_ref().is_some_and(|it| it.takes_work.is_some());
+        let is_there = |member: &&Arc<Member>| member.presence == Presence::Present;
+        let takes = |member: &Member| {
+            member
+                .about
+                .as_ref()
+                .is_some_and(|about| about.takes_work.is_some())
+        };
         let mut there = self.members.iter().filter(is_there);
-        if there.any(|it| takes(it) && suits(ticket, it)) {
+        if there.any(|member| takes(member) && suits(ticket, member)) {
             return None;
         }
         let needs = ticket.needs.join(", ");
@@ -49,11 +57,11 @@ impl Work {
             format!(" and has {needs}")
         };
         Some(format!(
-            "no station that takes work{what} is there now; `dobot up --takes-work --offers ...` makes one"
+            "no station that accepts jobs{what} is online; start one with `dobot up --takes-work --offers ...`"
         ))
     }
 
-    /// Why nobody knows what becomes of a ticket, if so.
+    /// Returns why the fate of a ticket is unknown, if so.
     pub(super) fn doubt(&self, ticket: &Ticket) -> Option<String> {
         let offer = ticket.offer().filter(|_| ticket.is_out())?;
         let name = &offer.member.name;
@@ -63,7 +71,7 @@ impl Work {
         }
         let why = self.unclear.get(&offer.key)?;
         Some(format!(
-            "{name} does not say what has become of it ({why}); {drawn}"
+            "{name} does not report the state of the job ({why}); {drawn}"
         ))
     }
 }

@@ -1,5 +1,5 @@
-//! A fleet in virtual time: homes with disks, stations with real rules, journals and twins, and a network that loses,
-//! delays, doubles and splits.
+//! A fleet in virtual time: homes with disks, stations with real rules, journals and twins, and a
+//! network that loses, delays, duplicates and splits.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -19,29 +19,29 @@ use dobot_wire::{MoveTo, MovingMode, WriteVector};
 use super::super::engine::{Answer, Ask, What, Wish, Work};
 use super::super::ticket::{Place, Ticket};
 
-/// How long a step of the world takes.
+/// The time of a step.
 pub(super) const STEP: Duration = Duration::from_millis(200);
-/// How long a question may take, as its sender sees it.
+/// The timeout of a request.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// After which time it is seen that somebody came or went.
+/// The time after which arrivals and departures are noticed.
 const NOTICED: Duration = Duration::from_secs(2);
 
-/// A fleet.
+/// A simulated fleet.
 pub(super) struct World {
     pub(super) now: Duration,
     pub(super) random: Random,
     pub(super) homes: Vec<Home>,
     pub(super) desks: Vec<Desk>,
-    /// What is on its way, by when it arrives.
+    /// The in-flight messages, by arrival time.
     messages: Vec<(Duration, Message)>,
-    /// On which side of a split each station is: the homes, then the desks.
+    /// The side of a split on which each station is: the homes, then the desks.
     pub(super) sides: Vec<bool>,
-    /// Since when each home and each desk have been cut off from each other, or together.
+    /// Since when each home and each desk have been disconnected or connected.
     seen: HashMap<(usize, usize), (bool, Duration)>,
     pub(super) figures: Figures,
 }
 
-/// What happened.
+/// Counts of events.
 #[derive(Debug, Default)]
 pub(super) struct Figures {
     pub(super) kills_of_homes: usize,
@@ -55,15 +55,15 @@ pub(super) struct Figures {
     doubts: HashMap<(usize, String), Duration>,
 }
 
-/// A station where work was submitted.
+/// A station to which jobs are submitted.
 pub(super) struct Home {
-    /// What its disk holds.
+    /// The contents of its disk.
     pub(super) disk: BTreeMap<String, Ticket>,
-    /// What it does, while it runs.
+    /// Its engine, while it runs.
     pub(super) work: Option<Work>,
-    /// Why it offers nothing.
+    /// The reason why it offers nothing.
     pub(super) held: Option<String>,
-    /// How often it was started.
+    /// The number of starts.
     life: u64,
     back: Duration,
 }
@@ -73,12 +73,12 @@ pub(super) struct Desk {
     pub(super) name: String,
     pub(super) station: VirtualStation,
     person: Option<ClientId>,
-    /// It never comes back.
+    /// Whether it never returns.
     pub(super) is_gone: bool,
-    /// Somebody is there who starts what waits.
+    /// Whether a person is present who starts waiting jobs.
     pub(super) has_person: bool,
     pub(super) takes_work: TakesWork,
-    /// Whether it starts what it takes, where it does that by itself.
+    /// Whether it can start what it takes, with automatic starts.
     pub(super) can_start: bool,
 }
 
@@ -123,12 +123,12 @@ impl World {
         world
     }
 
-    /// A number below this one.
+    /// A random number below this one.
     pub(super) fn below(&mut self, count: u32) -> u64 {
         self.random.below(count).into()
     }
 
-    /// One of so many.
+    /// A random index.
     pub(super) fn one_of(&mut self, count: usize) -> usize {
         let count = u32::try_from(count).unwrap();
         usize::try_from(self.random.below(count)).unwrap()
@@ -150,7 +150,7 @@ impl World {
         }
     }
 
-    /// A home is killed, and started again after a while.
+    /// Kills a home and restarts it after a while.
     pub(super) fn kill_home(&mut self, home: usize) {
         let away = Duration::from_millis(500 + self.below(8000));
         let it = &mut self.homes[home];
@@ -160,7 +160,7 @@ impl World {
         self.figures.kills_of_homes += 1;
     }
 
-    /// A desk is killed, and started again after a while; its arm goes on.
+    /// Kills a desk and restarts it after a while; its arm continues.
     pub(super) fn kill_desk(&mut self, desk: usize) {
         let away = Duration::from_millis(500 + self.below(8000));
         let it = &mut self.desks[desk];
@@ -172,7 +172,7 @@ impl World {
         self.figures.kills_of_desks += 1;
     }
 
-    /// The network falls apart in two.
+    /// Splits the network.
     pub(super) fn split(&mut self) {
         for side in &mut self.sides {
             *side = self.random.below(2) == 0;
@@ -184,7 +184,7 @@ impl World {
         self.sides.fill(false);
     }
 
-    /// One step further.
+    /// Advances one step.
     pub(super) fn step(&mut self) {
         self.now += STEP;
         for home in 0..self.homes.len() {
@@ -196,7 +196,9 @@ impl World {
         for desk in &mut self.desks {
             desk.go_on(self.now);
         }
-        let due = self.messages.extract_if(.., |it| it.0 <= self.now);
+        let due = self
+            .messages
+            .extract_if(.., |message| message.0 <= self.now);
         for (_, message) in due.collect::<Vec<_>>() {
             self.arrive(message);
         }
@@ -235,10 +237,10 @@ impl World {
         let keys = kept
             .offer()
             .into_iter()
-            .chain(kept.before.iter().map(|it| &it.offer));
+            .chain(kept.before.iter().map(|before| &before.offer));
         assert!(
-            keys.map(|it| &it.key).any(|it| *it == ask.key),
-            "it is on the disk before anybody is asked"
+            keys.map(|earlier| &earlier.key).any(|key| *key == ask.key),
+            "the ticket is on the disk before a request is sent"
         );
         let job = (ask.what == What::Offer).then(|| Box::new(drawing(&kept.title)));
         let lost = Answer::Unclear("it did not answer".into());
@@ -257,7 +259,7 @@ impl World {
         });
     }
 
-    /// Sends a message through a network that does what it likes with it.
+    /// Sends a message through an unreliable network.
     fn send(&mut self, message: Message) {
         match self.below(20) {
             0 => return self.figures.lost += 1,
@@ -316,14 +318,14 @@ impl World {
 
     fn desk(&self, ask: &Ask) -> usize {
         let mut desks = self.desks.iter();
-        desks.position(|it| it.name == ask.member.name).unwrap()
+        desks.position(|desk| desk.name == ask.member.name).unwrap()
     }
 
     fn are_joined(&self, home: usize, desk: usize) -> bool {
         self.sides[home] == self.sides[self.homes.len() + desk]
     }
 
-    /// Whether a home takes a desk for present: it notices late.
+    /// Whether a home considers a desk present: it notices late.
     fn sees(&mut self, home: usize, desk: usize) -> bool {
         let is_there = self.are_joined(home, desk) && self.desks[desk].runs(self.now);
         let now = self.now;
@@ -350,7 +352,7 @@ impl World {
             .collect()
     }
 
-    /// Each ticket whose station cannot be asked is shown as in doubt.
+    /// Checks that each ticket whose station is unreachable is shown as in doubt.
     fn look(&mut self) {
         for home in 0..self.homes.len() {
             let members = self.members(home);
@@ -361,9 +363,9 @@ impl World {
             work.see(&members, held);
             for view in work.views() {
                 let key = (home, view.id.clone());
-                let is_away = |it: &Arc<Member>| {
-                    view.member.as_ref().is_some_and(|one| one.id == it.id)
-                        && it.presence == Presence::Away
+                let is_away = |known: &Arc<Member>| {
+                    view.member.as_ref().is_some_and(|one| one.id == known.id)
+                        && known.presence == Presence::Away
                 };
                 let out = !view.phase.is_over() && view.member.is_some();
                 if out && members.iter().any(is_away) {
@@ -383,7 +385,7 @@ impl World {
         }
     }
 
-    /// One more desk, which stands still until now.
+    /// Adds a desk, which has been idle until now.
     pub(super) fn add_desk(&mut self) {
         let mut desk = Desk::new(self.desks.len() + 1);
         desk.go_on(self.now);
@@ -391,7 +393,7 @@ impl World {
         self.sides.push(false);
     }
 
-    /// From now on it is the time of a student at a desk.
+    /// Makes a time slot of a student active at a desk.
     pub(super) fn is_time_of(&mut self, desk: usize, student: &str) {
         let station = &mut self.desks[desk].station;
         let teacher = station.client("Ms Weber");
@@ -409,11 +411,11 @@ impl World {
     }
 
     pub(super) fn views(&self) -> Vec<WorkView> {
-        let running = self.homes.iter().filter_map(|it| it.work.as_ref());
+        let running = self.homes.iter().filter_map(|home| home.work.as_ref());
         running.flat_map(Work::views).collect()
     }
 
-    /// Which drawings were begun, by their titles, with the desks and how far they are there.
+    /// Returns the drawings that were begun, by title, with their desks and phases.
     pub(super) fn begun(&mut self) -> BTreeMap<String, Vec<(String, JobPhase)>> {
         let mut begun: BTreeMap<_, Vec<_>> = BTreeMap::new();
         for desk in &mut self.desks {
@@ -448,7 +450,7 @@ impl Desk {
         !self.is_gone && self.station.now() <= now
     }
 
-    /// Time passes; a person at the arm starts what waits, and goes on with what was interrupted.
+    /// Advances the time; a person at the arm starts waiting jobs and resumes interrupted ones.
     fn go_on(&mut self, now: Duration) {
         if self.is_gone || self.station.now() >= now {
             return;
@@ -461,13 +463,13 @@ impl Desk {
         let jobs = self.station.jobs().unwrap();
         let Some(next) = jobs
             .iter()
-            .find(|it| matches!(it.phase, JobPhase::Queued | JobPhase::Paused))
+            .find(|job| matches!(job.phase, JobPhase::Queued | JobPhase::Paused))
         else {
             return;
         };
         let station = &mut self.station;
         let person = *self.person.get_or_insert_with(|| station.client("person"));
-        // What is refused now is tried again.
+        // Refused requests are tried again.
         for request in [
             Request::TakeLease,
             Request::ConfirmPose,
@@ -504,7 +506,7 @@ impl Desk {
         }
     }
 
-    /// Starts a job that it has taken, once, where it does that by itself.
+    /// Starts a job that it has taken, once, if it has automatic starts.
     fn start(&mut self, job: &JobView) {
         if self.takes_work != TakesWork::Start || !self.can_start || job.phase != JobPhase::Queued {
             return;
@@ -516,16 +518,19 @@ impl Desk {
         self.station.leave(client);
     }
 
-    /// What it has drawn, in order.
+    /// Returns the titles of its drawings, in order.
     pub(super) fn titles(&mut self) -> Vec<String> {
-        self.history().into_iter().map(|it| it.title).collect()
+        self.history()
+            .into_iter()
+            .map(|history| history.title)
+            .collect()
     }
 
-    /// All jobs that were begun.
+    /// Returns all jobs that were begun.
     fn history(&mut self) -> Vec<JobView> {
         let jobs = self.station.jobs().unwrap();
         jobs.into_iter()
-            .filter(|it| self.station.job(it.job).unwrap().window.upto > 0)
+            .filter(|job| self.station.job(job.job).unwrap().window.upto > 0)
             .collect()
     }
 
@@ -567,7 +572,7 @@ pub(super) fn ticket(home: usize, number: u64, student: &str) -> Ticket {
     }
 }
 
-/// A short drawing: there, the pen down, a corner, the pen up.
+/// A short drawing: a move, pen down, a corner, pen up.
 fn drawing(title: &str) -> NewJob {
     let there = MoveTo {
         x_mm: 220.0,

@@ -62,7 +62,7 @@ impl WebSocket {
 
     /// Waits for the arm, and takes control of it.
     pub(crate) fn take_control(&mut self) {
-        self.wait(|it| it["state"]["link"]["phase"] == "up");
+        self.wait(|message| message["state"]["link"]["phase"] == "up");
         self.ask(&Request::TakeLease);
         self.ask(&Request::ConfirmPose);
     }

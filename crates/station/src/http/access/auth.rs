@@ -94,7 +94,7 @@ fn host(request: &Request) -> Result<Authority, Problem> {
     let parsed = text
         .parse::<Authority>()
         .ok()
-        .filter(|it| !it.as_str().contains('@'));
+        .filter(|authority| !authority.as_str().contains('@'));
     let Some(host) = parsed else {
         return Err(MALFORMED.problem("the Host header is no name or address with a port"));
     };
@@ -125,7 +125,7 @@ fn is_ours(app: &App, peer: &Peer, name: &str) -> bool {
     match bare.parse::<IpAddr>() {
         Ok(address) => address.to_canonical() == to,
         Err(_) if name.eq_ignore_ascii_case("localhost") => to.is_loopback(),
-        Err(_) => app.names.iter().any(|it| it.eq_ignore_ascii_case(name)),
+        Err(_) => app.names.iter().any(|own| own.eq_ignore_ascii_case(name)),
     }
 }
 
@@ -134,8 +134,12 @@ fn check_origin(peer: &Peer, host: &Authority, headers: &HeaderMap) -> Result<()
     let scheme = if peer.secure { "https" } else { "http" };
     let own = format!("{scheme}://{host}");
     let strange =
-        |it: &&axum::http::HeaderValue| !it.as_bytes().eq_ignore_ascii_case(own.as_bytes());
-    if headers.get_all(ORIGIN).iter().any(|it| strange(&it)) {
+        |origin: &&axum::http::HeaderValue| !origin.as_bytes().eq_ignore_ascii_case(own.as_bytes());
+    if headers
+        .get_all(ORIGIN)
+        .iter()
+        .any(|origin| strange(&origin))
+    {
         return Err(FORBIDDEN_ORIGIN.problem("this request comes from the page of another site"));
     }
     match headers
@@ -143,7 +147,9 @@ fn check_origin(peer: &Peer, host: &Authority, headers: &HeaderMap) -> Result<()
         .map(axum::http::HeaderValue::as_bytes)
     {
         Some(b"cross-site" | b"same-site")
-            if headers.get(FETCH_MODE).is_none_or(|it| it != "navigate") =>
+            if headers
+                .get(FETCH_MODE)
+                .is_none_or(|mode| mode != "navigate") =>
         {
             Err(FORBIDDEN_ORIGIN.problem("a page of another site asks for this"))
         }
@@ -196,15 +202,16 @@ pub(crate) fn presented(headers: &HeaderMap) -> Result<Option<String>, Problem> 
             _ => Err(UNAUTHORISED.problem("the Authorization header is not `Bearer <token>`")),
         };
     }
-    Ok(protocols(headers).find_map(|it| it.strip_prefix(TOKEN_PROTOCOL).map(Into::into)))
+    Ok(protocols(headers)
+        .find_map(|protocol| protocol.strip_prefix(TOKEN_PROTOCOL).map(Into::into)))
 }
 
 /// The subprotocols that a WebSocket offers.
 pub(crate) fn protocols(headers: &HeaderMap) -> impl Iterator<Item = &str> {
     let lines = headers.get_all(SEC_WEBSOCKET_PROTOCOL).iter();
     lines
-        .filter_map(|it| it.to_str().ok())
-        .flat_map(|it| it.split(','))
+        .filter_map(|line| line.to_str().ok())
+        .flat_map(|text| text.split(','))
         .map(str::trim)
 }
 

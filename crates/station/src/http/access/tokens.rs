@@ -72,11 +72,11 @@ impl Tokens {
         if !is_name(name) {
             return Err(TokensError::Name(name.into()));
         }
-        if self.known.iter().any(|it| it.name == name) {
+        if self.known.iter().any(|token| token.name == name) {
             return Err(TokensError::Taken(name.into()));
         }
         let sha256 = hex(&digest(token.secret()));
-        if let Some(same) = self.known.iter().find(|it| it.sha256 == sha256) {
+        if let Some(same) = self.known.iter().find(|token| token.sha256 == sha256) {
             return Err(TokensError::Known(same.name.clone()));
         }
         self.known.push(Known {
@@ -100,7 +100,7 @@ impl Tokens {
     /// [`TokensError`] where there is none of that name, or the file cannot be written.
     pub fn share(&mut self, name: &str) -> Result<(), TokensError> {
         self.follow()?;
-        let found = self.known.iter_mut().find(|it| it.name == name);
+        let found = self.known.iter_mut().find(|token| token.name == name);
         let known = found.ok_or_else(|| TokensError::Unknown(name.into()))?;
         known.shared = true;
         self.write()
@@ -109,7 +109,9 @@ impl Tokens {
     /// Whether the token of that name is for several people.
     #[must_use]
     pub fn is_shared(&self, name: &str) -> bool {
-        self.known.iter().any(|it| it.name == name && it.shared)
+        self.known
+            .iter()
+            .any(|token| token.name == name && token.shared)
     }
 
     /// Whether this is the token of programs on the same machine.
@@ -125,7 +127,7 @@ impl Tokens {
     pub fn remove(&mut self, name: &str) -> Result<(), TokensError> {
         self.follow()?;
         let before = self.known.len();
-        self.known.retain(|it| it.name != name);
+        self.known.retain(|token| token.name != name);
         if self.known.len() == before {
             return Err(TokensError::Unknown(name.into()));
         }
@@ -134,7 +136,7 @@ impl Tokens {
 
     /// The names of all tokens, and what each may do.
     pub fn list(&self) -> impl Iterator<Item = (&str, Role)> {
-        self.known.iter().map(|it| (&*it.name, it.role))
+        self.known.iter().map(|token| (&*token.name, token.role))
     }
 
     /// Makes the token of programs on the same machine.
@@ -185,14 +187,14 @@ impl Tokens {
                 found
             }
         });
-        found.map(|it| (it.name.clone(), it.role))
+        found.map(|token| (token.name.clone(), token.role))
     }
 
     /// The digest of the token of which this is a proof, as the file was read last.
     #[cfg(feature = "proofs")]
     pub(crate) fn proved(&self, statement: &[u8], proof: &[u8]) -> Option<[u8; 32]> {
-        let is_proved = |it: &&Known| {
-            let key = it.key.as_deref();
+        let is_proved = |token: &&Known| {
+            let key = token.key.as_deref();
             key.is_some_and(|key| crate::http::proofs::is_proved(key, statement, proof))
         };
         let known = self.known.iter().find(is_proved)?;
@@ -285,7 +287,7 @@ impl Token {
     ///
     /// [`TokensError::NoToken`] where it has not 64 hexadecimal digits.
     pub fn of_secret(secret: &str) -> Result<Self, TokensError> {
-        let is_secret = secret.len() == 64 && secret.bytes().all(|it| it.is_ascii_hexdigit());
+        let is_secret = secret.len() == 64 && secret.bytes().all(|byte| byte.is_ascii_hexdigit());
         let token = is_secret.then(|| Self(secret.to_ascii_lowercase()));
         token.ok_or(TokensError::NoToken)
     }

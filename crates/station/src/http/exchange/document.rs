@@ -23,13 +23,13 @@ pub(crate) static TEXT: LazyLock<String> = LazyLock::new(|| document().to_string
 
 /// The document.
 pub(crate) fn document() -> Value {
-    let settings = SchemaSettings::draft2020_12().with(|it| {
-        it.definitions_path = "/components/schemas".into();
-        it.meta_schema = None;
+    let settings = SchemaSettings::draft2020_12().with(|generator| {
+        generator.definitions_path = "/components/schemas".into();
+        generator.meta_schema = None;
     });
     let mut schemas = settings.into_generator();
     let mut paths: Map<String, Value> = Map::new();
-    for route in ROUTES.iter().filter(|it| is_told(it)) {
+    for route in ROUTES.iter().filter(|route| is_told(route)) {
         let path = paths.entry(route.path).or_insert_with(|| json!({}));
         path[route.method.as_str().to_lowercase()] = operation(route, &mut schemas);
     }
@@ -70,7 +70,7 @@ pub(crate) fn is_told(route: &Route) -> bool {
 fn closed(mut schemas: Map<String, Value>) -> Map<String, Value> {
     let commands = schemas
         .get_mut("Command")
-        .and_then(|it| it["oneOf"].as_array_mut());
+        .and_then(|schema| schema["oneOf"].as_array_mut());
     for command in commands.into_iter().flatten() {
         if command.get("oneOf").is_some() {
             command["unevaluatedProperties"] = false.into();
@@ -225,7 +225,7 @@ fn answer(gives: &Gives, schemas: &mut SchemaGenerator) -> Value {
 fn problem(kinds: &[ProblemKind], schemas: &mut SchemaGenerator) -> Value {
     let lines: Vec<String> = kinds
         .iter()
-        .map(|it| format!("- `{}`: {}", it.name, it.title))
+        .map(|kind| format!("- `{}`: {}", kind.name, kind.title))
         .collect();
     let mut answer = json!({
         "description": lines.join("\n"),

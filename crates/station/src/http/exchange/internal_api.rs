@@ -140,7 +140,7 @@ fn read(asked: &ApiRequest, to: SocketAddr) -> Result<Request, Problem> {
 async fn answer(response: Response) -> Result<ApiAnswer, Problem> {
     let status = response.status();
     let kind = response.headers().get(CONTENT_TYPE);
-    let kind = kind.and_then(|it| it.to_str().ok()).unwrap_or_default();
+    let kind = kind.and_then(|kind| kind.to_str().ok()).unwrap_or_default();
     if status.is_informational() || kind.starts_with("text/event-stream") {
         return Err(INVALID.hinted(
             "path: this does not end, and a fleet carries only answers",

@@ -18,7 +18,7 @@ pub(crate) fn text(message: &ToClient<'_>) -> String {
 pub(crate) fn read(text: &[u8]) -> Result<FromClient, (Option<u64>, Problem)> {
     strict_json::read(text).map_err(|problem| {
         let numbered = serde_json::from_slice::<Numbered>(text);
-        (numbered.ok().map(|it| it.id), problem)
+        (numbered.ok().map(|message| message.id), problem)
     })
 }
 

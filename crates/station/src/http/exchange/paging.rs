@@ -53,7 +53,7 @@ impl FromRequestParts<Arc<App>> for Page {
         let asked: Result<Queries<Asked>, QueryRejection> =
             Queries::from_request_parts(parts, app).await;
         let Queries(asked) = asked.map_err(|error| MALFORMED.problem(error.body_text()))?;
-        if let Some(limit) = asked.limit.filter(|it| !(1..=MOST).contains(it)) {
+        if let Some(limit) = asked.limit.filter(|limit| !(1..=MOST).contains(limit)) {
             let text = format!("limit is {limit}; allowed is 1 to {MOST}");
             return Err(OUT_OF_RANGE.problem(text).into());
         }
@@ -71,14 +71,14 @@ impl Page {
         let begin = match &self.asked.after {
             None => 0,
             Some(after) => {
-                let at = all.iter().position(|it| name(it) == *after);
+                let at = all.iter().position(|item| name(item) == *after);
                 let gone = || {
                     OUT_OF_RANGE.problem(format!("after is {after:?}, and the list has no such one any more: begin anew without it"))
                 };
                 at.ok_or_else(gone)? + 1
             }
         };
-        let end = self.asked.limit.map_or(all.len(), |it| begin + it);
+        let end = self.asked.limit.map_or(all.len(), |limit| begin + limit);
         let page = &all[begin..end.min(all.len())];
         let body = Json(page).into_response();
         let Some((limit, last)) = self.asked.limit.zip(page.last()) else {
@@ -115,13 +115,13 @@ mod tests {
 
     /// What a page has, and what its header Link says.
     async fn shown(page: Page) -> (String, Option<String>) {
-        let answer = page.of(&ALL, |it| (*it).to_owned()).unwrap();
+        let answer = page.of(&ALL, |page| (*page).to_owned()).unwrap();
         let next = answer.headers().get(LINK).cloned();
         let body = axum::body::to_bytes(answer.into_body(), 1000)
             .await
             .unwrap();
         let body = String::from_utf8(body.to_vec()).unwrap();
-        (body, next.map(|it| it.to_str().unwrap().to_owned()))
+        (body, next.map(|link| link.to_str().unwrap().to_owned()))
     }
 
     #[tokio::test]
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn a_page_behind_what_was_forgotten_begins_anew() {
         let error = page(Some(2), Some("x"))
-            .of(&ALL, |it| (*it).to_owned())
+            .of(&ALL, |page| (*page).to_owned())
             .unwrap_err();
         assert!(error.0.detail.contains("begin anew"), "{error:?}");
     }

@@ -159,8 +159,12 @@ fn collect_lists(root: &Value, schema: &Value, lists: &mut Lists) {
         *most = lists_in(of_name(root, field)).max(*most);
     }
     match schema {
-        Value::Object(parts) => parts.values().for_each(|it| collect_lists(root, it, lists)),
-        Value::Array(parts) => parts.iter().for_each(|it| collect_lists(root, it, lists)),
+        Value::Object(parts) => parts
+            .values()
+            .for_each(|value| collect_lists(root, value, lists)),
+        Value::Array(parts) => parts
+            .iter()
+            .for_each(|value| collect_lists(root, value, lists)),
         _ => {}
     }
 }
@@ -168,8 +172,8 @@ fn collect_lists(root: &Value, schema: &Value, lists: &mut Lists) {
 /// The schema itself, also of a field whose type has a name.
 fn of_name<'a>(root: &'a Value, field: &'a Value) -> &'a Value {
     let name = field.get("$ref").and_then(Value::as_str);
-    let place = name.and_then(|it| it.strip_prefix('#'));
-    place.and_then(|it| root.pointer(it)).unwrap_or(field)
+    let place = name.and_then(|name| name.strip_prefix('#'));
+    place.and_then(|place| root.pointer(place)).unwrap_or(field)
 }
 
 /// How many lists a schema allows, one in the other, on its own or as one of several.
@@ -181,7 +185,9 @@ fn lists_in(schema: &Value) -> usize {
         Some(name) if is_list(name) => of_list(),
         Some(_) => 0,
         None => {
-            let choices = ["anyOf", "oneOf"].iter().filter_map(|it| schema.get(it));
+            let choices = ["anyOf", "oneOf"]
+                .iter()
+                .filter_map(|keyword| schema.get(keyword));
             let choices = choices.filter_map(Value::as_array).flatten();
             choices.map(lists_in).max().unwrap_or_default()
         }

@@ -71,8 +71,8 @@ impl Learners {
                 "try again a minute after one of them has left",
             ));
         }
-        let same = before.filter(|it| it.progress == progress);
-        let since = same.map_or(now, |it| it.since);
+        let same = before.filter(|learner| learner.progress == progress);
+        let since = same.map_or(now, |learner| learner.since);
         let learner = Learner {
             progress,
             since,
@@ -86,7 +86,7 @@ impl Learners {
     /// All of whom was told lately, by name.
     fn views(&mut self, now: Duration) -> Vec<LearnerView> {
         self.forget(now);
-        self.0.values().map(|it| it.view(now)).collect()
+        self.0.values().map(|learner| learner.view(now)).collect()
     }
 
     fn forget(&mut self, now: Duration) {
@@ -117,7 +117,7 @@ impl Progress {
                 "student has {found} characters; allowed are 1 to 60 visible ones"
             ));
         }
-        let plain = |it: char| it.is_ascii_lowercase() || it.is_ascii_digit() || it == '_';
+        let plain = |char: char| char.is_ascii_lowercase() || char.is_ascii_digit() || char == '_';
         if !(1..=40).contains(&self.lesson.len()) || !self.lesson.chars().all(plain) {
             let found: String = self.lesson.chars().take(60).collect();
             return wrong(format!(
@@ -177,7 +177,9 @@ mod tests {
     /// Who is at which step, for how many seconds.
     fn told(learners: &mut Learners, now_s: u64) -> Vec<(String, u32, f64)> {
         let views = learners.views(seconds(now_s));
-        let plain = |it: LearnerView| (it.student, it.done, it.for_s);
+        let plain = |learner_view: LearnerView| {
+            (learner_view.student, learner_view.done, learner_view.for_s)
+        };
         views.into_iter().map(plain).collect()
     }
 

@@ -32,7 +32,7 @@ pub(crate) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>
     Ok(Json(FleetView {
         name: port.name().into(),
         at_s: app.handle.state().state().at_s,
-        members: members.iter().map(|it| (**it).clone()).collect(),
+        members: members.iter().map(|member| (**member).clone()).collect(),
     }))
 }
 
@@ -52,9 +52,9 @@ pub(crate) async fn events(
         _place: app.place()?,
         stay: Stay { app, caller },
     };
-    let stream = futures_util::stream::unfold(watching, |mut it| async move {
-        let event = it.next().await?;
-        Some((Ok(event), it))
+    let stream = futures_util::stream::unfold(watching, |mut stream| async move {
+        let event = stream.next().await?;
+        Some((Ok(event), stream))
     });
     Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(ALIVE_EVERY)))
 }
@@ -101,11 +101,14 @@ impl Watching {
         let now = self.members.borrow_and_update().clone();
         if !Arc::ptr_eq(&now, &self.told) {
             let told: HashSet<_> = self.told.iter().map(Arc::as_ptr).collect();
-            let is_new = |it: &&Arc<Member>| !told.contains(&Arc::as_ptr(it));
+            let is_new = |member: &&Arc<Member>| !told.contains(&Arc::as_ptr(member));
             self.waiting = now.iter().filter(is_new).cloned().collect();
-            let there: HashSet<_> = now.iter().map(|it| &it.id).collect();
-            let known = self.told.iter().map(|it| &it.id);
-            self.gone = known.filter(|it| !there.contains(it)).cloned().collect();
+            let there: HashSet<_> = now.iter().map(|member| &member.id).collect();
+            let known = self.told.iter().map(|member| &member.id);
+            self.gone = known
+                .filter(|member| !there.contains(member))
+                .cloned()
+                .collect();
             self.told = now;
         }
     }
@@ -163,12 +166,12 @@ pub(crate) async fn stop(
     };
     let answers = port.ask(&wanted.to, request).await?;
     if fleet.is_some() {
-        let failed = answers.iter().filter(|it| !it.answer.is_success());
-        let failed: HashSet<_> = failed.map(|it| (&it.member, &it.id)).collect();
+        let failed = answers.iter().filter(|answer| !answer.answer.is_success());
+        let failed: HashSet<_> = failed.map(|answer| (&answer.member, &answer.id)).collect();
         let members = port.members();
         let silent = members
             .iter()
-            .filter(|it| failed.contains(&(&it.name, &it.id)));
+            .filter(|answer| failed.contains(&(&answer.name, &answer.id)));
         let silent = silent.cloned().collect();
         let port = port.clone();
         // They are told until they answer; whoever stops does not wait for that.
@@ -189,7 +192,7 @@ pub(crate) async fn reset_stop(
     let has_token = asker
         .caller
         .token
-        .is_some_and(|it| !app.tokens().is_local(&it));
+        .is_some_and(|token| !app.tokens().is_local(&token));
     if !(has_token || peer.by_fleet || port.is_on_one_machine()) {
         let detail = "that one may do everything on his own machine counts for nothing at the other stations";
         let hint = "take a token of this station with the role control, in DOBOT_TOKEN; or reset the stop of this arm alone: `dobot stop --reset`";
@@ -235,7 +238,7 @@ pub(crate) async fn request(
         // What programs of this machine say here is known here alone.
         token: asker
             .token
-            .filter(|it| !asker.app.tokens().is_local(&digest(it))),
+            .filter(|token| !asker.app.tokens().is_local(&digest(token))),
     };
     Ok(Json(asker.app.fleet()?.ask(&wanted.to, request).await?))
 }

@@ -50,7 +50,10 @@ impl FromRequestParts<Arc<App>> for Offerer {
     type Rejection = NotDone;
 
     async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
-        let by_fleet = parts.extensions.get::<Peer>().is_some_and(|it| it.by_fleet);
+        let by_fleet = parts
+            .extensions
+            .get::<Peer>()
+            .is_some_and(|token| token.by_fleet);
         let asker = Asker::from_request_parts(parts, app).await?;
         if !by_fleet {
             asker.check_role(Role::Queue)?;
@@ -228,9 +231,9 @@ async fn start(handle: StationHandle, job: u64, student: String) {
     }
     // The lease is held until the job rests.
     let mut states = handle.states();
-    let rests = states.wait_for(|it| {
-        let at = it.state().job.as_ref().filter(|it| it.job == job);
-        at.is_none_or(|it| it.phase != JobPhase::Running)
+    let rests = states.wait_for(|snapshot| {
+        let at = snapshot.state().job.as_ref().filter(|view| view.job == job);
+        at.is_none_or(|view| view.phase != JobPhase::Running)
     });
     drop(rests.await);
 }

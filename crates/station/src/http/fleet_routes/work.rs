@@ -79,7 +79,7 @@ impl FleetWork {
         let student = self.student.unwrap_or_else(|| asker.caller.name.clone());
         check_people(&student, self.group.as_deref())?;
         check_needs(&self.needs)?;
-        if let Some(key) = asker.key.as_deref().filter(|it| !is_name(it)) {
+        if let Some(key) = asker.key.as_deref().filter(|key| !is_name(key)) {
             let characters = key.chars().count();
             return Err(INVALID.problem(format!(
                 "the Idempotency-Key has {characters} characters; allowed are 1 to 60 visible ones"
@@ -100,7 +100,7 @@ impl FleetWork {
             student: student.clone(),
             drawing: self.drawing,
             job: self.job,
-            made_for: made_for.map(|it| it.to_numbers().to_vec()),
+            made_for: made_for.map(|made_for| made_for.to_numbers().to_vec()),
         };
         Ok(NewWork {
             title,
@@ -122,7 +122,7 @@ fn check_people(student: &str, group: Option<&str>) -> Result<(), Problem> {
             student.chars().count()
         )));
     }
-    match group.filter(|it| !is_fleet_name(it)) {
+    match group.filter(|name| !is_fleet_name(name)) {
         Some(group) => Err(INVALID.problem(not_a_name("group", group, "room-2"))),
         None => Ok(()),
     }
@@ -135,7 +135,7 @@ fn check_needs(needs: &[String]) -> Result<(), Problem> {
             "needs has {found} words; allowed are up to {MOST_NEEDS}"
         )));
     }
-    match needs.iter().find(|it| !is_fleet_name(it)) {
+    match needs.iter().find(|need| !is_fleet_name(need)) {
         Some(need) => Err(INVALID.problem(not_a_name("needs", need, "a5"))),
         None => Ok(()),
     }

@@ -64,8 +64,8 @@ pub(crate) async fn events(
     }
     if let (Some(seen), true) = (seen, wants.notices()) {
         let recent = app.handle.recent();
-        let missed = recent.iter().filter(|it| it.number > seen);
-        first.extend(missed.map(|it| notice_event(it)));
+        let missed = recent.iter().filter(|recent| recent.number > seen);
+        first.extend(missed.map(|notice| notice_event(notice)));
     }
     first.reverse();
     let watching = Watching {
@@ -75,9 +75,9 @@ pub(crate) async fn events(
         stay: Stay { app, caller },
         _place: place,
     };
-    let stream = futures_util::stream::unfold(watching, |mut it| async move {
-        let event = it.next().await?;
-        Some((Ok(event), it))
+    let stream = futures_util::stream::unfold(watching, |mut notice| async move {
+        let event = notice.next().await?;
+        Some((Ok(event), notice))
     });
     Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(ALIVE_EVERY)))
 }
@@ -90,8 +90,8 @@ impl Watching {
             return Some(event);
         }
         tokio::select! {
-            state = self.states.next() => state.ok().map(|it| state_event(&it)),
-            notice = next(&mut self.notices) => notice.ok().map(|it| notice_event(&it)),
+            state = self.states.next() => state.ok().map(|state| state_event(&state)),
+            notice = next(&mut self.notices) => notice.ok().map(|notice| notice_event(&notice)),
             () = self.stay.is_over() => None,
         }
     }
@@ -112,7 +112,7 @@ fn last_seen(headers: &HeaderMap) -> Result<Option<u64>, Problem> {
     let Some(value) = headers.get(LAST_EVENT_ID) else {
         return Ok(None);
     };
-    let number = value.to_str().ok().and_then(|it| it.parse().ok());
+    let number = value.to_str().ok().and_then(|str| str.parse().ok());
     let Some(number) = number else {
         return Err(MALFORMED.problem(format!(
             "Last-Event-ID is {value:?}; expected is the number of a notice"

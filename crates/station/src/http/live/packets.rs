@@ -69,9 +69,9 @@ pub(crate) async fn packets(
         packets: app.handle.passed(),
         stay: Stay { app, caller },
     };
-    let stream = futures_util::stream::unfold(listening, |mut it| async move {
-        let event = it.next().await?;
-        Some((Ok(event), it))
+    let stream = futures_util::stream::unfold(listening, |mut stream| async move {
+        let event = stream.next().await?;
+        Some((Ok(event), stream))
     });
     Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(ALIVE_EVERY)))
 }
@@ -97,7 +97,7 @@ fn view(packet: &PassedPacket, dialect: Dialect) -> PacketView {
     let bytes = HEXLOWER.encode(&packet.bytes);
     if !packet.to_arm {
         let frame = Frame::from_bytes(&packet.bytes);
-        let status = frame.and_then(|it| Status::parse(&it).ok());
+        let status = frame.and_then(|frame| Status::parse(&frame).ok());
         return PacketView::FromArm {
             at_s,
             bytes,

@@ -89,7 +89,7 @@ impl Wants {
     }
 
     fn check(&self) -> Result<(), Problem> {
-        if let Some(states) = self.states.filter(|it| !(0.0..=1000.0).contains(it)) {
+        if let Some(states) = self.states.filter(|per_s| !(0.0..=1000.0).contains(per_s)) {
             return Err(MALFORMED.problem(format!(
                 "states is {states}; allowed is 0 to 1000 in a second"
             )));

@@ -146,7 +146,7 @@ struct Planned {
 impl Planned {
     /// How much memory it takes, about.
     fn bytes(&self) -> usize {
-        let frame = self.frame.as_ref().map_or(0, |it| it.commands.len());
+        let frame = self.frame.as_ref().map_or(0, |frame| frame.commands.len());
         self.view.len() + (self.whole.commands.len() + frame) * size_of::<Command>()
     }
 }
@@ -204,13 +204,14 @@ impl Drawings {
     ///
     /// A problem where there is none of this number.
     pub(crate) async fn view(&self, number: u64) -> Result<Bytes, Problem> {
-        let mut progress = self.find(number, |it| it.progress.clone())?;
-        let over = progress.wait_for(|it| !matches!(it, Progress::Waiting | Progress::Planning));
+        let mut progress = self.find(number, |drawing| drawing.progress.clone())?;
+        let over = progress
+            .wait_for(|progress| !matches!(progress, Progress::Waiting | Progress::Planning));
         // Whatever it is by then is told.
         drop(tokio::time::timeout(LONGEST_WAIT, over).await);
-        self.find(number, |it| match &*it.progress.borrow() {
+        self.find(number, |drawing| match &*drawing.progress.borrow() {
             Progress::Planned(planned) => planned.view.clone(),
-            _ => json(&it.view(number)),
+            _ => json(&drawing.view(number)),
         })
     }
 
@@ -225,8 +226,9 @@ impl Drawings {
         planned_for: PlannedFor,
     ) -> Result<NewJob, Problem> {
         let number = self.begin(new, planned_for)?.drawing;
-        let mut progress = self.find(number, |it| it.progress.clone())?;
-        let over = progress.wait_for(|it| !matches!(it, Progress::Waiting | Progress::Planning));
+        let mut progress = self.find(number, |drawing| drawing.progress.clone())?;
+        let over = progress
+            .wait_for(|progress| !matches!(progress, Progress::Waiting | Progress::Planning));
         // One that was forgotten meanwhile is not found below.
         drop(over.await);
         let job = self.job(number, DrawingPart::Whole);
@@ -251,7 +253,7 @@ impl Drawings {
     ///
     /// A problem where there is none of this number, or no plan of it.
     pub(crate) fn job(&self, number: u64, part: DrawingPart) -> Result<NewJob, Problem> {
-        let progress = self.find(number, |it| it.progress.borrow().clone())?;
+        let progress = self.find(number, |drawing| drawing.progress.borrow().clone())?;
         match (progress, part) {
             (Progress::Planned(planned), DrawingPart::Whole) => Ok(planned.whole.clone()),
             (Progress::Planned(planned), DrawingPart::Frame) => {
@@ -297,9 +299,9 @@ impl Kept {
 
     /// How much memory the plans take, about.
     fn bytes(&self) -> usize {
-        let plans = self.drawings.values().map(|it| &it.progress);
+        let plans = self.drawings.values().map(|drawing| &drawing.progress);
         plans
-            .map(|it| match &*it.borrow() {
+            .map(|progress| match &*progress.borrow() {
                 Progress::Planned(planned) => planned.bytes(),
                 _ => 0,
             })
@@ -353,7 +355,7 @@ impl NewDrawing {
 
     /// What a person calls it, within what a job may be called.
     pub(crate) fn title(&self) -> String {
-        let text = Subject::of_text(&self.options.what).map(|it| it.title);
+        let text = Subject::of_text(&self.options.what).map(|title| title.title);
         let title = self.name.clone().or(text).unwrap_or_default();
         let title = plain(title.trim(), MOST_LETTERS);
         if title.is_empty() {
@@ -366,7 +368,7 @@ impl NewDrawing {
         let file = self
             .file
             .as_ref()
-            .map(|it| of_file(title, it))
+            .map(|file| of_file(title, file))
             .transpose()?;
         match (file, Subject::of_text(&self.options.what)) {
             (Some(file), Some(text)) => Ok(file.and(text)),
@@ -412,17 +414,17 @@ impl Work {
                 "draw it in parts, or allow a larger tolerance",
             )))
         });
-        tell.send_replace(match planned.and_then(|it| it) {
+        tell.send_replace(match planned.and_then(|planned| planned) {
             Ok(planned) => Progress::Planned(Arc::new(planned)),
             Err(problem) => Progress::Failed(problem),
         });
         // A plan may be large, and its client may never come back for it.
         tokio::time::sleep(KEPT_FOR).await;
         let kept_min = KEPT_FOR.as_secs() / 60;
-        tell.send_if_modified(|it| {
-            let is_planned = matches!(it, Progress::Planned(_));
+        tell.send_if_modified(|progress| {
+            let is_planned = matches!(progress, Progress::Planned(_));
             if is_planned {
-                *it = Progress::Failed(BAD_DRAWING.hinted(
+                *progress = Progress::Failed(BAD_DRAWING.hinted(
                     format!("its plan was kept for {kept_min} minutes, and is forgotten"),
                     "plan it again",
                 ));
@@ -436,7 +438,9 @@ impl Work {
         let asked = DrawingRequest::new(self.new.options, subject, &Materials::built_in());
         let asked = asked.map_err(|why| bad(&why))?.until(self.cancel);
         let arm = self.planned_for;
-        let standing_z_mm = arm.status.map_or(WITHOUT_ARM_Z_MM, |it| it.z_mm.into());
+        let standing_z_mm = arm
+            .status
+            .map_or(WITHOUT_ARM_Z_MM, |status| status.z_mm.into());
         let (prepared, settings) = asked
             .calibrated(arm.calibration.clone())
             .prepare(arm.dialect, standing_z_mm)
@@ -449,7 +453,7 @@ impl Work {
             plan.arm_limits(),
             FrameShape::Rectangle,
         );
-        let frame = around.map(|it| drawing_job(&it, &format!("frame of {}", self.title)));
+        let frame = around.map(|frame| drawing_job(&frame, &format!("frame of {}", self.title)));
         let view = DrawingView {
             drawing: self.number,
             title: self.title,
@@ -459,7 +463,11 @@ impl Work {
                 scale: prepared.scale,
                 burns: plan.burns(),
                 warnings: prepared.warnings.iter().map(ToString::to_string).collect(),
-                pauses: whole.pauses.iter().map(|it| it.message.clone()).collect(),
+                pauses: whole
+                    .pauses
+                    .iter()
+                    .map(|pause| pause.message.clone())
+                    .collect(),
                 refused: arm.refuses(&whole).map(Problem::from),
                 timeline: prepared.timeline(),
             }),

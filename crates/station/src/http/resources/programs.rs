@@ -201,7 +201,7 @@ pub(crate) struct ConvertedProgram {
 
 /// A program in another form.
 pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Problem> {
-    let bad = |it: ProgramError| BAD_PROGRAM.problem(it.to_string());
+    let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
     let bytes = match (&asked.text, &asked.data) {
         (Some(text), None) => text.clone().into_bytes(),
         (None, Some(data)) => data_encoding::BASE64
@@ -268,7 +268,7 @@ fn problem(it: dobot_teach::Problem) -> ProgramProblem {
 
 /// The job of a program.
 pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem> {
-    let bad = |it: ProgramError| BAD_PROGRAM.problem(it.to_string());
+    let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
     let mut compiled = compile(&new.program, arm).map_err(bad)?;
     if let Some(first) = look(&compiled, arm).problems.into_iter().next() {
         let (step, line, what) = (first.step, first.line, first.message);
@@ -304,7 +304,7 @@ pub(crate) fn edit(asked: EditProgram) -> Result<EditedProgram, Problem> {
             )));
         }
     }
-    let bad = |it: ProgramError| BAD_PROGRAM.problem(it.to_string());
+    let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
     let mut edits = asked.edits.into_iter();
     let mut document = if asked.text.trim().is_empty() {
         begin(edits.next())?
@@ -312,7 +312,7 @@ pub(crate) fn edit(asked: EditProgram) -> Result<EditedProgram, Problem> {
         ProgramDocument::new(&asked.text).map_err(bad)?
     };
     for (index, edit) in edits.enumerate() {
-        let numbered = |it: ProgramError| BAD_PROGRAM.problem(format!("edit {index}: {it}"));
+        let numbered = |error: ProgramError| BAD_PROGRAM.problem(format!("edit {index}: {error}"));
         apply(&mut document, edit).map_err(numbered)?;
     }
     Ok(EditedProgram {
@@ -337,7 +337,7 @@ fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
             .problem("the text is empty; a new program begins with an edit that inserts at 0"));
     }
     let text = Program::new(actions).to_toml();
-    ProgramDocument::new(&text).map_err(|it| BAD_PROGRAM.problem(it.to_string()))
+    ProgramDocument::new(&text).map_err(|error| BAD_PROGRAM.problem(error.to_string()))
 }
 
 fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError> {

@@ -126,7 +126,7 @@ impl Recordings {
         let (folder, wanted) = (self.folder.clone(), name.to_owned());
         let files = beside(move || recordings(&folder)).await?;
         let mut files = files.map_err(|error| unreadable(&error))?.into_iter();
-        let found = files.find(|it| it.path.file_name().is_some_and(|name| name == &*wanted));
+        let found = files.find(|file| file.path.file_name().is_some_and(|name| name == &*wanted));
         found.ok_or_else(|| {
             NO_SUCH_RECORDING.hinted(
                 "no recording has this name",
@@ -193,8 +193,8 @@ fn pieces(file: Take<File>) -> impl Stream<Item = io::Result<Bytes>> {
 fn read(found: &RecordedFile, stretch: Stretch) -> io::Result<RecordedStates> {
     let mut recording = Recording::open(&found.path).map_err(io::Error::other)?;
     let end_s = stretch.to_s.unwrap_or(f64::MAX);
-    let [from, to] =
-        [stretch.from_s, end_s].map(|it| Duration::try_from_secs_f64(it).unwrap_or(Duration::MAX));
+    let [from, to] = [stretch.from_s, end_s]
+        .map(|item| Duration::try_from_secs_f64(item).unwrap_or(Duration::MAX));
     let track = Track::read(&mut recording, &(from..=to), stretch.most);
     let samples = track
         .samples

@@ -229,7 +229,9 @@ async fn fit_touches(Body(asked): Body<NewTouches>) -> Result<Json<FitReport>, N
     let (touches, fit) = fitted(&asked)?;
     Ok(Json(FitReport {
         calibration: found(&fit, asked.backlash),
-        away_mm: (0..touches.len()).map(|it| fit.residual_mm(it)).collect(),
+        away_mm: (0..touches.len())
+            .map(|index| fit.residual_mm(index))
+            .collect(),
         left_out: fit.left_out,
         expected_mm: fit.expected_mm,
         unsure: fit.unsure,
@@ -253,11 +255,11 @@ fn fitted(asked: &NewTouches) -> Result<(Vec<Touch>, Fit), NotDone> {
     if let Some(bar_mm) = asked.bar_mm {
         check_bar(bar_mm).map_err(|why| bad(&why))?;
     }
-    let touches = asked.touches.iter().map(|it| {
-        let [base_deg, rear_deg, fore_deg] = it.told_deg;
+    let touches = asked.touches.iter().map(|touch| {
+        let [base_deg, rear_deg, fore_deg] = touch.told_deg;
         Touch {
-            place_mm: it.place_mm,
-            height_mm: it.height_mm,
+            place_mm: touch.place_mm,
+            height_mm: touch.height_mm,
             raw: Joints::new(base_deg, rear_deg, fore_deg, 0.0),
         }
     });

@@ -226,7 +226,7 @@ async fn again(asker: Asker, OfJob(job): OfJob) -> Result<Response, NotDone> {
 }
 
 async fn all_jobs(State(app): State<Arc<App>>, page: Page) -> Result<Response, NotDone> {
-    page.of(&app.handle.jobs().await?, |it| it.job.to_string())
+    page.of(&app.handle.jobs().await?, |job| job.job.to_string())
 }
 
 async fn one(State(app): State<Arc<App>>, Number(job): Number) -> Result<Json<JobView>, NotDone> {
@@ -235,7 +235,7 @@ async fn one(State(app): State<Arc<App>>, Number(job): Number) -> Result<Json<Jo
         .jobs()
         .await?
         .into_iter()
-        .find(|it| it.job == job);
+        .find(|view| view.job == job);
     found
         .map(Json)
         .ok_or_else(|| Refusal::NoSuchJob(job).into())

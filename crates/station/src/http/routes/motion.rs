@@ -189,7 +189,7 @@ async fn stop(
     Maybe(new): Maybe<NewStop>,
 ) -> Result<Json<Reply>, NotDone> {
     // Over HTTP nobody resets or makes stops of the fleet this way.
-    if let Some(fleet) = new.fleet.filter(|it| peer.by_fleet && it.holds())
+    if let Some(fleet) = new.fleet.filter(|fleet| peer.by_fleet && fleet.holds())
         && let (_, Some(reply)) = asker.app.handle.adopt_fleet_stops(vec![fleet]).await?
     {
         return Ok(Json(reply));

@@ -65,7 +65,9 @@ const STRETCH: &[Query] = &[
 ];
 
 async fn list(State(app): State<Arc<App>>, page: Page) -> Result<Response, NotDone> {
-    page.of(&app.recordings.list().await?, |it| it.name.clone())
+    page.of(&app.recordings.list().await?, |recording| {
+        recording.name.clone()
+    })
 }
 
 async fn file(State(app): State<Arc<App>>, Path(name): Path<String>) -> Result<Response, NotDone> {

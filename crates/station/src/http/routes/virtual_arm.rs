@@ -128,7 +128,7 @@ async fn set_faults(
     let own = own_arm(&asker.app)?;
     asker.check_role(Role::Control)?;
     let bad = |error: dobot_sim::FaultError| BAD_FAULT.problem(error.to_string());
-    let faults: Result<Vec<Fault>, _> = new.faults.iter().map(|it| it.parse()).collect();
+    let faults: Result<Vec<Fault>, _> = new.faults.iter().map(|fault| fault.parse()).collect();
     let faults = faults.map_err(bad)?;
     let mut arm = own.arm.arm();
     let changed = arm.set_faults(own.power_up, &faults, new.seed);

@@ -95,7 +95,9 @@ pub async fn serve(web: &Web, handle: StationHandle) -> Result<Served, ServeErro
         address: url(address, certificate.is_some()),
         pid: std::process::id(),
         token: Some(tokens.make_local()?.secret().into()),
-        fingerprint: certificate.as_ref().map(|it| it.fingerprint.clone()),
+        fingerprint: certificate
+            .as_ref()
+            .map(|certificate| certificate.fingerprint.clone()),
     };
     let mut own = StationAddress::of(&running)?;
     own.token = None;
@@ -118,7 +120,7 @@ pub async fn serve(web: &Web, handle: StationHandle) -> Result<Served, ServeErro
         web.virtual_arm.clone(),
         ending,
     );
-    let tls = certificate.map(|it| it.acceptor);
+    let tls = certificate.map(|certificate| certificate.acceptor);
     Ok(Served {
         address,
         api: StationApi::new(app.clone(), address),

@@ -27,7 +27,7 @@ async fn the_lengths_and_periods_are_those_by_which_the_station_computes() {
         ("laser", Tool::Laser),
     ] {
         let tools = facts["tools"].as_array().unwrap();
-        let served = tools.iter().find(|it| it["kind"] == kind).unwrap();
+        let served = tools.iter().find(|tool| tool["kind"] == kind).unwrap();
         assert_eq!(served["reach_mm"], tool.reach().0, "{kind}");
     }
     let seconds = ["status_period_s", "tick_s", "packet_gap_s"].map(|name| facts[name].clone());

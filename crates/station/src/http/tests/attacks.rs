@@ -141,7 +141,7 @@ async fn on_a_network_nothing_goes_without_a_token() {
         assert_eq!(answer.headers["www-authenticate"], "Bearer realm=\"dobot\"");
     }
     harness.bare("POST", "/api/v1/stop").await.is(401);
-    let page = dobot_page::FILES.iter().map(|it| it.path);
+    let page = dobot_page::FILES.iter().map(|file| file.path);
     let others = ["/api/v1/openapi.json", "/api/v1/problems/policy"];
     for path in page.chain(others) {
         harness.get(path).await.is(200);

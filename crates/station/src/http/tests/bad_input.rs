@@ -93,7 +93,7 @@ fn bodies_that_the_document_allows_are_taken_and_others_change_nothing() {
                         "/learners",
                         "/virtual-arms",
                     ];
-                    let is_text = reads.iter().any(|it| path.contains(it));
+                    let is_text = reads.iter().any(|read| path.contains(read));
                     prop_assert!(is_text || answer.status != 422, "{told}");
                     taken.set(taken.get() + 1);
                 } else if !allows(&document, schema, &body, false) {
@@ -119,8 +119,8 @@ fn bodies_that_are_no_json_change_nothing() {
     let runtime = runtime();
     for (method, path, schema) in routes(&document) {
         let harness = runtime.block_on(async { Harness::near() });
-        let bytes =
-            instance(&document, schema).prop_flat_map(|it| spoiled(it.to_string().into_bytes()));
+        let bytes = instance(&document, schema)
+            .prop_flat_map(|instance| spoiled(instance.to_string().into_bytes()));
         runner()
             .run(&bytes, |bytes| {
                 if serde_json::from_slice::<Value>(&bytes).is_err() && !bytes.is_empty() {

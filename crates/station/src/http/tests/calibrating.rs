@@ -48,7 +48,7 @@ async fn touches_of_the_sheet_tell_what_is_wrong_with_the_arm() {
             .as_array()
             .unwrap()
             .iter()
-            .all(|it| it.as_f64().unwrap() < 0.2)
+            .all(|value| value.as_f64().unwrap() < 0.2)
     );
     let zeros = &fit["calibration"]["zeros"];
     let turned = zeros["base"].as_f64().unwrap() - ARM.base_deg;

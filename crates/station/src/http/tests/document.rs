@@ -13,11 +13,11 @@ pub(super) fn statuses(route: &str) -> Option<Vec<u16>> {
     let (method, path) = route.split_once(' ')?;
     let found = ROUTES
         .iter()
-        .find(|it| it.method == *method && matches(it.path, path))?;
-    let given = found.gives.iter().map(|it| it.status);
+        .find(|route| route.method == *method && matches(route.path, path))?;
+    let given = found.gives.iter().map(|response| response.status);
     Some(
         given
-            .chain(problems_of(found).iter().map(|it| it.status))
+            .chain(problems_of(found).iter().map(|kind| kind.status))
             .collect(),
     )
 }
@@ -29,7 +29,7 @@ fn matches(pattern: &str, path: &str) -> bool {
     let same = |(pattern, part): (&str, &str)| pattern == part || pattern.starts_with('{');
     pattern.split('/').count() == path.split('/').count()
         && pattern.split('/').zip(path.split('/')).all(same)
-        && !(pattern.ends_with("{id}") && WORDS.iter().any(|it| path.ends_with(it)))
+        && !(pattern.ends_with("{id}") && WORDS.iter().any(|word| path.ends_with(word)))
 }
 
 #[test]
@@ -105,8 +105,8 @@ fn every_route_can_be_refused_with_what_is_explained() {
 fn walk(value: &Value, see: &mut impl FnMut(&Value)) {
     see(value);
     match value {
-        Value::Object(fields) => fields.values().for_each(|it| walk(it, see)),
-        Value::Array(items) => items.iter().for_each(|it| walk(it, see)),
+        Value::Object(fields) => fields.values().for_each(|value| walk(value, see)),
+        Value::Array(items) => items.iter().for_each(|item| walk(item, see)),
         _ => {}
     }
 }

@@ -182,7 +182,7 @@ async fn what_cannot_be_drawn_is_told_and_no_job_is_made_of_it() {
 async fn a_plan_under_way_is_given_up_and_the_next_one_is_made() {
     let harness = Harness::near();
     let dots: Vec<String> = (0..20_000)
-        .map(|it| format!("<path d=\"M{} {}h.3\" stroke=\"red\"/>", it % 141, it / 141))
+        .map(|n| format!("<path d=\"M{} {}h.3\" stroke=\"red\"/>", n % 141, n / 141))
         .collect();
     let dots = dots.concat();
     let long = format!(

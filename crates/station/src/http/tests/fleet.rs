@@ -101,7 +101,7 @@ async fn a_request_reaches_those_of_a_group_with_the_token_that_came_with_it() {
         .as_array()
         .unwrap()
         .iter()
-        .map(|it| it["member"].clone())
+        .map(|answer| answer["member"].clone())
         .collect();
     assert_eq!(names, ["desk-2", "desk-3"]);
     let secret = harness.tokens[Role::Control as usize].secret().to_owned();
@@ -149,7 +149,7 @@ async fn a_stop_of_a_group_is_none_of_the_fleet() {
     assert!(
         asked
             .iter()
-            .all(|it| it.body.as_ref().unwrap()["fleet"].is_null())
+            .all(|answer| answer.body.as_ref().unwrap()["fleet"].is_null())
     );
 }
 

@@ -36,7 +36,9 @@ async fn the_figures_are_those_of_the_state_each_explained_once() {
     let answer = harness.get("/metrics").await;
     let text = &answer.is(200).body;
     let figure = |name: &str| {
-        let line = text.lines().find(|it| it.starts_with(&format!("{name} ")));
+        let line = text
+            .lines()
+            .find(|line| line.starts_with(&format!("{name} ")));
         line.unwrap_or_else(|| panic!("{name} in {text}"))[name.len()..]
             .trim()
             .parse::<f64>()
@@ -77,15 +79,15 @@ async fn the_figures_are_those_of_the_state_each_explained_once() {
 
 /// The events of a text, as pairs of name and data.
 fn events(text: &str) -> Vec<(String, Value)> {
-    let blocks = text.split("\n\n").filter(|it| !it.is_empty());
+    let blocks = text.split("\n\n").filter(|part| !part.is_empty());
     let field = |block: &str, name: &str| {
-        let line = block.lines().find_map(|it| it.strip_prefix(name));
+        let line = block.lines().find_map(|line| line.strip_prefix(name));
         line.unwrap_or_default().trim().to_owned()
     };
     blocks
-        .map(|it| {
-            let data = serde_json::from_str(&field(it, "data:")).unwrap();
-            (field(it, "event:"), data)
+        .map(|block| {
+            let data = serde_json::from_str(&field(block, "data:")).unwrap();
+            (field(block, "event:"), data)
         })
         .collect()
 }

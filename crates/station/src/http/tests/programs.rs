@@ -36,7 +36,7 @@ async fn a_program_is_looked_at_as_a_whole() {
         .as_array()
         .unwrap()
         .iter()
-        .map(|it| &it["line"])
+        .map(|problem| &problem["line"])
         .collect();
     assert_eq!(lines, [6, 11]);
     assert!(report["once_s"].as_f64().unwrap() > 1.0);
@@ -59,7 +59,7 @@ async fn all_that_is_wrong_is_told_with_its_line_and_what_helps() {
         (&problems[0]["line"], &problems[1]["line"]),
         (&json!(6), &json!(11))
     );
-    assert!(problems.iter().all(|it| it["remedy"].is_string()));
+    assert!(problems.iter().all(|problem| problem["remedy"].is_string()));
     let text = "[[steps]]\ngo = \"nowhere\"";
     let report = ask(&harness, "check", json!({"text": text}))
         .await
@@ -120,7 +120,7 @@ async fn edits_keep_what_they_do_not_touch() {
         .as_array()
         .unwrap()
         .iter()
-        .map(|it| it["label"].as_str().unwrap())
+        .map(|label| label["label"].as_str().unwrap())
         .collect();
     assert!(labels[1].contains("there"), "{labels:?}");
 }

@@ -71,10 +71,10 @@ async fn the_states_of_a_recording_say_where_the_arm_was() {
     let samples = found["samples"].as_array().unwrap();
     let told: Vec<_> = samples
         .iter()
-        .map(|it| {
+        .map(|sample| {
             (
-                it["at_s"].as_f64().unwrap(),
-                it["base_deg"].as_f64().unwrap(),
+                sample["at_s"].as_f64().unwrap(),
+                sample["base_deg"].as_f64().unwrap(),
             )
         })
         .collect();

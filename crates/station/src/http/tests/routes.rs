@@ -38,7 +38,7 @@ async fn notices_are_kept_for_those_who_ask_later() {
         .as_array()
         .unwrap()
         .iter()
-        .map(|it| it["number"].as_u64().unwrap())
+        .map(|job| job["number"].as_u64().unwrap())
         .collect();
     assert_eq!(numbers, (101..=300).collect::<Vec<_>>());
     assert_eq!(notices[0]["type"], "link_up");
@@ -230,7 +230,7 @@ async fn a_request_that_queues_a_job_passes_its_key_on_and_names_the_job() {
         let answer = harness.send(request.body(body.into()).unwrap()).await;
         assert_eq!(answer.is(201).headers["location"], "/api/v1/jobs/8");
     }
-    let keys = harness.asked().into_iter().map(|it| match it {
+    let keys = harness.asked().into_iter().map(|request| match request {
         Request::SubmitJob { key, .. } | Request::QueueAgain { key, .. } => key,
         other => panic!("{other:?}"),
     });
@@ -318,13 +318,13 @@ async fn the_page_and_its_modules_name_nothing_that_is_not_served() {
 
 /// The scripts and styles that the file at a path names: how a name in quotes leads to them from there.
 fn files_in(path: &str, text: &str) -> Vec<String> {
-    let ours = |it: &&str| {
-        let named = matches!(it.rsplit_once('.'), Some((_, "js" | "css")));
-        named && !it.contains([' ', '(', ':'])
+    let ours = |file: &&str| {
+        let named = matches!(file.rsplit_once('.'), Some((_, "js" | "css")));
+        named && !file.contains([' ', '(', ':'])
     };
     let quoted = text.split(['"', '\'', '`', '\n']).filter(ours);
     let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
-    quoted.map(|it| resolve(folder, it)).collect()
+    quoted.map(|file| resolve(folder, file)).collect()
 }
 
 fn resolve(folder: &str, name: &str) -> String {

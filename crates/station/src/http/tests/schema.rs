@@ -26,11 +26,11 @@ fn within(document: &Value, schema: &Value, outer: &[&str]) -> Option<BoxedStrat
     let strategies: Vec<_> = match choices(schema) {
         Some(choices) => choices
             .iter()
-            .filter_map(|it| within(document, it, outer))
+            .filter_map(|choice| within(document, choice, outer))
             .collect(),
         None => types(schema)
             .iter()
-            .filter_map(|it| of_type(document, schema, it, outer))
+            .filter_map(|kind| of_type(document, schema, kind, outer))
             .collect(),
     };
     (!strategies.is_empty()).then(|| proptest::strategy::Union::new(strategies).boxed())
@@ -46,9 +46,7 @@ fn of_type(
         "null" => Just(Value::Null).boxed(),
         "boolean" => any::<bool>().prop_map(Value::from).boxed(),
         "integer" => (0_u64..1_000_000).prop_map(Value::from).boxed(),
-        "number" => (1_u8..=100)
-            .prop_map(|it| json!(f64::from(it) + 0.5))
-            .boxed(),
+        "number" => (1_u8..=100).prop_map(|n| json!(f64::from(n) + 0.5)).boxed(),
         "string" => "[a-z][a-z ]{0,20}".prop_map(Value::from).boxed(),
         "array" => {
             let items = within(document, &schema["items"], outer)?;
@@ -89,12 +87,12 @@ pub(super) fn allows(document: &Value, schema: &Value, value: &Value, closely: b
     if let Some(target) = reference(document, schema) {
         return allows(document, target, value, closely);
     }
-    let allowed = |it: &Value| allows(document, it, value, closely);
+    let allowed = |choice: &Value| allows(document, choice, value, closely);
     choices(schema).is_none_or(|choices| choices.iter().any(allowed))
-        && schema.get("const").is_none_or(|it| it == value)
+        && schema.get("const").is_none_or(|constant| constant == value)
         && schema["enum"]
             .as_array()
-            .is_none_or(|it| it.contains(value))
+            .is_none_or(|kinds| kinds.contains(value))
         && is_of_type(schema, value)
         && has_fields(document, schema, value, closely)
         && has_items(document, schema, value, closely)
@@ -110,7 +108,7 @@ fn is_of_type(schema: &Value, value: &Value) -> bool {
             "integer" => value.is_u64() || value.is_i64(),
             "number" => value
                 .as_f64()
-                .is_some_and(|it| it.abs() <= f64::from(f32::MAX)),
+                .is_some_and(|number| number.abs() <= f64::from(f32::MAX)),
             "string" => value.is_string(),
             "array" => value.is_array(),
             "object" => value.is_object(),
@@ -139,7 +137,9 @@ fn has_items(document: &Value, schema: &Value, value: &Value, closely: bool) -> 
     let (Some(items), Some(schema)) = (value.as_array(), schema.get("items")) else {
         return true;
     };
-    items.iter().all(|it| allows(document, schema, it, closely))
+    items
+        .iter()
+        .all(|item| allows(document, schema, item, closely))
 }
 
 fn in_range(schema: &Value, value: &Value, closely: bool) -> bool {
@@ -148,8 +148,8 @@ fn in_range(schema: &Value, value: &Value, closely: bool) -> bool {
     // Whole numbers below zero are of the wrong type; for others the driver of the arm is asked.
     let is_whole = types(schema).contains(&"integer");
     if let Some(number) = value.as_f64().filter(|_| closely || is_whole) {
-        return limit("minimum").is_none_or(|it| number >= it)
-            && limit("maximum").is_none_or(|it| number <= it);
+        return limit("minimum").is_none_or(|least| number >= least)
+            && limit("maximum").is_none_or(|limit| number <= limit);
     }
     let len = match value {
         Value::String(text) => text.len(),
@@ -159,7 +159,7 @@ fn in_range(schema: &Value, value: &Value, closely: bool) -> bool {
     let len = len as u64;
     let least = length("minLength").or(length("minItems"));
     let most = length("maxLength").or(length("maxItems"));
-    !closely || (least.is_none_or(|it| len >= it) && most.is_none_or(|it| len <= it))
+    !closely || (least.is_none_or(|least| len >= least) && most.is_none_or(|most| len <= most))
 }
 
 /// A value with something done to it that may be wrong.
@@ -209,7 +209,8 @@ fn anything() -> impl Strategy<Value = Value> {
         Just(Value::Null),
         any::<bool>().prop_map(Value::from),
         any::<i64>().prop_map(Value::from),
-        prop::sample::select(vec![1e39, -1e300, 0.5, 1e-320, f64::MAX]).prop_map(|it| json!(it)),
+        prop::sample::select(vec![1e39, -1e300, 0.5, 1e-320, f64::MAX])
+            .prop_map(|number| json!(number)),
         Just(json!(u64::MAX)),
         "[ -~]{0,80}".prop_map(Value::from),
         Just(json!([])),
@@ -231,7 +232,7 @@ fn choices(schema: &Value) -> Option<Vec<Value>> {
     Some(
         choices
             .iter()
-            .map(|it| with_common(it.clone(), schema))
+            .map(|choice| with_common(choice.clone(), schema))
             .collect(),
     )
 }
@@ -265,5 +266,5 @@ fn types(schema: &Value) -> Vec<&str> {
 
 fn requires(schema: &Value, name: &str) -> bool {
     let needed = schema["required"].as_array();
-    needed.is_some_and(|needed| needed.iter().any(|it| it == name))
+    needed.is_some_and(|needed| needed.iter().any(|required| required == name))
 }

@@ -31,7 +31,7 @@ async fn slots_are_set_shown_and_cleared() {
     ];
     assert_eq!(harness.asked(), expected);
     assert_eq!(
-        expected.map(|it| it.role()),
+        expected.map(|expected| expected.role()),
         [Role::Admin, Role::Watch, Role::Admin]
     );
 }
@@ -83,7 +83,7 @@ async fn a_token_for_a_class_is_made_and_listed_as_one() {
     let list = harness.get("/api/v1/tokens").await.is(200).value();
     let shared = |name: &str| {
         let all = list.as_array().unwrap();
-        all.iter().find(|it| it["name"] == name).unwrap()["shared"].clone()
+        all.iter().find(|token| token["name"] == name).unwrap()["shared"].clone()
     };
     assert_eq!(
         (shared("class"), shared("control")),

@@ -55,7 +55,7 @@ impl StateStream {
     pub(crate) async fn next(&mut self) -> Result<Utf8Bytes, RecvError> {
         let spacing = match self.rate {
             Rate::None => std::future::pending().await,
-            Rate::Every => return self.states.recv().await.map(|it| message(&it)),
+            Rate::Every => return self.states.recv().await.map(|state| message(&state)),
             Rate::Spaced(spacing) => spacing,
         };
         loop {

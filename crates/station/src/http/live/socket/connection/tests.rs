@@ -155,7 +155,7 @@ async fn a_client_that_vanishes_is_noticed_within_seconds() {
         .lock()
         .unwrap()
         .iter()
-        .filter(|it| matches!(it, Message::Ping(_)))
+        .filter(|message| matches!(message, Message::Ping(_)))
         .count();
     assert!(pings >= 3, "{pings}");
 }
@@ -260,8 +260,8 @@ async fn hello_comes_first_and_what_happened_meanwhile_after_it() {
         "{heard:?}"
     );
     assert!(
-        heard
-            .iter()
-            .any(|it| matches!(it, Message::Text(text) if text.starts_with("{\"notice\":")))
+        heard.iter().any(
+            |message| matches!(message, Message::Text(text) if text.starts_with("{\"notice\":"))
+        )
     );
 }
