@@ -111,7 +111,11 @@ impl StopTelling {
 }
 
 /// Exchanges stops with another station: sends those known here and adopts its own.
-pub(crate) async fn exchange(way: Option<&Way>, handle: &StationHandle, member: &MemberKey) -> ApiAnswer {
+pub(crate) async fn exchange(
+    way: Option<&Way>,
+    handle: &StationHandle,
+    member: &MemberKey,
+) -> ApiAnswer {
     let learned = match way {
         Some(way) => ask(way, handle, member).await,
         None => Err("cannot be reached yet".to_owned()),

@@ -31,10 +31,13 @@ pub(crate) async fn take_at_rest(station: &mut StationClient) -> Result<Stand, S
 /// How the arm stands, as soon as it does.
 async fn stands(station: &mut StationClient) -> Result<Stand, String> {
     loop {
-        let state = station.first_state().await.map_err(|error| match error.hint() {
-            Some(hint) => format!("{error}; {hint}"),
-            None => error.to_string(),
-        })?;
+        let state = station
+            .first_state()
+            .await
+            .map_err(|error| match error.hint() {
+                Some(hint) => format!("{error}; {hint}"),
+                None => error.to_string(),
+            })?;
         if let Some(arm) = state.arm.filter(|arm| !arm.moving) {
             let dialect = state.dialect.unwrap_or(Dialect::FIRMWARE_1_1);
             return Ok(Stand {

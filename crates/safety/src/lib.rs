@@ -2,7 +2,7 @@
 //! whole path before it is sent.
 //!
 //! A [`Policy`] is a TOML file, shipped with its default. [`Policy::check`] says where a command
-//! leads, or which rule forbids it, where on the way, and what would be allowed. `docs/safety.md`
+//! leads, or which rule forbids it, where on the way, and what would be allowed. `docs/policy.md`
 //! explains each rule, how the check works and what it does not promise.
 //!
 //! ```

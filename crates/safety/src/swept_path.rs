@@ -4,7 +4,7 @@
 //! derivative by `u` is at most `m`, it strays from the straight way between `a` and `b` by at most
 //! `m / 8`; and where the way is long enough, `|b - a| >= m / 2`, it does not turn back on it at all.
 //! So all that is needed are bounds of second derivatives, and they follow from the kinematics:
-//! `docs/safety.md` derives them.
+//! `docs/policy.md` derives them.
 
 use dobot_arm::{Calibration, FOREARM, Joints, Pose, REAR_ARM, Tool};
 use dobot_motion::{ArmPlace, Bend};

@@ -1,6 +1,6 @@
 //! State 4 of the stock controller: writing and laser (note N48).
 
-use dobot_motion::{TickStroke, TickProgress};
+use dobot_motion::{TickProgress, TickStroke};
 use dobot_wire::Frame;
 
 use super::TickOutcome;
@@ -75,7 +75,8 @@ impl Write {
         let (end, max) = (f(9), f(10));
         // A length that is not a number is not above it.
         if self.length > NO_LENGTH_MM {
-            let stroke = TickStroke::of(self.length, self.stored_speed, end, max, self.acceleration);
+            let stroke =
+                TickStroke::of(self.length, self.stored_speed, end, max, self.acceleration);
             self.progress.begin(Some(&stroke));
             self.speed_change = stroke.change_mm_s;
             self.end_speed = stroke.end_mm_s;

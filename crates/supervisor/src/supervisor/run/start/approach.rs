@@ -32,7 +32,8 @@ impl Run {
         run.target_speed = run.started.target_speed(run.next).filter(|_| !is_planned);
         let left = run.left_before(paused);
         if left.is_unknown {
-            run.speeds.stop_each(&run.started.plan, run.started.completed);
+            run.speeds
+                .stop_each(&run.started.plan, run.started.completed);
         }
         let ways = first.iter().chain(&lower);
         run.left = ways.fold(left, |left, it| run.after(left, it));
