@@ -64,7 +64,7 @@ impl Session {
     #[must_use]
     pub fn seen_model(&self) -> Option<Model> {
         let mut model = *self.estimate.after_sent()?;
-        model.seen(&self.status?);
+        model.observe(&self.status?);
         Some(model)
     }
 
