@@ -1,25 +1,25 @@
-//! The options by which a program finds its station.
+//! Command-line options that select a station.
 
 use std::path::PathBuf;
 
 use super::{CertificateTrust, StationSearch, fingerprint};
 
-/// Which station, as the options of a program say it.
+/// The station that a program's options select.
 #[derive(Clone, Default, clap::Args)]
 pub struct StationOptions {
     /// The station's address, as in <http://127.0.0.1:8642>
     ///
-    /// Without it, the environment variable `DOBOT_STATION` is used, and then the station that
-    /// runs on this machine: the one of this person's data folder, or what answers at port 8642.
+    /// If absent, the environment variable `DOBOT_STATION` is used, then the station running on
+    /// this machine: the one with this user's data folder, or the one at port 8642.
     #[arg(id = "station", long = "station", value_name = "URL", global = true)]
     address: Option<String>,
-    /// What allows more than watching; better given in the environment variable `DOBOT_TOKEN`
+    /// Access token, required for more than watching; prefer the environment variable `DOBOT_TOKEN`
     #[arg(long, value_name = "TOKEN", global = true, hide_short_help = true)]
     token: Option<String>,
-    /// The SHA-256 digest of the station's certificate, which the station prints when it starts
+    /// SHA-256 digest of the station's certificate, printed when the station starts
     #[arg(long, value_name = "DIGEST", global = true, hide_short_help = true, value_parser = fingerprint)]
     fingerprint: Option<[u8; 32]>,
-    /// A PEM file with the certificate that the station's own one was issued by
+    /// PEM file with the certificate of the authority that issued the station's certificate
     #[arg(
         long,
         value_name = "FILE",
@@ -31,7 +31,7 @@ pub struct StationOptions {
 }
 
 impl StationOptions {
-    /// How the station is found that they mean.
+    /// Returns the search for the selected station.
     #[must_use]
     pub fn search(&self) -> StationSearch {
         let fingerprint = self.fingerprint.map(CertificateTrust::Fingerprint);
@@ -43,7 +43,7 @@ impl StationOptions {
     }
 }
 
-/// The token is nobody's business.
+/// Hides the token.
 impl std::fmt::Debug for StationOptions {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_tuple("StationOptions")
