@@ -1,4 +1,4 @@
-//! The buttons of a jog: their names, and what pressing each sends.
+//! Jog buttons: their names and the commands that they send.
 
 use std::str::FromStr;
 
@@ -26,7 +26,7 @@ pub enum Button {
     Linear(LinearJogAxis),
 }
 
-/// One of the two jogs.
+/// One of the two jog frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JogFrame {
     /// State 2.
@@ -36,11 +36,11 @@ pub enum JogFrame {
 }
 
 impl Button {
-    /// The same button of a jog that is named, where that jog has it.
+    /// Returns the same button in the named jog frame, if that frame has it.
     ///
     /// # Errors
     ///
-    /// [`ButtonError`] where that jog has no such axis.
+    /// [`ButtonError`] if that frame has no such axis.
     pub fn with_frame(self, frame: Option<JogFrame>) -> Result<Self, ButtonError> {
         let code = self.code();
         let is_common = code > LAST_OWN_AXIS;
@@ -54,7 +54,8 @@ impl Button {
         }
     }
 
-    /// Its name, as in `dobot jog x+`; a button of linear jog has that of joint jog where both have it.
+    /// Returns the button's name, as in `dobot jog x+`; a linear button that both frames have uses
+    /// the joint jog's name.
     #[must_use]
     pub fn name(self) -> &'static str {
         let joint = |it: &Self| it.code() > LAST_OWN_AXIS && it.code() == self.code();
@@ -62,7 +63,7 @@ impl Button {
         BUTTONS.iter().find(named).map_or("released", |it| it.0)
     }
 
-    /// What is sent while the button is pressed.
+    /// Returns the jog command sent while the button is pressed.
     #[must_use]
     pub const fn jog(self, speed_percent: f32) -> Jog {
         match self {
@@ -71,10 +72,11 @@ impl Button {
         }
     }
 
-    /// The command that moves an arm with this status by one step, in mm or degrees; `None` for a switch and for no button.
+    /// Returns the command for one step from this status, in mm or degrees; `None` for switches and
+    /// for no button.
     ///
-    /// Pump and gripper stay as they are. A turn of the tool is one of the servo: a straight line to where the tip
-    /// stands already would make a stock arm lose its pose (note N34).
+    /// Pump and gripper keep their state. A turn of the tool is a servo turn: a straight line to
+    /// the tip's own position would make a stock arm lose its pose (note N34).
     #[must_use]
     pub fn step(self, from: &Status, size: f32) -> Option<Command> {
         use {JointJogAxis as J, LinearJogAxis as L};
@@ -125,7 +127,7 @@ impl Button {
         })
     }
 
-    /// Whether it moves something while it is held; else it is a switch.
+    /// Returns whether the button moves something while held; otherwise it is a switch.
     #[must_use]
     pub const fn moves(self) -> bool {
         match self {
@@ -134,7 +136,7 @@ impl Button {
         }
     }
 
-    /// What ends a switch that may not stay as it is: the laser goes off.
+    /// Returns the command that ends a switch that must not stay on: the laser goes off.
     #[must_use]
     pub const fn end(self) -> Option<Jog> {
         match self {
@@ -148,7 +150,7 @@ impl Button {
         }
     }
 
-    /// Float 2 of its packet, which is its place in either list of axes.
+    /// Returns float 2 of its packet, the index in either list of axes.
     const fn code(self) -> usize {
         match self {
             Self::Joint(axis) => axis as usize,
@@ -179,7 +181,7 @@ impl FromStr for JogFrame {
     }
 }
 
-/// Why there is no such button.
+/// The error returned when there is no such button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ButtonError {
@@ -197,7 +199,7 @@ pub enum ButtonError {
     LinearAlone,
 }
 
-/// Behind this code the two jogs have the same axes (note N14).
+/// Beyond this code both jogs have the same axes (note N14).
 const LAST_OWN_AXIS: usize = 6;
 
 const BUTTONS: [(&str, Button); 20] = {

@@ -1,36 +1,36 @@
-//! How one arm differs from the drawing of it, as it is kept.
+//! The stored calibration of one arm: how it differs from the drawing.
 
 use dobot_arm::{Calibration, Plane};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What is kept of an arm.
+/// A stored calibration.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CalibrationFile {
-    /// What people call the arm, at most 64 characters.
+    /// The name of the arm, at most 64 characters.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// How much further each joint stands than the arm says, in degrees.
+    /// Zero offsets: how much further each joint stands than the arm reports, in degrees.
     pub zeros: Zeros,
-    /// Where the tool is, compared with the drawing of the arm.
+    /// The tool's offset from the drawing of the arm.
     #[serde(default)]
     pub tool: ToolOffset,
-    /// Where the base's axis stands in the sheet's frame, in mm.
+    /// The position of the base's axis in the sheet's frame, in mm.
     #[serde(default)]
     pub axis: Axis,
-    /// Where the paper lies.
+    /// The position of the paper.
     #[serde(default)]
     pub paper: Option<PaperPlane>,
-    /// How slack each joint is, in degrees.
+    /// The backlash of each joint, in degrees.
     #[serde(default)]
     pub backlash: Backlash,
-    /// How well the touches agreed.
+    /// How well the touched points agree.
     #[serde(default)]
     pub touched: Option<Touched>,
 }
 
-/// How much further each joint stands than the arm says.
+/// Zero offsets: how much further each joint stands than the arm reports.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Zeros {
@@ -42,7 +42,7 @@ pub struct Zeros {
     pub fore: f64,
 }
 
-/// Where the tool is, compared with the drawing of the arm.
+/// The tool's offset from the drawing of the arm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolOffset {
@@ -52,7 +52,7 @@ pub struct ToolOffset {
     pub left_mm: f64,
 }
 
-/// Where the base's axis stands in the sheet's frame.
+/// The position of the base's axis in the sheet's frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Axis {
@@ -62,25 +62,25 @@ pub struct Axis {
     pub y_mm: f64,
 }
 
-/// Where the paper lies, as Z of the wrist where the tool touches it: a plane, and what it rises above the plane at the
-/// places that were touched.
+/// The paper as a surface, given as Z of the wrist where the tool touches it: a plane, plus its
+/// rise above the plane at the touched points.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PaperPlane {
-    /// The height below the base's axis, in mm.
+    /// The height relative to the base's axis, in mm.
     pub z_mm: f64,
-    /// How much it rises for each mm forward.
+    /// The rise per mm forward.
     pub slope_x: f64,
-    /// How much it rises for each mm to the left.
+    /// The rise per mm to the left.
     pub slope_y: f64,
-    /// Places that were touched, in mm: forward, to the left, and how much higher than the plane the paper is there.
-    /// Between them it is bent evenly; without any it is flat.
+    /// The touched points, in mm: forward, left, and the height of the paper above the plane. The
+    /// surface is interpolated between them; without points it is flat.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub heights: Vec<[f64; 3]>,
 }
 
 impl PaperPlane {
-    /// The plane alone.
+    /// Returns the plane alone.
     #[must_use]
     pub const fn plane(&self) -> Plane {
         Plane {
@@ -90,7 +90,7 @@ impl PaperPlane {
         }
     }
 
-    /// The plane under the lowest place that was touched.
+    /// Returns the plane lowered to the lowest touched point.
     #[must_use]
     pub fn table(&self) -> Plane {
         let lowest_mm = self.heights.iter().map(|it| it[2]).fold(0.0, f64::min);
@@ -129,7 +129,7 @@ impl PaperPlane {
     }
 }
 
-/// How far a motor turns in vain where its joint turns back.
+/// Backlash: how far a motor turns before its joint follows after a reversal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Backlash {
@@ -141,11 +141,11 @@ pub struct Backlash {
     pub fore: f64,
 }
 
-/// How well the touches agreed.
+/// How well the touched points agree.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Touched {
-    /// How many counted.
+    /// The number of points used.
     pub points: usize,
     /// Their typical residual, in mm.
     pub typical_mm: f64,
@@ -154,7 +154,7 @@ pub struct Touched {
 }
 
 impl CalibrationFile {
-    /// What is wrong with the arm.
+    /// Returns the calibration for the kinematics.
     #[must_use]
     pub fn arm(&self) -> Calibration {
         Calibration {
@@ -169,7 +169,8 @@ impl CalibrationFile {
         }
     }
 
-    /// The same arm when it has been told its true joint angles.
+    /// Returns this calibration without zero offsets, as it is after the arm was given its true
+    /// joint angles.
     #[must_use]
     pub fn without_zeros(self) -> Self {
         Self {
@@ -178,7 +179,7 @@ impl CalibrationFile {
         }
     }
 
-    /// How slack base, rear arm and forearm are, in degrees.
+    /// Returns the backlash of base, rear arm and forearm, in degrees.
     #[must_use]
     pub const fn backlash_deg(&self) -> [f64; 3] {
         [self.backlash.base, self.backlash.rear, self.backlash.fore]
@@ -199,11 +200,11 @@ impl CalibrationFile {
         })
     }
 
-    /// Whether an arm can be so.
+    /// Checks that an arm can have these values.
     ///
     /// # Errors
     ///
-    /// [`NoSuchArm`] with the first number that no arm can have.
+    /// [`NoSuchArm`] with the first number outside its range.
     pub fn check(&self) -> Result<(), NoSuchArm> {
         self.check_name()?;
         let paper = self.paper.clone().unwrap_or_default();
@@ -238,40 +239,40 @@ impl CalibrationFile {
     }
 }
 
-/// The arm does not get further than this.
+/// The farthest reach of the arm.
 const FARTHEST_MM: f64 = 400.0;
-/// What is bent by more is no paper on a table.
+/// Larger deviations are not paper on a table.
 const MOST_BENT_MM: f64 = 20.0;
-/// What fits into a line beside other words, in characters.
+/// Fits on one line with other text, in characters.
 const LONGEST_NAME: usize = 64;
-/// More than any person touches.
+/// More points than a person would touch.
 const MOST_HEIGHTS: usize = 400;
 
-/// A calibration has a number that no arm can have.
+/// The error returned when a calibration has a number outside its range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("{key} is {found}; allowed are {least} to {most}")]
 pub struct NoSuchArm {
-    /// Which.
+    /// The key.
     pub key: &'static str,
-    /// What it is.
+    /// The value found.
     pub found: f64,
-    /// The least that is allowed.
+    /// The smallest value allowed.
     pub least: f64,
-    /// The most that is allowed.
+    /// The largest value allowed.
     pub most: f64,
 }
 
-/// What is known of how an arm differs from the drawing of it.
+/// The calibration of an arm and the previous one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Calibrations {
-    /// What holds; nothing for an arm that is taken to be as drawn.
+    /// The current calibration; `None` for an arm that is assumed to match the drawing.
     pub calibration: Option<CalibrationFile>,
-    /// What held before, to bring it back.
+    /// The previous calibration, kept to restore it.
     pub before: Option<CalibrationFile>,
 }
 
 impl Calibrations {
-    /// What is wrong with the arm.
+    /// Returns the calibration for the kinematics.
     #[must_use]
     pub fn arm(&self) -> Calibration {
         let known = &self.calibration;
@@ -280,7 +281,7 @@ impl Calibrations {
             .map_or(Calibration::NONE, CalibrationFile::arm)
     }
 
-    /// Another calibration in place of the one that holds. The arm keeps its name, unless it is given one.
+    /// Replaces the calibration. The arm keeps its name unless the new calibration has one.
     #[must_use]
     pub fn replaced_by(self, calibration: Option<CalibrationFile>) -> Self {
         let before = self.calibration;
@@ -295,7 +296,7 @@ impl Calibrations {
         }
     }
 
-    /// What people call the arm, if it is calibrated and has a name.
+    /// Returns the arm's name, if it is calibrated and has a name.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
         self.calibration.as_ref()?.name.as_deref()

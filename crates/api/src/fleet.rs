@@ -1,4 +1,4 @@
-//! Stations that know of each other: a fleet.
+//! Fleets: stations that know each other.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -8,30 +8,32 @@ use crate::{Problem, State, TakesWork};
 /// A fleet, as one of its stations sees it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FleetView {
-    /// What the station that tells this is called in the fleet.
+    /// The fleet name of the reporting station.
     pub name: String,
-    /// The time since that station started, in seconds.
+    /// The time since the reporting station started, in seconds.
     pub at_s: f64,
-    /// All stations that have been seen, this one among them, by name.
+    /// All stations seen, including this one, by name.
     pub members: Vec<Member>,
 }
 
 /// A station of a fleet, as another one sees it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Member {
-    /// What it is called, as in `desk-3`.
+    /// The fleet name, as in `desk-3`.
     pub name: String,
-    /// The number that it goes by as long as its data live, 32 hexadecimal digits: two stations may claim one name.
+    /// The station's id, 32 hexadecimal digits, valid as long as its data folder exists: two
+    /// stations may claim the same name.
     pub id: String,
-    /// Whether it is the station that tells this.
+    /// Whether this is the reporting station.
     pub here: bool,
-    /// Whether it can be reached.
+    /// Whether the station can be reached.
     pub presence: Presence,
-    /// When it was heard last, in seconds since the start of the station that tells this: by no other clock.
+    /// When it was last heard, in seconds since the reporting station started (no other clock is
+    /// involved).
     pub heard_at_s: f64,
-    /// What it is; absent until it has told.
+    /// A description of the station; absent until it has sent one.
     pub about: Option<MemberAbout>,
-    /// What it told last; absent until it has told anything.
+    /// The last state it sent; absent until it has sent one.
     pub state: Option<Box<State>>,
 }
 
@@ -39,57 +41,58 @@ pub struct Member {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Presence {
-    /// It is there.
+    /// The station is reachable.
     Present,
-    /// It is away: it ended, or the network between it and this station is cut. Its arm may still move: its own page
-    /// stops it.
+    /// The station has ended, or the network to it is down. Its arm may still move; stop it from
+    /// its own page.
     Away,
-    /// It is there, and nothing is asked of it.
+    /// The station is reachable, but no requests are sent to it.
     Refused {
-        /// Why, and what to do.
+        /// The reason, and what to do.
         problem: Problem,
     },
 }
 
-/// What a station of a fleet is.
+/// A description of a fleet station.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MemberAbout {
-    /// The version of its program.
+    /// The program version.
     pub version: String,
-    /// Where its own page is, as others reach it; absent where it is for its own machine only.
+    /// The address of its page for other machines; absent if it serves its own machine only.
     pub page: Option<String>,
-    /// The groups that it belongs to, as in `room-2`.
+    /// The station's groups, as in `room-2`.
     pub groups: Vec<String>,
-    /// What it has for work, as in `pen`, `laser`, `a5`.
+    /// The equipment it offers for jobs, as in `pen`, `laser`, `a5`.
     pub offers: Vec<String>,
-    /// Whether its arm is a virtual one.
+    /// Whether its arm is virtual.
     pub is_virtual: bool,
-    /// What it does with work of the fleet; absent where it takes none.
+    /// How it handles fleet jobs; absent if it accepts none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub takes_work: Option<TakesWork>,
-    /// How many virtual arms it gives to those without an arm; absent where it gives none.
+    /// The number of virtual arms it hosts for members without an arm; absent if none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gives_arms: Option<u16>,
-    /// The station that gave this virtual arm to somebody; absent where it is no such arm.
+    /// The station that hosts this virtual arm; absent for any other arm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub given_by: Option<String>,
 }
 
-/// A stop of a whole fleet, or its reset. Every station keeps it and sends it to the others.
+/// A fleet-wide stop, or its reset. Every station stores it and sends it to the others.
 ///
-/// Of two with the same origin the one with the higher count is newer. The origin alone counts, so neither the clocks of
-/// other stations nor the order of messages matter. Stops of two origins hold beside each other.
+/// Of two stops with the same origin, the one with the higher count is newer. The count is set by
+/// the origin alone, so neither other stations' clocks nor the order of messages matter. Stops of
+/// different origins hold independently.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FleetWideStop {
-    /// The number of the station that made it, as in [`Member::id`].
+    /// The id of the station that made it, as in [`Member::id`].
     pub origin: String,
-    /// Its number among the stops of that station: at least the time when it was made, in milliseconds since
-    /// 1970-01-01T00:00:00Z by the clock of that station, and always above the one before.
+    /// The number of the stop at its origin: at least the time it was made, in milliseconds since
+    /// 1970-01-01T00:00:00Z by the origin's clock, and always higher than the previous one.
     pub count: u64,
     /// Who stopped the fleet.
     pub by: String,
-    /// Why.
+    /// The reason.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
     /// Who reset it for the whole fleet; absent while it holds.
@@ -98,13 +101,13 @@ pub struct FleetWideStop {
 }
 
 impl FleetWideStop {
-    /// Whether it has not been reset for the whole fleet.
+    /// Returns whether the stop has not been reset for the whole fleet.
     #[must_use]
     pub const fn holds(&self) -> bool {
         self.reset_by.is_none()
     }
 
-    /// Who stopped the fleet and why, as a person reads it.
+    /// Returns who stopped the fleet and why, as text.
     #[must_use]
     pub fn text(&self) -> String {
         let text = format!("stopped: fleet, by {}", self.by);
@@ -112,27 +115,27 @@ impl FleetWideStop {
     }
 }
 
-/// The virtual arms that a station gives to those without an arm.
+/// The virtual arms that a station hosts for members without an arm.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct GivenArms {
-    /// So many it gives at a time.
+    /// The maximum number at a time.
     pub most: u16,
-    /// One that nobody looks at ends after so long, in seconds.
+    /// The time after which an arm that no client watches ends, in seconds.
     pub unused_s: u64,
-    /// Those that are given.
+    /// The hosted arms.
     pub arms: Vec<GivenArm>,
 }
 
-/// A virtual arm that somebody was given: a station of the fleet like any other one.
+/// A hosted virtual arm: a fleet station like any other.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct GivenArm {
-    /// What it is called in the fleet.
+    /// The fleet name.
     pub name: String,
-    /// Where its page is.
+    /// The address of its page.
     pub page: String,
 }
 
-/// A request to the API of a station, as it travels through a fleet: that of HTTP, in parts.
+/// An HTTP API request as sent through a fleet, in parts.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ApiRequest {
@@ -140,56 +143,56 @@ pub struct ApiRequest {
     pub method: String,
     /// The path with its query, as in `/api/v1/stop`.
     pub path: String,
-    /// The token of whoever asks; one who has none may watch and stop.
+    /// The requester's token; without one it may watch and stop.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub token: Option<String>,
-    /// The token of a lease, as in the header `Dobot-Lease`.
+    /// The lease token, as in the header `Dobot-Lease`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lease: Option<String>,
-    /// What the sender calls this request, as in the header `Idempotency-Key`.
+    /// The request's idempotency key, as in the header `Idempotency-Key`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub key: Option<String>,
-    /// The body, JSON; absent where there is none.
+    /// The JSON body; absent if there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub body: Option<serde_json::Value>,
 }
 
-/// What a station answers.
+/// A station's answer to an API request.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ApiAnswer {
-    /// The status of HTTP.
+    /// The HTTP status.
     pub status: u16,
-    /// The body: JSON, a problem where the status is 400 or above, and a text where it is no JSON.
+    /// The body: JSON; a problem if the status is 400 or above; a string if it is not JSON.
     pub body: serde_json::Value,
 }
 
-/// Which stations of a fleet.
+/// The stations of a fleet that a request goes to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Recipients {
-    /// Every one.
+    /// All stations.
     All,
-    /// Those of a group.
+    /// The members of a group.
     Group(String),
-    /// Those of these names.
+    /// The stations with these names.
     Members(Vec<String>),
 }
 
-/// What one station of a fleet answered.
+/// The answer of one fleet station.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MemberAnswer {
-    /// What it is called.
+    /// The fleet name.
     pub member: String,
-    /// The number that it goes by.
+    /// The station's id.
     pub id: String,
-    /// Its answer; where none came, a problem says so: what was asked may have been done all the same.
+    /// The answer, or a problem if none came: the request may still have been carried out.
     pub answer: ApiAnswer,
-    /// How long the answer took, in milliseconds.
+    /// The time until the answer, in milliseconds.
     pub took_ms: f64,
 }
 
 impl ApiAnswer {
-    /// The answer that a problem is.
+    /// Builds an answer from a problem.
     #[must_use]
     pub fn of_problem(problem: &Problem) -> Self {
         Self {
@@ -198,7 +201,7 @@ impl ApiAnswer {
         }
     }
 
-    /// Whether what was asked for was done.
+    /// Returns whether the request succeeded.
     #[must_use]
     pub const fn is_success(&self) -> bool {
         matches!(self.status, 200..=299)
@@ -206,7 +209,7 @@ impl ApiAnswer {
 }
 
 impl Recipients {
-    /// Whether this station is among them.
+    /// Returns whether the member is a recipient.
     #[must_use]
     pub fn include(&self, member: &Member) -> bool {
         match self {
@@ -220,8 +223,8 @@ impl Recipients {
     }
 }
 
-/// Whether a station, a group or what a station offers can be called so: 1 to 40 small letters of English, digits and hyphens,
-/// the first one a letter.
+/// Returns whether the text is a valid name of a station, a group or an offer: 1 to 40 lowercase
+/// English letters, digits and hyphens, starting with a letter.
 #[must_use]
 pub fn is_fleet_name(text: &str) -> bool {
     let plain = |it: char| it.is_ascii_lowercase() || it.is_ascii_digit() || it == '-';

@@ -1,10 +1,10 @@
-//! Where a station keeps what it has to remember.
+//! The folders where a station keeps its data.
 
 use std::path::{Path, PathBuf};
 
 use directories::ProjectDirs;
 
-/// Where a station keeps what it has to remember, and where it says that it runs.
+/// The folders where a station keeps its data and its runtime file.
 ///
 /// ```
 /// use dobot_api::Folders;
@@ -16,15 +16,16 @@ use directories::ProjectDirs;
 pub struct Folders {
     data: PathBuf,
     runtime: PathBuf,
-    /// Who may do what, and by what the station is known.
+    /// Access tokens, certificate and fleet id.
     identity: PathBuf,
 }
 
-/// Makes a folder that is for this person's eyes only, and those above it. One that is there stays as it is.
+/// Creates a private folder (readable by this user only) and its parents. An existing folder is
+/// left unchanged.
 ///
 /// # Errors
 ///
-/// What the operating system says.
+/// The operating system's error.
 pub fn make_private(folder: &Path) -> std::io::Result<()> {
     let mut make = std::fs::DirBuilder::new();
     make.recursive(true);
@@ -34,7 +35,7 @@ pub fn make_private(folder: &Path) -> std::io::Result<()> {
 }
 
 impl Folders {
-    /// Everything in one folder.
+    /// Puts everything in one folder.
     pub fn at(folder: impl Into<PathBuf>) -> Self {
         let data = folder.into();
         Self {
@@ -44,8 +45,8 @@ impl Folders {
         }
     }
 
-    /// Those of a virtual arm that the station of these folders gives to somebody, with its own jobs and recordings: it
-    /// accepts the station's tokens, and has its certificate.
+    /// Returns the folders of a virtual arm hosted by this station, with its own jobs and
+    /// recordings; it accepts the station's tokens and uses its certificate.
     #[must_use]
     pub fn of_virtual_arm(&self, name: &str) -> Self {
         let data = self.virtual_arms().join(name);
@@ -56,13 +57,13 @@ impl Folders {
         }
     }
 
-    /// What the virtual arms that the station gives have to remember, a folder for each.
+    /// The folder for the data of hosted virtual arms, one subfolder each.
     #[must_use]
     pub fn virtual_arms(&self) -> PathBuf {
         self.data.join("virtual-arms")
     }
 
-    /// The folders that the system has for this person's programs; `None` for one without a home.
+    /// The system's folders for this user's programs; `None` if the user has no home folder.
     #[must_use]
     pub fn of_person() -> Option<Self> {
         let folders = ProjectDirs::from("", "", "dobot")?;
@@ -74,102 +75,102 @@ impl Folders {
         })
     }
 
-    /// The folder that the environment variable `DOBOT_DATA` names, otherwise those of this person.
+    /// The folder named by the environment variable `DOBOT_DATA`, otherwise this user's folders.
     #[must_use]
     pub fn of_environment() -> Option<Self> {
         let named = std::env::var_os("DOBOT_DATA").filter(|it| !it.is_empty());
         named.map(Self::at).or_else(Self::of_person)
     }
 
-    /// Makes the folder that outlives the station, for this person's eyes only; one that is there stays
-    /// as it is.
+    /// Creates the persistent data folder, private to this user. An existing folder is left
+    /// unchanged.
     ///
     /// # Errors
     ///
-    /// What the operating system says.
+    /// The operating system's error.
     pub fn make_data(&self) -> std::io::Result<()> {
         make_private(&self.data)
     }
 
-    /// The folder that outlives the station.
+    /// The persistent data folder.
     #[must_use]
     pub fn data(&self) -> &Path {
         &self.data
     }
 
-    /// The policy, where a client has put one in place of the default.
+    /// The policy file, present if a client has replaced the default policy.
     #[must_use]
     pub fn policy(&self) -> PathBuf {
         self.data.join("policy.toml")
     }
 
-    /// The jobs.
+    /// The job database.
     #[must_use]
     pub fn journal(&self) -> PathBuf {
         self.data.join("journal.redb")
     }
 
-    /// The recordings, a folder.
+    /// The folder of recordings.
     #[must_use]
     pub fn recordings(&self) -> PathBuf {
         self.data.join("recordings")
     }
 
-    /// Who may do what.
+    /// The file of access tokens.
     #[must_use]
     pub fn tokens(&self) -> PathBuf {
         self.identity.join("tokens.toml")
     }
 
-    /// The options that a person gives each drawing.
+    /// The file of the user's default drawing options.
     #[must_use]
     pub fn drawing_defaults(&self) -> PathBuf {
         self.data.join("draw.toml")
     }
 
-    /// What is known of each arm that was met.
+    /// The file of known arms.
     #[must_use]
     pub fn arms(&self) -> PathBuf {
         self.data.join("arms.toml")
     }
 
-    /// Whose time it is at the arm, and when.
+    /// The file of time slots.
     #[must_use]
     pub fn slots(&self) -> PathBuf {
         self.data.join("slots.toml")
     }
 
-    /// The stop that holds the arm, if one does.
+    /// The file of the stop that holds the arm.
     #[must_use]
     pub fn stop(&self) -> PathBuf {
         self.data.join("stop.toml")
     }
 
-    /// What the watchdog of the arm did while the station could not.
+    /// The watchdog's report of what it did while the station was not responding.
     #[must_use]
     pub fn watchdog(&self) -> PathBuf {
         self.data.join("watchdog.txt")
     }
 
-    /// The number that the station goes by in a fleet.
+    /// The file of the station's fleet id.
     #[must_use]
     pub fn fleet_id(&self) -> PathBuf {
         self.data.join("fleet-id.txt")
     }
 
-    /// The work for any arm of the fleet that was submitted to the station, a folder.
+    /// The folder of fleet jobs submitted to this station.
     #[must_use]
     pub fn fleet_work(&self) -> PathBuf {
         self.data.join("fleet-work")
     }
 
-    /// The station's own certificate and its key, a folder.
+    /// The folder of the station's certificate and key.
     #[must_use]
     pub fn tls(&self) -> PathBuf {
         self.identity.join("tls")
     }
 
-    /// The folder of an arm that is used without a station, by the text of its address: its jobs.
+    /// The data folder of an arm used without a station, by the text of its address: its jobs.
     #[must_use]
     pub fn of_arm(&self, address: &str) -> Self {
         let plain = |it: char| if it.is_ascii_alphanumeric() { it } else { '-' };
@@ -177,7 +178,7 @@ impl Folders {
         Self::at(self.data.join("arms").join(name))
     }
 
-    /// What a running station says of itself; absent while none runs.
+    /// The file that describes the running station; absent while none runs.
     #[must_use]
     pub fn running(&self) -> PathBuf {
         self.runtime.join("station.toml")

@@ -4,56 +4,56 @@ use dobot_wire::Command;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A job to be queued.
+/// A job to queue.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NewJob {
-    /// What a person calls it.
+    /// The title.
     #[schemars(length(min = 1, max = 200))]
     pub title: String,
-    /// What kind of job.
+    /// The kind of job.
     pub kind: JobKind,
-    /// What the arm is to do, in order. The first one that moves has to be a target (state 3 or 6).
+    /// The commands, in order. The first motion must be a target (state 3 or 6).
     #[schemars(length(min = 1, max = 1_000_000))]
     pub commands: Vec<Command>,
-    /// How far the tool is lifted while the job is paused, in millimetres.
+    /// The height by which the tool is lifted while the job is paused, in millimetres.
     #[serde(default)]
     #[schemars(range(min = 0.0, max = 100.0))]
     pub lift_mm: f32,
-    /// Where it waits for a person, in the order of its commands.
+    /// Pauses that wait for a person, in command order.
     #[serde(default)]
     #[schemars(length(max = 1_000))]
     pub pauses: Vec<JobPause>,
-    /// How it goes through its commands, if it is a program.
+    /// The steps and cycles of a program.
     #[serde(default, skip_serializing_if = "JobProgram::is_plain")]
     pub program: JobProgram,
 }
 
-/// How a job goes through its commands: in steps, and perhaps more than once.
+/// The steps and cycles of a job.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JobProgram {
-    /// The first command of each step, in order; without them each command is a step.
+    /// The index of the first command of each step, in order; if empty, each command is a step.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 1_000_000))]
     pub steps: Vec<usize>,
-    /// Which commands are done again.
+    /// The repeated commands.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub repeat: Option<JobRepeat>,
 }
 
 impl JobProgram {
-    /// Whether each command is a step, and is done once.
+    /// Returns whether each command is a step and runs once.
     #[must_use]
     pub const fn is_plain(&self) -> bool {
         self.steps.is_empty() && self.repeat.is_none()
     }
 
-    /// Whether it fits a job with so many commands.
+    /// Checks that the program fits a job with this number of commands.
     ///
     /// # Errors
     ///
-    /// What was found, and what is allowed, in one line.
+    /// What was found and what is allowed, in one line.
     pub fn check(&self, commands: usize) -> Result<(), String> {
         let mut least = 0;
         for &step in &self.steps {
@@ -78,8 +78,8 @@ impl JobProgram {
         }
     }
 
-    /// How many commands of a job with `commands` of them are done in all, cycle by cycle; none where it
-    /// goes on until a person ends it.
+    /// Returns the total number of commands over all cycles of a job with `commands` commands;
+    /// `None` if it repeats until it is ended.
     #[must_use]
     pub fn total(&self, commands: usize) -> Option<usize> {
         let Some(repeat) = self.repeat else {
@@ -90,8 +90,8 @@ impl JobProgram {
         Some(cycle.saturating_mul(times).saturating_add(repeat.from))
     }
 
-    /// How far a job with so many commands is, of which `completed` are over, counted over all cycles; nothing
-    /// where it has neither steps nor a cycle.
+    /// Returns the progress in steps and cycles after `completed` commands, counted over all
+    /// cycles; `None` if the job has neither steps nor cycles.
     #[must_use]
     pub fn view(&self, commands: usize, completed: usize) -> Option<ProgramView> {
         if self.is_plain() {
@@ -114,8 +114,9 @@ impl JobProgram {
         })
     }
 
-    /// How many cycles are over when so many commands are, counted over all cycles; and how many commands
-    /// of the job that is, in the cycle that it is at. Where a job is over, all of its commands are.
+    /// Returns the number of cycles completed after `completed` commands, counted over all cycles,
+    /// and the number of commands completed in the current cycle. When a job is over, that is all
+    /// of its commands.
     #[must_use]
     pub fn at(&self, completed: usize, commands: usize) -> (u64, usize) {
         let Some(repeat) = self
@@ -135,119 +136,119 @@ impl JobProgram {
     }
 }
 
-/// A cycle: the commands at the end of a job that are done again.
+/// A cycle: the commands at the end of a job that repeat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JobRepeat {
-    /// The first of them, counted from 0; those before it are done once.
+    /// The index of the first repeated command, from 0; commands before it run once.
     pub from: usize,
-    /// How often they are done in all; without it, until a person ends the job.
+    /// The total number of cycles; without it, the job repeats until it is ended.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1))]
     pub times: Option<u64>,
 }
 
-/// Where a job waits for a person: to change the pen, say. `start` goes on.
+/// A pause where the job waits for a person, for example to change the pen. `start` resumes it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JobPause {
-    /// The command before which it waits, counted from 0. The arm has to be at rest there.
+    /// The index of the command before which it pauses, from 0. The arm must be at rest there.
     pub before: usize,
-    /// What the person is told.
+    /// The message shown to the person.
     #[schemars(length(min = 1, max = 200))]
     pub message: String,
 }
 
-/// What kind of job.
+/// The kind of job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum JobKind {
-    /// Vectors of a pen or a laser.
+    /// Vectors for a pen or a laser.
     Drawing,
-    /// Targets to go to.
+    /// Moves to targets.
     Program,
 }
 
-/// How far a job is.
+/// The phase of a job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum JobPhase {
-    /// It waits to be started.
+    /// Waiting to be started.
     Queued,
-    /// The arm is at it.
+    /// Running on the arm.
     Running,
-    /// It can be gone on with.
+    /// Paused; can be resumed.
     Paused,
-    /// A person ended it.
+    /// Ended by a person.
     Stopped,
-    /// It is done.
+    /// Done.
     Done,
-    /// It cannot be gone on with.
+    /// Failed; cannot be resumed.
     Failed,
 }
 
 impl JobPhase {
-    /// Whether nothing more will come of it.
+    /// Returns whether the job is over.
     #[must_use]
     pub const fn is_over(self) -> bool {
         matches!(self, Self::Stopped | Self::Done | Self::Failed)
     }
 }
 
-/// A job, as it is now.
+/// A job in its current state.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct JobView {
-    /// Its number.
+    /// The job number.
     pub job: u64,
-    /// What a person calls it.
+    /// The title.
     pub title: String,
-    /// What kind of job.
+    /// The kind of job.
     pub kind: JobKind,
     /// When it was queued, in milliseconds since 1970-01-01T00:00:00Z.
     pub created_ms: i64,
-    /// How far it is.
+    /// The phase.
     pub phase: JobPhase,
-    /// Why it is paused, stopped or failed.
+    /// The reason why it is paused, stopped or failed.
     pub reason: Option<String>,
-    /// Whether it is paused where a person has to do something, such as change the pen: it goes on only after
-    /// [`Request::ConfirmJob`](crate::Request::ConfirmJob).
+    /// Whether the job is paused until a person has done something, such as change the pen: it
+    /// resumes only after [`Request::ConfirmJob`](crate::Request::ConfirmJob).
     #[serde(default)]
     pub waits_for_person: bool,
-    /// How many commands it has; those of a cycle count once.
+    /// The number of commands; those of a cycle count once.
     pub commands: usize,
-    /// How many of them are over, in this cycle.
+    /// The number of completed commands in this cycle.
     pub completed: usize,
-    /// How long all of it takes, in seconds, by the motion model, where that has been looked at.
+    /// The planned duration in seconds (motion model), if computed.
     pub planned_s: Option<f64>,
-    /// How long the rest takes, in seconds, by the motion model, where that has been looked at; at
-    /// another speed than planned that is an estimate.
+    /// The planned remaining time in seconds (motion model), if computed; an estimate if the speed
+    /// has been changed.
     pub left_s: Option<f64>,
-    /// How long all of it really took, in seconds, without pauses; of a job that is done, where no
-    /// crash came between.
+    /// The actual duration in seconds, without pauses; for a job that is done and was not
+    /// interrupted by a crash.
     pub took_s: Option<f64>,
-    /// How fast its vectors are drawn, in percent of what was planned.
+    /// The speed of its vectors, in percent of the plan.
     pub speed_percent: f64,
-    /// How far above the plan it is drawn, in millimetres.
+    /// The height offset from the plan, in millimetres.
     pub height_mm: f64,
-    /// How far it is in its steps and cycles, if it is a program.
+    /// The progress in steps and cycles, if it is a program.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub program: Option<ProgramView>,
 }
 
-/// How far a program is in its steps and cycles.
+/// The progress of a program in steps and cycles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ProgramView {
-    /// How many steps it has.
+    /// The number of steps.
     pub steps: usize,
-    /// The step that it is at, counted from 0; the number of steps where all are over.
+    /// The current step, from 0; the number of steps once all are done.
     pub step: usize,
-    /// How many cycles are over.
+    /// The number of completed cycles.
     pub cycles_done: u64,
-    /// How many it does in all; none where it goes on until a person ends it.
+    /// The total number of cycles; absent if it repeats until it is ended.
     pub cycles: Option<u64>,
-    /// How long a cycle takes, in seconds, by the motion model.
+    /// The planned duration of a cycle in seconds (motion model).
     pub planned_cycle_s: Option<f64>,
-    /// How long a cycle really took, in seconds, without pauses: the mean of those that were done in one go
-    /// since the job was started last.
+    /// The mean actual duration of a cycle in seconds, without pauses: over the uninterrupted
+    /// cycles since the job was last started.
     pub mean_cycle_s: Option<f64>,
 }

@@ -1,4 +1,4 @@
-//! What becomes of a job, and why.
+//! The state of a job and its reason.
 
 use std::fmt;
 
@@ -6,35 +6,35 @@ use serde::{Deserialize, Serialize};
 
 use crate::JobPhase;
 
-/// What becomes of a job, and why.
+/// The state of a job and its reason.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "state", rename_all = "snake_case")]
 pub enum JobState {
-    /// It waits for its turn.
+    /// Waiting for its turn.
     Queued,
-    /// The arm is at it, or was when the program ended.
+    /// Running on the arm, or it was when the program ended.
     Running,
-    /// It goes on when somebody says so.
+    /// Paused until it is resumed.
     Paused {
-        /// Why.
+        /// The reason.
         reason: String,
     },
-    /// Somebody ended it.
+    /// Ended by a person.
     Stopped {
-        /// Why.
+        /// The reason.
         reason: String,
     },
-    /// Its last command is done.
+    /// All commands are done.
     Done,
-    /// The arm, the link or the program ended it.
+    /// Ended by the arm, the link or the program.
     Failed {
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }
 
 impl JobState {
-    /// The state of a job that is so far, for this reason; of those without one it is dropped.
+    /// Returns the state for a phase and a reason; the reason is dropped for phases without one.
     #[must_use]
     pub fn new(phase: JobPhase, reason: Option<String>) -> Self {
         let reason = reason.unwrap_or_default();
@@ -48,7 +48,7 @@ impl JobState {
         }
     }
 
-    /// How far the job is.
+    /// Returns the phase.
     #[must_use]
     pub const fn phase(&self) -> JobPhase {
         match self {
@@ -61,7 +61,7 @@ impl JobState {
         }
     }
 
-    /// Why it is paused, stopped or failed.
+    /// Returns the reason why the job is paused, stopped or failed.
     #[must_use]
     pub fn reason(&self) -> Option<&str> {
         match self {
@@ -72,20 +72,20 @@ impl JobState {
         }
     }
 
-    /// Whether it is history: stopped, done or failed.
+    /// Returns whether the job is over: stopped, done or failed.
     #[must_use]
     pub const fn is_over(&self) -> bool {
         self.phase().is_over()
     }
 
-    /// Whether it has begun and is not over: running or paused.
+    /// Returns whether the job has started and is not over: running or paused.
     #[must_use]
     pub const fn is_active(&self) -> bool {
         matches!(self, Self::Running | Self::Paused { .. })
     }
 }
 
-/// One word, and the reason in brackets.
+/// Formats as one word, with the reason in brackets.
 impl fmt::Display for JobState {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

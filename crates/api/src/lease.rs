@@ -1,40 +1,41 @@
-//! Who has control.
+//! The lease: control of the arm.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Names a client of the station while it is connected.
+/// The id of a client while it is connected.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema,
 )]
 #[serde(transparent)]
 pub struct ClientId(pub u64);
 
-/// Who has control of the arm.
+/// The lease holder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LeaseView {
     /// The holder.
     pub client: ClientId,
-    /// What the holder calls itself.
+    /// The holder's name.
     pub name: String,
-    /// By which name time slots know the holder: that of its token where this is one person's.
+    /// The person the holder counts as for time slots: the name of its token if the token belongs
+    /// to a person.
     #[serde(default)]
     pub person: String,
-    /// Whether the holder is a program on the raw port, which cannot be asked: an administrator takes
-    /// control from it.
+    /// Whether the holder is a program on the raw port, which cannot answer requests: an
+    /// administrator can take control from it.
     #[serde(default)]
     pub is_program: bool,
-    /// Since when, in seconds since the station started.
+    /// When the holder got it, in seconds since the station started.
     pub since_s: f64,
-    /// Who asks for control.
+    /// The clients that ask for control.
     pub asked_by: Vec<Asking>,
 }
 
-/// Somebody who asks for control.
+/// A client that asks for control.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Asking {
-    /// Who.
+    /// The client.
     pub client: ClientId,
-    /// What it calls itself.
+    /// The client's name.
     pub name: String,
 }

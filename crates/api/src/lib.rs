@@ -1,8 +1,8 @@
-//! What a station and its clients say to each other, and a client of a station.
+//! The messages between a station and its clients, and a station client.
 //!
-//! The same types are in the API, its document, the recordings and the program. With the feature `remote`
-//! there is a client besides: [`Folders`] says where a station of this machine tells that it runs, and
-//! [`Remote`] talks to one.
+//! The API, its documentation, the recordings and the program share these types. The feature
+//! `remote` adds a client: [`Folders`] locates the file that describes a running station of this
+//! machine, and [`Remote`] talks to a station.
 //!
 //! ```
 //! use dobot_api::{Request, Role};

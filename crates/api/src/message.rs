@@ -1,4 +1,4 @@
-//! The messages of the WebSocket.
+//! WebSocket messages.
 
 use std::borrow::Cow;
 
@@ -7,33 +7,33 @@ use serde::{Deserialize, Deserializer, Serialize, de};
 
 use crate::{ClientId, Notice, Problem, Reply, Request, Role, State};
 
-/// What a client sends over the WebSocket.
+/// A message from a client over the WebSocket.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FromClient {
-    /// A number by which the client recognises the answer.
+    /// A number, repeated in the answer.
     pub id: u64,
-    /// What it asks for.
+    /// The request.
     pub request: Request,
 }
 
-/// What the station sends over the WebSocket.
+/// A message from the station over the WebSocket.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum ToClient<'a> {
     /// The first message.
     Hello {
-        /// What the client has to know.
+        /// Information for the client.
         hello: Hello,
     },
-    /// The state changed. It is written once for all clients (`Snapshot`).
+    /// The state changed. It is serialized once for all clients (`Snapshot`).
     State {
         /// The state.
         state: Box<State>,
     },
-    /// Something happened.
+    /// An event.
     Notice {
-        /// What.
+        /// The notice.
         notice: Cow<'a, Notice>,
     },
     /// A request was granted.
@@ -43,34 +43,36 @@ pub enum ToClient<'a> {
         /// The answer.
         reply: Reply,
     },
-    /// A request was refused, or a message not understood.
+    /// A request was refused, or a message was not understood.
     Problem {
         /// The number of the request, if it could be read.
         #[serde(skip_serializing_if = "Option::is_none")]
         id: Option<u64>,
-        /// What is wrong.
+        /// The problem.
         problem: Problem,
     },
 }
 
-/// What a client has to know.
+/// Information for a client that has connected.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Hello {
     /// The client's number.
     pub client: ClientId,
-    /// What it may do.
+    /// The client's role.
     pub role: Role,
-    /// By which name time slots know it: that of its token where this is one person's, or else what the client calls itself.
+    /// The person the client counts as for time slots: the name of its token if the token belongs
+    /// to a person, otherwise the client's name.
     #[serde(default)]
     pub person: String,
     /// The version of the station.
     pub version: String,
-    /// How long a jog button stays pressed without being said again, in seconds.
+    /// The dead-man time: how long a jog button stays pressed without a repeated request, in
+    /// seconds.
     pub dead_man_s: f64,
 }
 
-/// A message whose contents are told by which of its fields are there: what is wrong with one of them is
-/// told as such, and not as a message of no kind.
+/// The kind of a message follows from its fields, so an error inside one is reported as such and
+/// not as an unknown message.
 impl<'de> Deserialize<'de> for ToClient<'_> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]

@@ -1,31 +1,31 @@
-//! The limits and keep-outs that the arm is near to.
+//! The limits and keep-outs close to the arm.
 
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The limits and keep-outs of the policy that a place of the arm is near to.
+/// The policy limits and keep-outs close to the arm.
 ///
-/// The closeness of each is above 0, which is 20 mm or 5 degrees off, and 1 at the bound or beyond it.
+/// Each closeness is above 0 (20 mm or 5 degrees away) and reaches 1 at the bound or beyond it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct NearView {
-    /// The bounds of joints and workspace.
+    /// The joint and workspace bounds.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<NearLimit>,
-    /// The closeness of the tool to keep-outs, by their names.
+    /// The closeness of the tool to keep-outs, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub keep_outs: BTreeMap<String, f64>,
 }
 
-/// A bound that the arm is near to.
+/// A bound close to the arm.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct NearLimit {
-    /// The quantity that is bounded.
+    /// The bounded quantity.
     pub quantity: BoundedQuantity,
     /// The bound, in degrees or mm.
     pub bound: f64,
-    /// How near it is: above 0, and 1 at the bound or beyond it.
+    /// The closeness: above 0, and 1 at the bound or beyond it.
     pub closeness: f64,
 }
 
@@ -43,9 +43,9 @@ pub enum BoundedQuantity {
     Servo,
     /// The rear arm angle minus the forearm angle, in degrees.
     Opening,
-    /// Forward of the axis of the base, in mm.
+    /// The distance forward of the base axis, in mm.
     X,
-    /// To the left of it, in mm.
+    /// The distance to the left of the base axis, in mm.
     Y,
     /// The height of the wrist, in mm.
     Z,
@@ -54,7 +54,7 @@ pub enum BoundedQuantity {
 }
 
 impl NearView {
-    /// Whether the arm is near to nothing.
+    /// Returns whether nothing is close.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.limits.is_empty() && self.keep_outs.is_empty()

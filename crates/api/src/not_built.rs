@@ -1,6 +1,6 @@
-//! Parts of the program that only a build with the feature `full` has.
+//! Parts of the program that need a build with the feature `full`.
 
-/// This build of the program lacks a part.
+/// The error returned when this build lacks a part.
 ///
 /// ```
 /// use dobot_api::NotBuilt;
@@ -13,6 +13,6 @@
 pub struct NotBuilt(pub &'static str);
 
 impl NotBuilt {
-    /// How to get the part.
+    /// The hint: how to get the part.
     pub const HINT: &str = "`cargo build --release --features full` builds a program with all parts; the released archives have them too";
 }

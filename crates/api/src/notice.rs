@@ -1,4 +1,4 @@
-//! What happened.
+//! Notices of events.
 
 use dobot_wire::Dialect;
 use schemars::JsonSchema;
@@ -6,21 +6,21 @@ use serde::{Deserialize, Serialize};
 
 use crate::{ClientId, JobPhase};
 
-/// Something that happened, for all who watch.
+/// An event, for all observers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Notice {
     /// Its number, from 1.
     pub number: u64,
-    /// When, in seconds since the station started.
+    /// The time, in seconds since the station started.
     pub at_s: f64,
-    /// What.
+    /// The event.
     #[serde(flatten)]
     pub news: News,
-    /// The same for a person, in one line.
+    /// The event as one line of text.
     pub text: String,
 }
 
-/// What can happen.
+/// The kinds of events.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum News {
@@ -30,55 +30,55 @@ pub enum News {
     LinkLost,
     /// The arm was reset: its pose cannot be trusted.
     Reset,
-    /// A person confirmed the pose, or the arm was referenced.
+    /// The pose was confirmed, or the arm was referenced.
     PoseTrusted,
-    /// The dialect is known now.
+    /// The dialect is now known.
     DialectKnown {
         /// The dialect.
         dialect: Dialect,
     },
-    /// A command is over: the arm is where it leads.
+    /// A command is done: the arm is at its end.
     CommandDone {
-        /// Its number.
+        /// The command number.
         command: u64,
     },
-    /// A command is over, but the arm is not where it leads, or it was never sent.
+    /// A command failed: the arm is not at its end, or the command was never sent.
     CommandFailed {
-        /// Its number.
+        /// The command number.
         command: u64,
     },
-    /// The arm stands where a command leads, and pauses there for five seconds or longer.
+    /// The arm pauses after a command for five seconds or longer.
     Pausing {
-        /// The number of the command.
+        /// The command number.
         command: u64,
-        /// How long, in seconds.
+        /// The length of the pause, in seconds.
         lasts_s: f64,
     },
-    /// The safety policy is another one from now on.
+    /// The safety policy has changed.
     PolicyChanged,
-    /// Another calibration of the arm holds.
+    /// The calibration of the arm has changed.
     Calibrated,
-    /// Something that a client asked for was refused.
+    /// A request was refused.
     Refused {
-        /// Who asked.
+        /// The requester.
         client: ClientId,
-        /// The kind of refusal, as in the problem documents.
+        /// The kind of refusal, as in problem documents.
         kind: String,
     },
-    /// A packet of a raw program was sent otherwise than it said: a stock arm would have taken it
-    /// harmlessly, or the policy has a ceiling for it.
+    /// A packet of a raw program was modified before it was sent: a stock arm would have reacted
+    /// badly to it, or the policy limits it.
     Amended {
-        /// Who.
+        /// The client of the program.
         client: ClientId,
     },
-    /// Somebody took control.
+    /// A client took control.
     LeaseTaken {
-        /// Who.
+        /// The client.
         client: ClientId,
     },
-    /// Somebody asks for control.
+    /// A client asks for control.
     LeaseAsked {
-        /// Who.
+        /// The client.
         client: ClientId,
     },
     /// Control is free.
@@ -87,49 +87,50 @@ pub enum News {
     Stopped,
     /// The arm came to rest after a stop.
     AtRest,
-    /// A person let the arm move again.
+    /// The stop was cleared; the arm may move again.
     StopReset,
-    /// An administrator keeps the arm.
+    /// An administrator locked the arm.
     Locked,
-    /// Everyone may take control of the arm again.
+    /// The lock was removed: every client may take control again.
     Unlocked,
-    /// Other time slots hold from now on, or none.
+    /// The time slots have changed or were removed.
     SlotsChanged,
-    /// The time of a student at the arm begins.
+    /// The time slot of a student begins.
     SlotBegan {
-        /// Who.
+        /// The student.
         student: String,
     },
-    /// The time of a student at the arm is over in a minute, or sooner.
+    /// The time slot of a student ends in a minute or less.
     SlotEnding {
-        /// Who.
+        /// The student.
         student: String,
     },
-    /// The time of a student at the arm is over.
+    /// The time slot of a student is over.
     SlotEnded {
-        /// Who.
+        /// The student.
         student: String,
     },
-    /// A person tells something to all who watch.
+    /// A message from a person to all observers.
     Message {
-        /// Who.
+        /// The sender.
         client: ClientId,
     },
-    /// The laser may be switched on.
+    /// The laser was armed: it may be switched on.
     LaserArmed,
-    /// The laser was switched off and stays so.
+    /// The laser was switched off and disarmed.
     LaserDisarmed,
-    /// The laser was switched off, because it would have burned on the spot, or did; it stays armed.
+    /// The laser was switched off because it burned, or would have burned, in one place; it stays
+    /// armed.
     LaserOff,
-    /// A held button was let go because its client fell silent.
+    /// A held button was released because its client fell silent.
     DeadMan,
     /// A job changed.
     Job {
-        /// Its number.
+        /// The job number.
         job: u64,
-        /// How far it is now.
+        /// Its phase.
         phase: JobPhase,
     },
-    /// Something of the station itself goes wrong: recording, journal, a flooding client.
+    /// A fault of the station itself: recording, journal, or a client that sends too much.
     Trouble,
 }

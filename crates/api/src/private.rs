@@ -1,4 +1,4 @@
-//! Files that nobody else may read.
+//! Files that only this user may read.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -6,12 +6,11 @@ use std::path::Path;
 
 use crate::make_private;
 
-/// Writes a file whole or not at all, for its driver's eyes only; its folder is made where it is
-/// missing.
+/// Writes a private file atomically; creates its folder if it is missing.
 ///
 /// # Errors
 ///
-/// What the operating system says; what was there before is still there then.
+/// The operating system's error; the previous file is unchanged.
 pub fn write_private(file: &Path, text: &str) -> io::Result<()> {
     if let Some(folder) = file.parent() {
         make_private(folder)?;
@@ -19,7 +18,7 @@ pub fn write_private(file: &Path, text: &str) -> io::Result<()> {
     let new = file.with_extension(format!("new-{}", std::process::id()));
     let written = write_new(&new, text).and_then(|()| fs::rename(&new, file));
     if written.is_err() {
-        // What is left of it is of no use; why it could not be written is what counts.
+        // The partial file is of no use; report the write error instead.
         let _ = fs::remove_file(&new);
     }
     written

@@ -6,31 +6,31 @@ use serde::{Deserialize, Serialize};
 /// A refusal as a problem document (RFC 9457, `application/problem+json`).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Problem {
-    /// The kind of problem; the address tells about it.
+    /// The problem type; its URL explains it.
     #[serde(rename = "type")]
     pub kind: String,
-    /// The kind of problem in words.
+    /// The problem type in words.
     pub title: String,
     /// The HTTP status.
     pub status: u16,
-    /// What is wrong: where, what was found, what is allowed.
+    /// What is wrong: where, what was found and what is allowed.
     pub detail: String,
-    /// What to do about it.
+    /// How to fix it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
-    /// Which rule of the policy was broken.
+    /// The policy rule that was broken.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rule: Option<String>,
-    /// Where on its way a motion would break the rule: x, y, z in millimetres.
+    /// Where the motion would break the rule: x, y and z in millimetres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_mm: Option<[f64; 3]>,
-    /// The nearest place that is allowed: x, y, z in millimetres.
+    /// The nearest allowed position: x, y and z in millimetres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nearest_mm: Option<[f64; 3]>,
 }
 
 impl Problem {
-    /// The name of its kind: the last part of the address, as in `no-lease`.
+    /// Returns the name of the problem type: the last part of its URL, as in `no-lease`.
     #[must_use]
     pub fn name(&self) -> &str {
         self.kind

@@ -1,27 +1,27 @@
-//! The kinds of problems, each with its title, its status and what it means: what
-//! `/api/v1/problems/{kind}` tells.
+//! The problem types, each with title, status and explanation, as served by
+//! `/api/v1/problems/{kind}`.
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::Problem;
 
-/// A kind of problem, explained.
+/// A problem type with its explanation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ProblemKind {
-    /// Its name: the last part of the problem type's address.
+    /// The name: the last part of the problem type's URL.
     #[serde(rename = "kind")]
     pub name: &'static str,
     /// The problem in words.
     pub title: &'static str,
-    /// The HTTP status that comes with it.
+    /// The HTTP status.
     pub status: u16,
-    /// What it means and what helps.
+    /// The meaning and the remedy.
     pub explanation: &'static str,
 }
 
 impl ProblemKind {
-    /// A problem of this kind.
+    /// Builds a problem of this type.
     #[must_use]
     pub fn problem(self, detail: impl Into<String>) -> Problem {
         Problem {
@@ -36,7 +36,7 @@ impl ProblemKind {
         }
     }
 
-    /// A problem of this kind, and what to do about it.
+    /// Builds a problem of this type with a hint.
     #[must_use]
     pub fn hinted(self, detail: impl Into<String>, hint: impl Into<String>) -> Problem {
         Problem {
@@ -46,7 +46,7 @@ impl ProblemKind {
     }
 }
 
-/// The kind of that name.
+/// Returns the problem type of this name.
 #[must_use]
 pub fn named(name: &str) -> Option<&'static ProblemKind> {
     ALL.iter().find(|kind| kind.name == name)
@@ -64,7 +64,7 @@ macro_rules! kinds {
             };
         )*
 
-        /// All kinds.
+        /// All problem types.
         pub const ALL: &[ProblemKind] = &[$($constant),*];
     };
 }

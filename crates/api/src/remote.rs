@@ -1,4 +1,4 @@
-//! The client of a station: what the verbs of the program talk through.
+//! A station client, used by the CLI.
 
 mod address;
 mod fetch;
@@ -33,10 +33,11 @@ pub use self::find::{SearchError, StationSearch, running};
 pub use self::options::StationOptions;
 pub use self::stream::{ConnectError, TrustError};
 
-/// A client of a station, over its WebSocket.
+/// A station client over WebSocket.
 ///
-/// A task hears the station all the time, so that whoever plans, or waits for a person, is not dropped meanwhile.
-/// What a client holds (control of the arm, a jog button) ends when it is dropped.
+/// A task reads from the station all the time, so a client that is planning or waiting for a person
+/// stays connected. What the client holds (control of the arm, a jog button) is released when it is
+/// dropped.
 ///
 /// ```no_run
 /// use dobot_api::{Remote, Request, StationAddress};
@@ -62,41 +63,41 @@ const STATES_PER_S: u32 = 200;
 type Socket = WebSocketStream<Box<dyn Bytes>>;
 type Incoming = SplitStream<Socket>;
 
-/// What a station tells without being asked.
+/// An event sent by the station.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StationEvent {
-    /// All that the station knows now.
+    /// The state.
     State(Box<State>),
-    /// Something happened.
+    /// A notice.
     Notice(Notice),
 }
 
-/// Why a conversation with a station failed.
+/// The error returned when communication with a station fails.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RemoteError {
-    /// The station refuses; nothing has changed.
+    /// The station refused the request; nothing has changed.
     #[error("{}", .0.detail)]
     Refused(Box<Problem>),
-    /// A command is over, but not done.
+    /// A command failed.
     #[error("{0}")]
     Failed(String),
-    /// It does not answer.
+    /// No answer came.
     #[error("the station does not answer")]
     Silent,
-    /// It closed the connection.
+    /// The station closed the connection.
     #[error("the station closed the connection{}", .0.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
     Closed(Option<String>),
     /// The connection broke.
     #[error("the connection with the station broke")]
     Broken(#[source] Box<tungstenite::Error>),
-    /// It says what nobody understands.
+    /// The station sent something that could not be understood.
     #[error("the station says what this program does not understand: {0}")]
     Garbled(String),
 }
 
 impl RemoteError {
-    /// What to do about it.
+    /// Returns a hint on how to fix it.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
@@ -111,7 +112,7 @@ impl RemoteError {
         }
     }
 
-    /// The last part of the kind of problem that the station refuses with, as in `no-lease`.
+    /// Returns the name of the problem type of a refusal, as in `no-lease`.
     #[must_use]
     pub fn kind(&self) -> Option<&str> {
         match self {
@@ -122,11 +123,11 @@ impl RemoteError {
 }
 
 impl Remote {
-    /// Connects, under a name that the others see.
+    /// Connects with a name that other clients see.
     ///
     /// # Errors
     ///
-    /// [`ConnectError`], with what to do about it.
+    /// [`ConnectError`], with a hint.
     pub async fn connect(address: &StationAddress, name: &str) -> Result<Self, ConnectError> {
         soon(address, Self::shake_hands(address, name)).await
     }
@@ -151,18 +152,18 @@ impl Remote {
         }
     }
 
-    /// What the station said first.
+    /// Returns the station's greeting.
     #[must_use]
     pub const fn hello(&self) -> &Hello {
         &self.hello
     }
 
-    /// Asks for something. What the station tells in the meantime is kept for
-    /// [`next`](Self::next): every notice, and the last state.
+    /// Sends a request. Events that arrive in the meantime are kept for [`next`](Self::next): every
+    /// notice, and the latest state.
     ///
     /// # Errors
     ///
-    /// [`RemoteError::Refused`] where it refuses, and others where there is no answer.
+    /// [`RemoteError::Refused`] if the station refuses, other variants if no answer comes.
     pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
         let answered = timeout(patience(&request), self.ask(request)).await;
         answered.unwrap_or(Err(RemoteError::Silent))
@@ -173,7 +174,7 @@ impl Remote {
     ///
     /// # Errors
     ///
-    /// [`RemoteError`] where the connection is lost.
+    /// [`RemoteError`] if the connection is lost.
     pub async fn next(&mut self) -> Result<StationEvent, RemoteError> {
         self.inbox.next().await
     }
@@ -199,7 +200,7 @@ impl fmt::Debug for Remote {
     }
 }
 
-/// What comes next on the socket.
+/// Receives the next message.
 async fn receive(incoming: &mut Incoming) -> Result<ToClient<'static>, RemoteError> {
     loop {
         match incoming.next().await {
@@ -256,12 +257,12 @@ fn broken(error: tungstenite::Error) -> RemoteError {
     }
 }
 
-/// How long an answer may take.
+/// The timeout for an answer.
 const fn patience(request: &Request) -> Duration {
     match request {
         // Small slow motions.
         Request::Detect => Duration::from_secs(180),
-        // The whole way of a job is checked before it is kept, and again before it is begun.
+        // The whole path of a job is checked when it is queued and again when it starts.
         Request::SubmitJob { .. }
         | Request::QueueAgain { .. }
         | Request::StartJob { .. }
@@ -270,7 +271,7 @@ const fn patience(request: &Request) -> Duration {
     }
 }
 
-/// A text as part of an address.
+/// Percent-encodes a text for an address.
 fn percent(text: &str) -> String {
     let encoded = |byte: u8| {
         if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {

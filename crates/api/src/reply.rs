@@ -1,4 +1,4 @@
-//! What the station answers.
+//! Answers of the station.
 
 use dobot_wire::Finding;
 use schemars::JsonSchema;
@@ -6,60 +6,61 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Calibrations, JobView, LeaseView, NearView, PathPreview, TimeSlot};
 
-/// The answer to a request that was granted.
+/// The answer to an accepted request.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Reply {
-    /// It is done.
+    /// Done.
     Done,
-    /// The command waits for its turn; a notice tells when it is over.
+    /// The command is queued; a notice reports when it is over.
     Accepted {
-        /// Its number.
+        /// The command number.
         command: u64,
-        /// How long it and all before it take, in seconds, where that can be told.
+        /// The time until it is over, including all commands before it, in seconds, if it can be
+        /// estimated.
         takes_s: Option<f64>,
     },
-    /// Where the command would lead; nothing was sent.
+    /// The path the command would take; nothing was sent.
     Way {
-        /// The way.
+        /// The path.
         way: PathPreview,
     },
-    /// What an arm at the place would be near to.
+    /// The limits and keep-outs close to the given position.
     Near {
         /// The limits and keep-outs.
         near: NearView,
     },
-    /// The arm is stopped; what stops it is on its way, if `delivered`.
+    /// The arm is stopping; the stop packets are on their way if `delivered`.
     Stopping {
-        /// By when the arm is at rest at the latest, in seconds; without a meaning where nothing was delivered.
+        /// The time within which the arm is at rest, in seconds; meaningless if not delivered.
         rests_within_s: f64,
-        /// Whether a link takes the packets. If not, they are sent as soon as there is one: the arm has to be switched
-        /// off by hand.
+        /// Whether a link accepts the packets. If not, they are sent as soon as there is one;
+        /// switch the arm off by hand.
         delivered: bool,
     },
-    /// The lease, as it is now.
+    /// The current lease.
     Lease {
-        /// Who has it, if anybody has.
+        /// The lease holder, if any.
         lease: Option<LeaseView>,
     },
-    /// The time slots that are not over, in their order.
+    /// The current and upcoming time slots, in order.
     Slots {
         /// The slots.
         slots: Vec<TimeSlot>,
     },
-    /// The job, as it is now.
+    /// The job in its current state.
     Job {
         /// The job.
         job: JobView,
     },
-    /// Which calibration holds, and which one did before.
+    /// The current and the previous calibration.
     Calibrated {
-        /// Both.
+        /// Both calibrations.
         calibrations: Box<Calibrations>,
     },
-    /// Which dialect the arm speaks.
+    /// The dialect that the arm speaks.
     Found {
-        /// What was found, and by which evidence.
+        /// The finding and its evidence.
         finding: Finding,
     },
 }

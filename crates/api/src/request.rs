@@ -1,4 +1,4 @@
-//! What a client can ask for.
+//! Requests to the station.
 
 use dobot_wire::{Command, Dialect, JointJog, LinearJog};
 use schemars::JsonSchema;
@@ -6,35 +6,35 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::{Button, CalibrationFile, ClientId, NewJob, Role, TimeSlot};
 
-/// What a client can ask of the station.
+/// A request to the station.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Request {
-    /// Send one command, if the policy allows its whole way.
+    /// Send one command, if the policy allows its whole path.
     Command {
         /// The command.
         command: Command,
     },
-    /// Say where a command would lead if it were sent now, or why it would be refused. Nothing is sent, and nobody is
-    /// told; it takes no lease.
+    /// Preview the path a command would take if it were sent now, or return why it would be
+    /// refused. Nothing is sent and no notice is published. No lease is needed.
     CheckCommand {
         /// The command.
         command: Command,
     },
-    /// Say which limits and keep-outs of the policy an arm at a place would be near to, however it got there. Nothing is sent,
-    /// and nobody is told; it takes no lease.
+    /// Return the policy limits and keep-outs close to a position, however the arm got there.
+    /// Nothing is sent and no notice is published. No lease is needed.
     Near {
-        /// Forward of the axis of the base, in mm.
+        /// The distance forward of the base axis, in mm.
         x_mm: f64,
-        /// To the left of it, in mm.
+        /// The distance to the left of the base axis, in mm.
         y_mm: f64,
         /// The height of the wrist, in mm.
         z_mm: f64,
         /// The rotation of the tool, in degrees.
         rotation_deg: f64,
     },
-    /// Hold a jog button. It is released when this is not said again within the dead-man time
-    /// (150 ms by default).
+    /// Hold a jog button. It is released unless this is repeated within the dead-man time (150 ms
+    /// by default).
     Jog {
         /// The button.
         jog: Jog,
@@ -42,173 +42,177 @@ pub enum Request {
     /// Release the jog button.
     #[serde(deserialize_with = "without_fields")]
     Release,
-    /// Move by one step of a jog button, from where the arm is when all that it was given is over, if the policy allows its
-    /// whole way. Pump and gripper stay as they are.
+    /// Move by one step of a jog button from where the arm is after all queued commands, if the
+    /// policy allows the whole path. Pump and gripper keep their state.
     Step {
         /// The button.
         button: Button,
-        /// How far, in mm or degrees.
+        /// The distance, in mm or degrees.
         #[schemars(range(min = 0.01, max = 100.0))]
         by: f32,
     },
-    /// Stop the arm: laser off first, nothing more is sent. Anyone may, without a lease.
+    /// Stop the arm: the laser goes off first, and nothing more is sent. Any client may, without a
+    /// lease.
     Stop {
-        /// Why, for those who find the arm stopped. What is longer than 200 characters is cut: a stop
-        /// is not refused.
+        /// The reason, shown while the arm is stopped. Text beyond 200 characters is cut: a stop is
+        /// never refused.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         reason: Option<String>,
     },
-    /// Let the arm move again after a stop: a person has looked at it.
+    /// Clear the stop after a person has looked at the arm.
     #[serde(deserialize_with = "without_fields")]
     ResetStop,
-    /// Take control, if nobody has it; said again it renews the lease. From a program on the raw port,
-    /// which cannot be asked, an administrator takes it so too.
+    /// Take control if it is free; repeating it renews the lease. An administrator can also take
+    /// control from a program on the raw port, which cannot answer requests.
     #[serde(deserialize_with = "without_fields")]
     TakeLease,
-    /// Give control back.
+    /// Release control.
     #[serde(deserialize_with = "without_fields")]
     ReleaseLease,
-    /// Ask the holder for control; he grants it, or releases it.
+    /// Ask the lease holder for control, who can grant or release it.
     #[serde(deserialize_with = "without_fields")]
     AskLease,
-    /// Give control to one who asked.
+    /// Grant control to a client that asked for it.
     GrantLease {
-        /// Who gets it.
+        /// The client that gets control.
         to: ClientId,
     },
-    /// Take control from whoever has it.
+    /// Take control from the lease holder.
     #[serde(deserialize_with = "without_fields")]
     SeizeLease,
-    /// Keep the arm for administrators: whoever else has control loses it, and a job that runs is paused. Said again, it
-    /// changes the message.
+    /// Lock the arm for administrators: any other client loses control, and a running job is
+    /// paused. Repeating it changes the message.
     Lock {
-        /// Why, for those who want to move the arm, as in "eyes on me". What is longer than 200 characters is cut.
+        /// The reason, shown to clients, as in "eyes on me". Text beyond 200 characters is cut.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         message: Option<String>,
     },
-    /// Let everyone take control again.
+    /// Unlock the arm: every client may take control again.
     #[serde(deserialize_with = "without_fields")]
     Unlock,
-    /// Say whose the arm is and when, in place of all that was said before; with no slots it is everyone's. While a slot is under
-    /// way only its student and administrators have control: whoever else has it loses it, and a job that runs is paused.
+    /// Set the time slots, replacing all previous ones; with no slots every client may take
+    /// control. During a slot only its student and administrators have control: any other client
+    /// loses it, and a running job is paused.
     SetSlots {
-        /// The slots, in any order: up to 200, none of which overlaps another one.
+        /// The slots, in any order: at most 200, not overlapping.
         #[schemars(length(max = 200))]
         slots: Vec<TimeSlot>,
     },
-    /// Tell all time slots.
+    /// Return all time slots.
     #[serde(deserialize_with = "without_fields")]
     ShowSlots,
-    /// Tell something to all who watch.
+    /// Send a message to all observers.
     Message {
-        /// What. What is longer than 200 characters is cut.
+        /// The message. Text beyond 200 characters is cut.
         text: String,
     },
-    /// Let the laser be switched on for a while: a person has put the goggles on. For a program on the raw
-    /// port that has control an administrator says so.
+    /// Arm the laser for a while: everyone present wears goggles. For a program on the raw port
+    /// that has control, an administrator does this.
     ArmLaser {
-        /// For how long, in seconds.
+        /// The duration, in seconds.
         #[schemars(range(min = 1.0, max = 3600.0))]
         for_s: f64,
     },
-    /// Switch the laser off and keep it off.
+    /// Switch the laser off and disarm it.
     #[serde(deserialize_with = "without_fields")]
     DisarmLaser,
-    /// The arm stands where its statuses say: a person has looked. This takes no lease.
+    /// Confirm the pose: a person has checked that the arm stands where its statuses say. No lease
+    /// is needed.
     #[serde(deserialize_with = "without_fields")]
     ConfirmPose,
-    /// Tell a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros until its next
-    /// reset. It has to rest, with its base straight ahead.
+    /// Give a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros
+    /// until its next reset. The arm must be at rest with its base straight ahead.
     #[serde(deserialize_with = "without_fields")]
     TellAngles,
-    /// Say how the arm differs from the drawing of it: from then on places are true ones. It is kept for this arm, and
-    /// what was known before is kept beside it.
+    /// Set the calibration: from then on positions are calibrated ones. It is stored for this arm
+    /// together with the previous one.
     Calibrate {
-        /// What is known of the arm; nothing takes it to be as drawn.
+        /// The calibration; without one the arm is assumed to match the drawing.
         calibration: Option<Box<CalibrationFile>>,
     },
-    /// Say which dialect the arm speaks.
+    /// Set the dialect that the arm speaks.
     SetDialect {
         /// The dialect.
         dialect: Dialect,
     },
-    /// Find out which dialect the arm speaks, by small slow motions.
+    /// Detect the dialect that the arm speaks, by small slow motions.
     #[serde(deserialize_with = "without_fields")]
     Detect,
     /// Queue a job.
     SubmitJob {
         /// The job.
         job: NewJob,
-        /// What the sender calls this request, 1 to 64 visible characters: sent again with the same key, it queues no
-        /// other job.
+        /// The idempotency key, 1 to 64 visible characters: a request repeated with the same key
+        /// queues no second job.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(length(min = 1, max = 64))]
         key: Option<String>,
     },
-    /// Start a queued job, or go on with a paused one.
+    /// Start a queued job or resume a paused one.
     StartJob {
-        /// Its number.
+        /// The job number.
         job: u64,
     },
-    /// Say that a person has done what a paused job waits for; it goes on with [`Request::StartJob`].
+    /// Confirm that a person has done what a paused job waits for; [`Request::StartJob`] then
+    /// resumes it.
     ConfirmJob {
-        /// Its number.
+        /// The job number.
         job: u64,
     },
-    /// Do the next step of a queued or paused job, and pause behind it.
+    /// Run the next step of a queued or paused job, then pause.
     StepJob {
-        /// Its number.
+        /// The job number.
         job: u64,
     },
-    /// Pause the running job after what the arm has got already.
+    /// Pause the running job after the in-flight commands.
     #[serde(deserialize_with = "without_fields")]
     PauseJob,
-    /// Do the job that runs or is paused faster or slower than planned, from the next command on that is not
-    /// sent yet: the vectors of a drawing, the vectors and targets of a program. To its targets an arm goes at
-    /// 100 % of its configured speed at the most.
+    /// Change the speed of the running or paused job, from the next unsent command on: the vectors
+    /// of a drawing, the vectors and targets of a program. Targets run at no more than 100 % of the
+    /// arm's configured speed.
     SetJobSpeed {
-        /// In percent of the planned speed.
+        /// The speed, in percent of the planned speed.
         #[schemars(range(min = 10.0, max = 200.0))]
         percent: f64,
     },
-    /// Draw the job that runs or is paused higher or lower than planned, gently, from the next
-    /// command on that is not sent yet.
+    /// Change the drawing height of the running or paused job, gradually, from the next unsent
+    /// command on.
     SetJobHeight {
-        /// How far above the plan, in millimetres; below 0 is lower.
+        /// The height offset from the plan, in millimetres; negative is lower.
         #[schemars(range(min = -5.0, max = 5.0))]
         offset_mm: f64,
     },
-    /// End a job for good.
+    /// End a job permanently.
     CancelJob {
-        /// Its number.
+        /// The job number.
         job: u64,
     },
-    /// Queue what a job does once more, as a new job that is planned anew.
+    /// Queue a job again, as a new job that is planned again.
     QueueAgain {
-        /// Its number.
+        /// The job number.
         job: u64,
-        /// What the sender calls this request, 1 to 64 visible characters: sent again with the same key, it queues no
-        /// other job.
+        /// The idempotency key, 1 to 64 visible characters: a request repeated with the same key
+        /// queues no second job.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(length(min = 1, max = 64))]
         key: Option<String>,
     },
-    /// Put a queued job before another queued one, or behind all of them.
+    /// Move a queued job before another queued one, or to the end.
     MoveJob {
-        /// Its number.
+        /// The job number.
         job: u64,
-        /// The number of the other one; without it the job comes last.
+        /// The number of the other job; without it, the job moves to the end.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         before: Option<u64>,
     },
-    /// Forget a job that is over, or that has not begun.
+    /// Remove a job that is over or has not started.
     ForgetJob {
-        /// Its number.
+        /// The job number.
         job: u64,
     },
 }
 
-/// What is left of a request that has no fields; a derived reader passes over what it does not know there.
+/// Rejects unknown fields of a request without fields; a derived reader would ignore them.
 fn without_fields<'de, D: Deserializer<'de>>(deserializer: D) -> Result<(), D::Error> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]
@@ -218,7 +222,7 @@ fn without_fields<'de, D: Deserializer<'de>>(deserializer: D) -> Result<(), D::E
 }
 
 impl Request {
-    /// Who may ask for this.
+    /// Returns the least role that may send this request.
     #[must_use]
     pub const fn role(&self) -> Role {
         match self {
@@ -271,7 +275,7 @@ pub enum Jog {
 }
 
 impl Jog {
-    /// The command that presses the button.
+    /// Returns the command that presses the button.
     #[must_use]
     pub fn command(self) -> Command {
         match self {

@@ -1,4 +1,4 @@
-//! What a client may do.
+//! Client roles.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,27 +6,27 @@ use std::str::FromStr;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a client may do; each role may do what those before it may.
+/// The role of a client; each role includes the ones before it.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema,
 )]
 #[serde(rename_all = "lowercase")]
 pub enum Role {
-    /// See everything, and stop the arm.
+    /// Observe everything and stop the arm.
     Watch,
-    /// Besides: queue drawings and programs as jobs; a person starts each.
+    /// Also queue drawings and programs as jobs; a person starts each.
     Queue,
-    /// Move the arm, while holding the lease.
+    /// Also move the arm while holding the lease.
     Control,
-    /// Besides: say which dialect the arm speaks, and take the lease from somebody.
+    /// Also set the dialect and seize the lease.
     Admin,
 }
 
 impl Role {
-    /// All roles, the least first.
+    /// All roles, lowest first.
     pub const ALL: [Self; 4] = [Self::Watch, Self::Queue, Self::Control, Self::Admin];
 
-    /// Its name.
+    /// Returns the name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -53,7 +53,7 @@ impl FromStr for Role {
     }
 }
 
-/// A name that no role has.
+/// The error returned for an unknown role name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is no such role; the roles are watch, queue, control and admin")]
 pub struct UnknownRole;

@@ -8,30 +8,30 @@ use serde::{Deserialize, Serialize};
 
 use crate::folders::make_private;
 
-/// What a running station says of itself to programs of the same person on the same machine: the
-/// contents of `station.toml`.
+/// A running station's description for programs of the same user on the same machine: the contents
+/// of `station.toml`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Running {
-    /// Where it is served, as in `http://127.0.0.1:8642`.
+    /// The address, as in `http://127.0.0.1:8642`.
     pub address: String,
-    /// The station's process.
+    /// The process id.
     pub pid: u32,
-    /// A token that may do everything; whoever can read the file has it.
+    /// An admin token, available to every process that can read the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub token: Option<String>,
-    /// The SHA-256 digest of its certificate in hexadecimal digits, where it is served with TLS.
+    /// The SHA-256 digest of its certificate in hexadecimal digits, if it is served with TLS.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fingerprint: Option<String>,
 }
 
 impl Running {
-    /// Reads the file; `None` where there is none, so that no station runs.
+    /// Reads the file; `None` if it does not exist, so no station runs.
     ///
-    /// A file may outlive a station that was killed: whether it runs shows when one connects.
+    /// The file may remain after a station was killed: connect to find out whether it runs.
     ///
     /// # Errors
     ///
-    /// [`RunningError`] where the file cannot be read or understood.
+    /// [`RunningError`] if the file cannot be read or parsed.
     pub fn read(file: &Path) -> Result<Option<Self>, RunningError> {
         let text = match fs::read_to_string(file) {
             Ok(text) => text,
@@ -45,33 +45,33 @@ impl Running {
         Ok(Some(running))
     }
 
-    /// Writes the file, for nobody else to read.
+    /// Writes the file, private to this user.
     ///
     /// # Errors
     ///
-    /// [`RunningError`] where it cannot be written.
+    /// [`RunningError`] if it cannot be written.
     ///
     /// # Panics
     ///
-    /// Never: a table of texts and a number can always be written as TOML.
+    /// Never: a table of strings and a number can always be written as TOML.
     pub fn write(&self, file: &Path) -> Result<(), RunningError> {
         let text = toml::to_string(self).expect("a table of texts and a number is TOML");
         let written = || {
             if let Some(folder) = file.parent() {
                 make_private(folder)?;
             }
-            // A file that is there keeps its permissions, so it goes first.
+            // An existing file would keep its permissions, so remove it first.
             remove(file)?;
             private().open(file)?.write_all(text.as_bytes())
         };
         written().map_err(|error| RunningError::io(file, error))
     }
 
-    /// Removes the file, unless another station has written it anew.
+    /// Removes the file, unless another station has written it since.
     ///
     /// # Errors
     ///
-    /// [`RunningError`] where it cannot be removed.
+    /// [`RunningError`] if it cannot be removed.
     pub fn remove(&self, file: &Path) -> Result<(), RunningError> {
         if Self::read(file)?.as_ref() == Some(self) {
             remove(file).map_err(|error| RunningError::io(file, error))?;
@@ -80,25 +80,25 @@ impl Running {
     }
 }
 
-/// Why the file of a running station is of no use.
+/// The error returned when the file of a running station is unusable.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RunningError {
-    /// It cannot be read, written or removed.
+    /// The file cannot be read, written or removed.
     #[error("{file}")]
     Io {
         /// The file.
         file: String,
-        /// Why.
+        /// The operating system's error.
         #[source]
         source: io::Error,
     },
-    /// It is no such file.
+    /// The contents are invalid.
     #[error("{file} does not tell of a station: {why}")]
     Content {
         /// The file.
         file: String,
-        /// What is wrong with it.
+        /// The reason.
         why: String,
     },
 }
@@ -119,7 +119,7 @@ fn remove(file: &Path) -> io::Result<()> {
     }
 }
 
-/// A new file that nobody else may read, where the system knows of such a thing.
+/// Options for a new private file, where the system supports that.
 fn private() -> fs::OpenOptions {
     let mut options = fs::OpenOptions::new();
     options.write(true).create_new(true);

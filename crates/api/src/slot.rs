@@ -1,64 +1,64 @@
-//! Time slots: from when until when an arm is a student's.
+//! Time slots: when the arm is reserved for a student.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A time slot, told from now on: no clocks are compared, so that a wrong one does no harm.
+/// A time slot, relative to now: no clocks are compared, so a wrong clock does no harm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TimeSlot {
-    /// Whose it is: 1 to 60 visible characters. Capital letters and spaces around it make no difference.
+    /// The student: 1 to 60 visible characters. Case and surrounding spaces are ignored.
     #[schemars(length(min = 1, max = 60))]
     pub student: String,
-    /// The group of that one: 1 to 40 small letters of English, digits and hyphens.
+    /// The student's group: 1 to 40 lowercase English letters, digits and hyphens.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1, max = 40))]
     pub group: Option<String>,
-    /// When it begins, in seconds from now; 0 where it has begun.
+    /// The start, in seconds from now; 0 if it has begun.
     #[schemars(range(min = 0.0, max = 86_400.0))]
     pub starts_in_s: f64,
-    /// When it ends, in seconds from now: at least a second after it begins.
+    /// The end, in seconds from now: at least a second after the start.
     #[schemars(range(min = 1.0, max = 86_400.0))]
     pub ends_in_s: f64,
 }
 
 impl TimeSlot {
-    /// How many slots an arm may have.
+    /// The maximum number of slots of an arm.
     pub const MOST: usize = 200;
-    /// How far ahead the last one may end, in seconds.
+    /// The latest end of the last slot, in seconds from now.
     pub const LONGEST_S: f64 = 86_400.0;
 }
 
-/// The time slots of an arm, as far as those who watch have to know: `GET /api/v1/slots` tells all.
+/// The time slots of an arm for observers; `GET /api/v1/slots` returns all of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SlotsView {
-    /// The one that is under way, if one is: only its student and administrators have control meanwhile.
+    /// The current slot, if any: only its student and administrators have control meanwhile.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub now: Option<SlotView>,
-    /// The one that comes next, if one does.
+    /// The next slot, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub next: Option<SlotView>,
-    /// When the arm is everyone's again, in seconds since the station started: the end of the last of the slots that follow each
-    /// other without a break. Absent where it is everyone's now.
+    /// When the arm is free again, in seconds since the station started: the end of the last of the
+    /// consecutive slots. Absent if it is free now.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub free_s: Option<f64>,
 }
 
-/// A time slot, for those who watch.
+/// A time slot, for observers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SlotView {
-    /// Whose it is.
+    /// The student.
     pub student: String,
-    /// The group of that one.
+    /// The student's group.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub group: Option<String>,
-    /// When it begins, in seconds since the station started.
+    /// The start, in seconds since the station started.
     pub starts_s: f64,
-    /// When it ends, in seconds since the station started.
+    /// The end, in seconds since the station started.
     pub ends_s: f64,
 }
 
-/// Whether two names are those of one person: capital letters and spaces around them make no difference.
+/// Returns whether two names mean the same person: case and surrounding spaces are ignored.
 ///
 /// ```
 /// assert!(dobot_api::is_same_person(" anna", "Anna"));

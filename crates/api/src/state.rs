@@ -1,4 +1,4 @@
-//! What the station tells all the time.
+//! The state published by the station.
 
 use dobot_wire::{Dialect, Status};
 use schemars::JsonSchema;
@@ -6,52 +6,52 @@ use serde::{Deserialize, Serialize};
 
 use crate::{FleetWideStop, JobView, LeaseView, NearView, SlotsView};
 
-/// All that the station knows at one moment.
+/// The state of the station at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct State {
     /// The time since the station started, in seconds.
     pub at_s: f64,
-    /// The way to the arm.
+    /// The link to the arm.
     pub link: LinkView,
-    /// What the arm told last; absent until it has told anything.
+    /// The arm's last status; absent until one has arrived.
     pub arm: Option<ArmView>,
-    /// The calibration by which places are told, if the arm has one.
+    /// The calibration used for positions, if the arm has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibrated: Option<CalibratedView>,
-    /// The dialect that the arm speaks, if that is known.
+    /// The dialect that the arm speaks, if known.
     pub dialect: Option<Dialect>,
     /// Whether the pose can be trusted.
     pub trust: TrustView,
-    /// What the arm has still to do.
+    /// The command queue.
     pub queue: QueueView,
-    /// Who has control, if anybody has.
+    /// The lease holder, if any.
     pub lease: Option<LeaseView>,
-    /// The lock that holds the arm for administrators, if one does.
+    /// The administrators' lock, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lock: Option<LockView>,
-    /// Whose time it is now and next, where the arm has time slots.
+    /// The current and next time slot, if the arm has any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slots: Option<SlotsView>,
-    /// The stop that holds the arm, if one does.
+    /// The stop that holds the arm, if any.
     pub stop: Option<StopView>,
-    /// The stops of the whole fleet that the station knows of, at most one of each station that made one. Those that were
-    /// reset are kept too, for stations that come back and do not know it yet.
+    /// The known fleet-wide stops, at most one per station of origin. Stops that were reset are
+    /// kept for stations that return and do not know it yet.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fleet_stops: Vec<FleetWideStop>,
     /// The laser's interlock.
     pub laser: LaserView,
-    /// The job that runs or is paused.
+    /// The running or paused job.
     pub job: Option<JobView>,
-    /// What is missing of the kept jobs and what to do, if the file in which they are kept was damaged.
+    /// What is missing of the stored jobs and what to do, if their file was damaged.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub jobs_missing: Option<String>,
-    /// How many clients are connected.
+    /// The number of connected clients.
     pub clients: usize,
 }
 
 impl State {
-    /// An arm at rest that nobody controls, for tests and documentation: a minute after the station started, over a serial
-    /// port, in the dialect of the specification.
+    /// Returns the state of an arm at rest with control free, for tests and documentation: a minute
+    /// after the station started, over a serial port, in the dialect of the specification.
     ///
     /// ```
     /// use dobot_api::State;
@@ -117,95 +117,95 @@ impl State {
     }
 }
 
-/// The way to the arm.
+/// The link to the arm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LinkView {
-    /// Where the arm is reached: an address, or nothing yet.
+    /// The address of the arm; absent if there is none yet.
     pub address: Option<String>,
-    /// How far the link is.
+    /// The phase of the link.
     pub phase: LinkPhase,
-    /// What is wrong with it and what to do, if anything is.
+    /// What is wrong and what to do, if anything.
     pub problem: Option<String>,
-    /// Whether it leads to the Bluetooth port of a stock arm: its statuses tell so, and joint jogs have
-    /// other axes there, to which they are translated.
+    /// Whether the link uses the Bluetooth port of a stock arm, as detected from its statuses. Its
+    /// joint jogs have other axes, to which jogs are translated.
     #[serde(default)]
     pub bluetooth: bool,
-    /// Statuses in a second, of 12.5; of 18.75 over Bluetooth.
+    /// Statuses per second; nominally 12.5, or 18.75 over Bluetooth.
     pub statuses_per_s: f64,
-    /// Statuses that should have come and did not, since the connect.
+    /// Missing statuses since the link was opened.
     pub lost_statuses: u64,
-    /// Bytes that belong to no status, since the connect.
+    /// Bytes that belong to no status, since the link was opened.
     pub damaged_bytes: u64,
-    /// From a command to the first status that shows it, in milliseconds, where that is known.
+    /// The time from a command to the first status that shows it, in milliseconds, if known.
     pub latency_ms: Option<f64>,
 }
 
-/// How far the link is.
+/// The phase of the link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LinkPhase {
     /// No arm has been found yet.
     Searching,
-    /// The port is open, but no status has come.
+    /// The port is open, but no status has arrived.
     Listening,
-    /// Statuses come.
+    /// Statuses arrive.
     Up,
-    /// Statuses came, and do not any more.
+    /// Statuses have stopped arriving.
     Lost,
 }
 
-/// What the arm told last.
+/// The arm's last status.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ArmView {
-    /// The status; of a calibrated arm with its true places and angles.
+    /// The status; for a calibrated arm, with calibrated positions and angles.
     #[serde(flatten)]
     pub status: Status,
-    /// What a calibrated arm says itself.
+    /// The raw status of a calibrated arm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub told: Option<Status>,
-    /// Whether it moves.
+    /// Whether the arm moves.
     pub moving: bool,
-    /// The limits and keep-outs of the policy that it is near to.
+    /// The policy limits and keep-outs close to the arm.
     #[serde(default, skip_serializing_if = "NearView::is_empty")]
     pub near: NearView,
 }
 
-/// By which calibration places are told.
+/// The calibration used for positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct CalibratedView {
-    /// Whether the arm was told its true angles (state 9, mode 3) since it was switched on: then only its tool
-    /// is elsewhere than it says.
+    /// Whether the arm was given its true angles (state 9, mode 3) since it was switched on: then
+    /// only its tool is offset from what it reports.
     pub zeros_told: bool,
 }
 
 /// Whether the pose can be trusted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct TrustView {
-    /// It can.
+    /// Whether it can.
     pub trusted: bool,
-    /// Why not.
+    /// The reason if not.
     pub reason: Option<String>,
 }
 
-/// What the arm has still to do.
+/// The command queue.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct QueueView {
-    /// Commands that wait in the station.
+    /// Commands waiting in the station.
     pub waiting: usize,
-    /// Commands sent and not seen to be over.
+    /// In-flight commands: sent and not yet seen to be over.
     pub under_way: usize,
-    /// How long those under way still take, in seconds, by the motion model.
+    /// The remaining time of the in-flight commands, in seconds (motion model).
     pub ahead_s: f64,
 }
 
-/// A lock: only an administrator gets control of the arm.
+/// A lock: only an administrator can take control of the arm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LockView {
     /// Who locked it.
     pub by: String,
-    /// Why, for those who want to move the arm.
+    /// The reason, shown to clients that want to move the arm.
     pub message: Option<String>,
-    /// When, in seconds since the station started.
+    /// When it was set, in seconds since the station started.
     pub at_s: f64,
 }
 
@@ -214,24 +214,24 @@ pub struct LockView {
 pub struct StopView {
     /// Who stopped it.
     pub by: String,
-    /// Why.
+    /// The reason.
     pub reason: Option<String>,
-    /// When, in seconds since the station started.
+    /// When it was set, in seconds since the station started.
     pub at_s: f64,
-    /// By when the arm was promised to be at rest, in seconds since the station started.
+    /// When the arm is due to be at rest, in seconds since the station started.
     pub rests_by_s: f64,
-    /// Whether it has been seen at rest since.
+    /// Whether the arm has been seen at rest since.
     pub at_rest: bool,
-    /// Whether the packets that stop it have left this computer: if not, it has to be switched off by hand.
+    /// Whether the stop packets have left this computer: if not, switch the arm off by hand.
     #[serde(default = "delivered")]
     pub delivered: bool,
-    /// Whether it is a stop of the whole fleet.
+    /// Whether it is a fleet-wide stop.
     #[serde(default)]
     pub of_fleet: bool,
 }
 
 impl StopView {
-    /// Who stopped the arm and why, as a person reads it.
+    /// Returns who stopped the arm and why, as text.
     #[must_use]
     pub fn text(&self) -> String {
         let by = if self.of_fleet {
@@ -243,7 +243,7 @@ impl StopView {
     }
 }
 
-/// A text, followed by its reason if there is one.
+/// Appends the reason, if any.
 pub(crate) fn with_reason(text: String, reason: Option<&str>) -> String {
     match reason {
         Some(reason) => format!("{text}: {reason}"),
@@ -251,7 +251,7 @@ pub(crate) fn with_reason(text: String, reason: Option<&str>) -> String {
     }
 }
 
-/// A station of before this field says nothing else.
+/// Older stations do not send this field: their stops count as delivered.
 const fn delivered() -> bool {
     true
 }
@@ -259,9 +259,9 @@ const fn delivered() -> bool {
 /// The laser's interlock.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LaserView {
-    /// For how long it may still be switched on, in seconds; 0 when it is disarmed.
+    /// The time for which it may still be switched on, in seconds; 0 when it is disarmed.
     pub armed_for_s: f64,
-    /// Whether the laser of the arm may be on, as its dialect has it: from when it was sent what burns
-    /// until that is over, or what switches the laser off had time to act.
+    /// Whether the arm's laser may be on, by its dialect: from the sending of a burning command
+    /// until it is over or a laser-off has had time to take effect.
     pub on: bool,
 }

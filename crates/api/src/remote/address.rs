@@ -1,11 +1,11 @@
-//! Where a station is reached, and why one may trust what answers there.
+//! The address of a station and the trust in its certificate.
 
 use std::fmt;
 use std::path::PathBuf;
 
 use crate::Running;
 
-/// Where a station is reached, and why one may trust what answers there.
+/// The address of a station and the trust in its certificate.
 ///
 /// ```
 /// use dobot_api::StationAddress;
@@ -18,31 +18,30 @@ use crate::Running;
 #[derive(Clone, PartialEq, Eq)]
 pub struct StationAddress {
     encrypted: bool,
-    /// An IPv6 number without its brackets.
+    /// An IPv6 address without brackets.
     host: String,
     port: u16,
-    /// What allows more than watching.
+    /// The access token, required for more than watching.
     pub token: Option<String>,
-    /// Why one may trust what answers, over https.
+    /// Why its certificate is trusted, over https.
     pub trust: Option<CertificateTrust>,
 }
 
-/// Why one may trust the certificate of a station.
+/// Why the certificate of a station is trusted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CertificateTrust {
-    /// This is the SHA-256 digest of the very certificate.
+    /// The SHA-256 digest of the certificate itself.
     Fingerprint([u8; 32]),
     /// It was issued by one of the certificates in this PEM file.
     Authority(PathBuf),
 }
 
 impl StationAddress {
-    /// Reads an address: `http://HOST[:PORT]` or `https://HOST[:PORT]`, port 8642 unless told
-    /// otherwise.
+    /// Parses an address: `http://HOST[:PORT]` or `https://HOST[:PORT]`; the default port is 8642.
     ///
     /// # Errors
     ///
-    /// [`StationAddressError::Malformed`] where it is something else.
+    /// [`StationAddressError::Malformed`] for anything else.
     pub fn new(text: &str) -> Result<Self, StationAddressError> {
         let malformed = || StationAddressError::Malformed {
             found: text.to_owned(),
@@ -63,11 +62,11 @@ impl StationAddress {
         })
     }
 
-    /// Where a station says that it runs.
+    /// Returns the address in a running station's file.
     ///
     /// # Errors
     ///
-    /// [`StationAddressError`] where what it says makes no sense.
+    /// [`StationAddressError`] if the file's contents are invalid.
     pub fn of(running: &Running) -> Result<Self, StationAddressError> {
         let trust = running
             .fingerprint
@@ -81,25 +80,25 @@ impl StationAddress {
         })
     }
 
-    /// The machine.
+    /// Returns the host.
     #[must_use]
     pub fn host(&self) -> &str {
         &self.host
     }
 
-    /// The port.
+    /// Returns the port.
     #[must_use]
     pub const fn port(&self) -> u16 {
         self.port
     }
 
-    /// Whether it is reached over TLS.
+    /// Returns whether the connection uses TLS.
     #[must_use]
     pub const fn is_encrypted(&self) -> bool {
         self.encrypted
     }
 
-    /// The machine and the port, as in the header `Host`.
+    /// Returns host and port, as in the header `Host`.
     pub(super) fn authority(&self) -> String {
         if self.host.contains(':') {
             format!("[{}]:{}", self.host, self.port)
@@ -116,18 +115,18 @@ impl fmt::Display for StationAddress {
     }
 }
 
-/// The token is nobody's business.
+/// Hides the token.
 impl fmt::Debug for StationAddress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "StationAddress({self}, trust {:?})", self.trust)
     }
 }
 
-/// Why a text does not tell where a station is.
+/// The error returned for an invalid station address.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StationAddressError {
-    /// It is no address.
+    /// Not an address.
     #[error(
         "a station's address is `{found}`; allowed is http://HOST:PORT or https://HOST:PORT, as in http://127.0.0.1:8642"
     )]
@@ -135,7 +134,7 @@ pub enum StationAddressError {
         /// The whole text.
         found: String,
     },
-    /// It is no digest.
+    /// Not a digest.
     #[error(
         "a fingerprint is `{found}`; allowed are the 64 hexadecimal digits of a SHA-256 digest, with or without colons"
     )]
@@ -145,11 +144,11 @@ pub enum StationAddressError {
     },
 }
 
-/// Reads a SHA-256 digest in hexadecimal digits, with or without colons.
+/// Parses a SHA-256 digest in hexadecimal digits, with or without colons.
 ///
 /// # Errors
 ///
-/// [`StationAddressError::Fingerprint`] where it is something else.
+/// [`StationAddressError::Fingerprint`] for anything else.
 pub fn fingerprint(text: &str) -> Result<[u8; 32], StationAddressError> {
     let error = || StationAddressError::Fingerprint {
         found: text.to_owned(),

@@ -1,4 +1,4 @@
-//! A single question over HTTP, for what is not asked over the WebSocket.
+//! Single HTTP requests, for what the WebSocket does not offer.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -8,11 +8,11 @@ use super::stream::{open, soon};
 use super::{ConnectError, StationAddress};
 use crate::{Problem, State};
 
-/// Asks for a document of the API, such as `/api/v1/jobs`.
+/// Fetches an API document, such as `/api/v1/jobs`.
 ///
 /// # Errors
 ///
-/// [`ConnectError`] where the station cannot be reached or refuses.
+/// [`ConnectError`] if the station cannot be reached or refuses.
 pub async fn fetch<T: DeserializeOwned>(
     address: &StationAddress,
     path: &str,
@@ -24,7 +24,7 @@ pub async fn fetch<T: DeserializeOwned>(
 ///
 /// # Errors
 ///
-/// [`ConnectError`] where the station cannot be reached or refuses.
+/// [`ConnectError`] if the station cannot be reached or refuses.
 pub async fn post<T: DeserializeOwned>(
     address: &StationAddress,
     path: &str,
@@ -35,11 +35,11 @@ pub async fn post<T: DeserializeOwned>(
     answered(address, &question(address, "POST", path, &body)).await
 }
 
-/// Asks a station to remove or to end something.
+/// Sends a DELETE request.
 ///
 /// # Errors
 ///
-/// [`ConnectError`] where the station cannot be reached or refuses.
+/// [`ConnectError`] if the station cannot be reached or refuses.
 pub async fn delete<T: DeserializeOwned>(
     address: &StationAddress,
     path: &str,
@@ -59,13 +59,13 @@ async fn answered<T: DeserializeOwned>(
     Err(refused(address, status, body))
 }
 
-/// Whether a station answers at an address, whatever it allows there.
+/// Returns whether a station answers at an address, whatever access it allows.
 pub async fn is_station(address: &StationAddress) -> bool {
     let answer = fetch::<State>(address, "/api/v1/state").await;
     matches!(answer, Ok(_) | Err(ConnectError::Refused(_)))
 }
 
-/// What an answer that is no success means.
+/// Returns the error for an answer without success.
 pub(super) fn refused(address: &StationAddress, status: u16, body: &[u8]) -> ConnectError {
     match serde_json::from_slice::<Problem>(body) {
         Ok(problem) => ConnectError::Refused(Box::new(problem)),
@@ -73,7 +73,7 @@ pub(super) fn refused(address: &StationAddress, status: u16, body: &[u8]) -> Con
     }
 }
 
-/// One question on a connection of its own; in HTTP 1.0, the answer ends with the connection.
+/// Sends one HTTP 1.0 request on its own connection; the answer ends with the connection.
 async fn ask(address: &StationAddress, question: &str) -> Result<Vec<u8>, ConnectError> {
     let broken = |it| ConnectError::no_station(address, it);
     let mut stream = open(address).await?;
@@ -102,7 +102,7 @@ fn question(address: &StationAddress, method: &str, path: &str, body: &str) -> S
     )
 }
 
-/// Status and body of an answer.
+/// Splits an answer into status and body.
 fn split(answer: &[u8]) -> Option<(u16, &[u8])> {
     let end = answer.windows(4).position(|it| it == b"\r\n\r\n")?;
     let head = std::str::from_utf8(&answer[..end]).ok()?;

@@ -1,40 +1,40 @@
-//! Finding the station that is meant.
+//! Finding a station.
 
 use std::fmt;
 
 use super::{CertificateTrust, StationAddress, StationAddressError, is_station};
 use crate::{Folders, Running, RunningError};
 
-/// How the station is found that a person means.
+/// Search options for a station.
 #[derive(Clone, Default)]
 pub struct StationSearch {
-    /// Its address; without it, that of the environment variable `DOBOT_STATION`, and then that of the station
-    /// that runs on this machine.
+    /// The address; if absent, the environment variable `DOBOT_STATION`, then the station running
+    /// on this machine.
     pub address: Option<String>,
-    /// What allows more than watching; without it, the environment variable `DOBOT_TOKEN`, and then what the station
-    /// of this machine says to programs of the same person.
+    /// The access token, required for more than watching; if absent, the environment variable
+    /// `DOBOT_TOKEN`, then the local station's token for programs of the same user.
     pub token: Option<String>,
-    /// Why one may trust what answers, over https.
+    /// Why the certificate is trusted, over https.
     pub trust: Option<CertificateTrust>,
 }
 
-/// Why no station can be looked for.
+/// The error returned when no station can be searched for.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SearchError {
-    /// This person has no home folder.
+    /// The user has no home folder.
     #[error("this person has no home folder")]
     NoFolders,
-    /// What is to be its address is none.
+    /// The address is invalid.
     #[error(transparent)]
     Address(#[from] StationAddressError),
-    /// The file of the station that runs cannot be read.
+    /// The file of the running station cannot be read.
     #[error(transparent)]
     Running(#[from] RunningError),
 }
 
 impl SearchError {
-    /// What to do about it.
+    /// Returns a hint on how to fix it.
     #[must_use]
     pub const fn hint(&self) -> Option<&'static str> {
         match self {
@@ -47,7 +47,7 @@ impl SearchError {
 }
 
 impl StationSearch {
-    /// Where the station is; `None` where none is named and none says that it runs.
+    /// Finds the station; `None` if none is named and none is running.
     ///
     /// # Errors
     ///
@@ -59,19 +59,19 @@ impl StationSearch {
         if let Some(address) = running(&here()?)? {
             return Ok(Some(self.of_here(address)));
         }
-        // One that was started with a folder of its own is most likely where all are.
+        // A station with its own data folder is most likely at the default address.
         let usual = self.named(USUAL)?;
         let is_there = variable("DOBOT_DATA").is_none() && is_station(&usual).await;
         Ok(is_there.then_some(usual))
     }
 
-    /// The address that a person named, if one did.
+    /// Returns the named address, if any.
     #[must_use]
     pub fn name(&self) -> Option<String> {
         self.address.clone().or_else(|| variable("DOBOT_STATION"))
     }
 
-    /// The station of this machine, with what was said of it.
+    /// Adds token and trust to the local station's address.
     fn of_here(&self, mut here: StationAddress) -> StationAddress {
         here.token = self.token.clone().or(here.token);
         here.trust = self.trust.clone().or(here.trust);
@@ -82,7 +82,7 @@ impl StationSearch {
         let mut address = StationAddress::new(name)?;
         address.token = self.token.clone().or_else(|| variable("DOBOT_TOKEN"));
         address.trust.clone_from(&self.trust);
-        // Whoever names the station of this machine need not know its token.
+        // The local station's token need not be given.
         if let Some(here) = running(&here()?)?.filter(|it| it.to_string() == address.to_string()) {
             address.token = address.token.or(here.token);
             address.trust = address.trust.or(here.trust);
@@ -91,7 +91,7 @@ impl StationSearch {
     }
 }
 
-/// The token is nobody's business.
+/// Hides the token.
 impl fmt::Debug for StationSearch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { address, trust, .. } = self;
@@ -99,11 +99,11 @@ impl fmt::Debug for StationSearch {
     }
 }
 
-/// Where the station of these folders says that it runs.
+/// Returns the address of the station running with these folders.
 ///
 /// # Errors
 ///
-/// [`SearchError`] where it says what makes no sense.
+/// [`SearchError`] if its file is invalid.
 pub fn running(folders: &Folders) -> Result<Option<StationAddress>, SearchError> {
     let running = Running::read(&folders.running())?;
     let address = running.map(|it| StationAddress::of(&it)).transpose();
@@ -114,12 +114,12 @@ fn here() -> Result<Folders, SearchError> {
     Folders::of_environment().ok_or(SearchError::NoFolders)
 }
 
-/// An environment variable that is set to something.
+/// Returns an environment variable that is set and not empty.
 fn variable(name: &str) -> Option<String> {
     std::env::var(name).ok().filter(|it| !it.is_empty())
 }
 
-/// Where a station is served unless told otherwise.
+/// The default address of a station.
 const USUAL: &str = "http://127.0.0.1";
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
-//! What a station tells, heard by a task of its own until somebody takes it.
+//! Messages from a station, read by a background task until they are taken.
 //!
-//! Whoever plans, rehearses or waits for a person's answer is heard of all the same: the task answers the station's
-//! pings and reads on, or the station would drop this client after some seconds.
+//! The task answers the station's pings and keeps reading while the client is planning, simulating
+//! or waiting for a person; otherwise the station would drop the client after some seconds.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -12,7 +12,7 @@ use tokio::task::JoinHandle;
 use super::{Incoming, RemoteError, StationEvent, receive, refused};
 use crate::{Reply, ToClient};
 
-/// Ends its task when it is dropped.
+/// Aborts its task when dropped.
 pub(super) struct Inbox {
     shared: Arc<Shared>,
     task: JoinHandle<()>,
@@ -21,21 +21,21 @@ pub(super) struct Inbox {
 #[derive(Default)]
 struct Shared {
     received: Mutex<Received>,
-    /// Something was told.
+    /// Notified when something arrives.
     arrived: Notify,
 }
 
-/// What was told and not taken.
+/// What arrived and has not been taken.
 #[derive(Default)]
 struct Received {
-    /// The oldest first.
+    /// Oldest first.
     events: VecDeque<Result<StationEvent, RemoteError>>,
-    /// The question whose answer is waited for.
+    /// The request whose answer is awaited.
     expected: Option<u64>,
     answer: Option<Result<Reply, RemoteError>>,
-    /// Nothing more comes.
+    /// Whether nothing more comes.
     ended: bool,
-    /// Why, until somebody was told.
+    /// The reason, until it has been reported.
     why: Option<RemoteError>,
 }
 
@@ -54,7 +54,7 @@ impl Inbox {
         Self { shared, task }
     }
 
-    /// From now on the answer to this question is kept, and no other.
+    /// Starts keeping the answer to this request, and no other.
     pub(super) fn expect(&mut self, question: u64) {
         let mut received = self.shared.received();
         received.expected = Some(question);
@@ -62,18 +62,18 @@ impl Inbox {
         received.keep_last_state();
     }
 
-    /// The answer to the question that was expected last.
+    /// Waits for the answer to the request expected last.
     pub(super) async fn answer(&mut self) -> Result<Reply, RemoteError> {
         self.wait_for(|received| received.answer.take()).await
     }
 
-    /// What was told next without being asked. A question that somebody gave up is forgotten.
+    /// Waits for the next unsolicited event. A cancelled request is forgotten.
     pub(super) async fn next(&mut self) -> Result<StationEvent, RemoteError> {
         self.shared.received().expected = None;
         self.wait_for(|received| received.events.pop_front()).await
     }
 
-    /// Why nothing more comes, if that is so.
+    /// Returns the reason if nothing more comes.
     pub(super) fn ended(&mut self) -> Option<RemoteError> {
         let mut received = self.shared.received();
         received.ended.then(|| received.why())
@@ -111,7 +111,7 @@ impl Shared {
 }
 
 impl Received {
-    /// Takes note of a message, or of what came instead; says whether another one may come.
+    /// Records a message or an error; returns whether more may come.
     fn note(&mut self, message: Result<ToClient<'_>, RemoteError>) -> bool {
         match message {
             Ok(ToClient::State { state }) => {
@@ -147,8 +147,8 @@ impl Received {
         self.why.take().unwrap_or(RemoteError::Closed(None))
     }
 
-    /// What answers no question in particular answers that which is asked, and else is told as it is. The answer
-    /// to a question that somebody gave up is nobody's.
+    /// An answer without a request number goes to the pending request, otherwise it becomes an
+    /// event. An answer to a cancelled request is dropped.
     fn note_answer(&mut self, id: Option<u64>, answer: Result<Reply, RemoteError>) {
         if self.expected.is_some() && (id.is_none() || id == self.expected) {
             self.expected = None;
@@ -163,5 +163,6 @@ const fn is_state(event: &Result<StationEvent, RemoteError>) -> bool {
     matches!(event, Ok(StationEvent::State(_)))
 }
 
-/// So many states may come in a burst, a second's: who is later than that is told the last one.
+/// The maximum number of states in a burst, about one second's; a slower client gets only the
+/// latest one.
 const MOST_STATES: usize = 16;

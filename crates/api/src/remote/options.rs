@@ -1,25 +1,25 @@
-//! The options by which a program finds its station.
+//! Command-line options that select a station.
 
 use std::path::PathBuf;
 
 use super::{CertificateTrust, StationSearch, fingerprint};
 
-/// Which station, as the options of a program say it.
+/// The station that a program's options select.
 #[derive(Clone, Default, clap::Args)]
 pub struct StationOptions {
     /// Address of the station, for example <http://127.0.0.1:8642>
     ///
-    /// Default: the environment variable `DOBOT_STATION`, otherwise the station that runs on this
-    /// machine: that of this user's data folder, or the one at port 8642.
+    /// If absent, the environment variable `DOBOT_STATION` is used, then the station running on
+    /// this machine: the one with this user's data folder, or the one at port 8642.
     #[arg(id = "station", long = "station", value_name = "URL", global = true)]
     address: Option<String>,
     /// Access token, required for more than watching; prefer the environment variable `DOBOT_TOKEN`
     #[arg(long, value_name = "TOKEN", global = true, hide_short_help = true)]
     token: Option<String>,
-    /// SHA-256 digest of the station's certificate, as the station prints it at its start
+    /// SHA-256 digest of the station's certificate, printed when the station starts
     #[arg(long, value_name = "DIGEST", global = true, hide_short_help = true, value_parser = fingerprint)]
     fingerprint: Option<[u8; 32]>,
-    /// Certificate of the authority that issued the station's certificate, a PEM file
+    /// PEM file with the certificate of the authority that issued the station's certificate
     #[arg(
         long,
         value_name = "FILE",
@@ -31,7 +31,7 @@ pub struct StationOptions {
 }
 
 impl StationOptions {
-    /// How the station is found that they mean.
+    /// Returns the search for the selected station.
     #[must_use]
     pub fn search(&self) -> StationSearch {
         let fingerprint = self.fingerprint.map(CertificateTrust::Fingerprint);
@@ -43,7 +43,7 @@ impl StationOptions {
     }
 }
 
-/// The token is nobody's business.
+/// Hides the token.
 impl std::fmt::Debug for StationOptions {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_tuple("StationOptions")

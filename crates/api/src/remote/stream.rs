@@ -1,4 +1,4 @@
-//! The bytes between a station and its client, encrypted or not.
+//! The byte stream between a station and its client, encrypted or not.
 
 use std::io;
 use std::time::Duration;
@@ -14,79 +14,79 @@ use super::StationAddress;
 use super::tls::encrypt;
 use crate::{NotBuilt, Problem};
 
-/// Bytes both ways.
+/// A bidirectional byte stream.
 pub(super) trait Bytes: AsyncRead + AsyncWrite + Send + Unpin {}
 impl<T: AsyncRead + AsyncWrite + Send + Unpin> Bytes for T {}
 
-/// Why a station cannot be reached.
+/// The error returned when a station cannot be reached.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConnectError {
-    /// Nobody answers there.
+    /// Nothing answers.
     #[error("there is no station at {address}")]
     Unreachable {
-        /// Where.
+        /// The address.
         address: String,
-        /// What the system says.
+        /// The operating system's error.
         #[source]
         source: io::Error,
     },
-    /// Somebody is there, and says nothing.
+    /// The connection was accepted, but no answer came.
     #[error("{address} does not answer within {} s", PATIENCE.as_secs())]
     Silent {
-        /// Where.
+        /// The address.
         address: String,
     },
-    /// Over https it has to be said why one may trust what answers.
+    /// Over https, the reason to trust the certificate is required.
     #[error("nothing says why the certificate of {address} may be trusted")]
     NoTrust {
-        /// Where.
+        /// The address.
         address: String,
     },
     /// The station is served over https, and this program is built without TLS.
     #[error("{address} is encrypted, and {part}")]
     NotBuilt {
-        /// Where.
+        /// The address.
         address: String,
-        /// What is missing.
+        /// The missing part.
         part: NotBuilt,
     },
-    /// The token cannot be sent.
+    /// The token cannot be sent in a header.
     #[error("the token is not one: it has characters that no token has")]
     Token,
-    /// The reason to trust it makes no sense.
+    /// The file of certificates is unusable.
     #[error(transparent)]
     Trust(#[from] TrustError),
-    /// What answers is not who it should be.
+    /// The certificate is not the trusted one.
     #[error("{address} is not trusted")]
     Untrusted {
-        /// Where.
+        /// The address.
         address: String,
-        /// What TLS says.
+        /// The TLS error.
         #[source]
         source: io::Error,
     },
-    /// What answers is no station.
+    /// The server is not a station.
     #[error("what answers at {address} is no station: {why}")]
     NoStation {
-        /// Where.
+        /// The address.
         address: String,
-        /// What it did.
+        /// What it answered.
         why: String,
     },
-    /// The station does not let this client in.
+    /// The station refused access.
     #[error("{}", .0.detail)]
     Refused(Box<Problem>),
 }
 
 impl ConnectError {
-    /// Whether no station runs there, rather than one that cannot be talked to.
+    /// Returns whether no station runs there (as opposed to one that cannot be used).
     #[must_use]
     pub const fn is_nobody(&self) -> bool {
         matches!(self, Self::Unreachable { .. })
     }
 
-    /// What to do about it.
+    /// Returns a hint on how to fix it.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
@@ -120,19 +120,19 @@ impl ConnectError {
     }
 }
 
-/// Why a file of certificates is of no use.
+/// The error returned for an unusable file of certificates.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TrustError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error("cannot read certificates from {file}: {why}")]
     Unreadable {
         /// The file.
         file: String,
-        /// Why not.
+        /// The reason.
         why: String,
     },
-    /// There is none in it.
+    /// The file has no certificate.
     #[error("there is no certificate in {file}; allowed is a PEM file with one at least")]
     Empty {
         /// The file.
@@ -140,7 +140,7 @@ pub enum TrustError {
     },
 }
 
-/// Does something that takes a station no time.
+/// Applies the timeout of a quick operation.
 pub(super) async fn soon<T>(
     address: &StationAddress,
     action: impl Future<Output = Result<T, ConnectError>>,
@@ -153,7 +153,7 @@ pub(super) async fn soon<T>(
     })
 }
 
-/// Opens the way to a station.
+/// Opens a connection to a station.
 pub(super) async fn open(address: &StationAddress) -> Result<Box<dyn Bytes>, ConnectError> {
     let unreachable = |source| ConnectError::Unreachable {
         address: address.to_string(),
@@ -161,7 +161,7 @@ pub(super) async fn open(address: &StationAddress) -> Result<Box<dyn Bytes>, Con
     };
     let tcp = TcpStream::connect((address.host(), address.port())).await;
     let tcp = tcp.map_err(unreachable)?;
-    // A held button says so every few milliseconds; none of it may wait for the next.
+    // A held button repeats every few milliseconds; none may wait for the next.
     tcp.set_nodelay(true).map_err(unreachable)?;
     if !address.is_encrypted() {
         return Ok(Box::new(tcp));

@@ -18,7 +18,7 @@ use tokio_rustls::TlsConnector;
 use super::stream::Bytes;
 use super::{CertificateTrust, ConnectError, StationAddress, TrustError};
 
-/// Encrypts a connection, if the station has the certificate that is trusted.
+/// Encrypts a connection if the station has the trusted certificate.
 pub(super) async fn encrypt(
     address: &StationAddress,
     trust: &CertificateTrust,
@@ -42,7 +42,7 @@ fn is_certificate(error: &io::Error) -> bool {
     matches!(tls, Some(rustls::Error::InvalidCertificate(_)))
 }
 
-/// How to speak TLS with a station that is trusted for this reason.
+/// Returns the TLS configuration for this kind of trust.
 fn client_config(trust: &CertificateTrust) -> Result<ClientConfig, TrustError> {
     let provider = Arc::new(ring::default_provider());
     let builder = ClientConfig::builder_with_provider(provider.clone())
@@ -81,7 +81,7 @@ fn authorities(file: &Path) -> Result<RootCertStore, TrustError> {
     Ok(store)
 }
 
-/// Trusts one certificate, whoever issued it and whatever it is called.
+/// Trusts one certificate, whatever its issuer and name.
 #[derive(Debug)]
 struct Pinned {
     digest: [u8; 32],
