@@ -3,7 +3,7 @@
 use std::iter;
 use std::time::Duration;
 
-use dobot_api::{CalibratedView, NearView, WayView};
+use dobot_api::{CalibratedView, NearView, PathPreview};
 use dobot_arm::{Calibration, Pose, Tool};
 use dobot_motion::{ArmPlace, Model, Trajectory, TrajectoryError};
 use dobot_safety::{Policy, Violation};
@@ -259,13 +259,13 @@ impl Arm {
     }
 
     /// Where a command would lead if it were sent now, if its whole way is allowed.
-    pub(super) fn foresee(&self, command: &Command) -> Result<WayView, Refusal> {
+    pub(super) fn foresee(&self, command: &Command) -> Result<PathPreview, Refusal> {
         self.session.check(command)?;
         let Some(model) = self.session.model() else {
             return Err(Refusal::NoLink("no status has come yet".to_owned()));
         };
         let trajectory = self.policy.check(model, command)?;
-        Ok(way_view(model, &trajectory)?)
+        Ok(path_preview(model, &trajectory)?)
     }
 
     /// Sends a command at once, whatever waits.
@@ -331,7 +331,7 @@ impl Arm {
 }
 
 /// A way as those see it who ask where a command would lead.
-fn way_view(model: &Model, trajectory: &Trajectory) -> Result<WayView, Violation> {
+fn path_preview(model: &Model, trajectory: &Trajectory) -> Result<PathPreview, Violation> {
     let place_at = |t_s| {
         let place = trajectory.place_at(t_s);
         let place = place.map_err(|error| Violation::of_trajectory(&error.into()))?;
@@ -350,7 +350,7 @@ fn way_view(model: &Model, trajectory: &Trajectory) -> Result<WayView, Violation
         [at.x, at.y, at.z].map(|it| it.0)
     };
     let joints = end.joints;
-    Ok(WayView {
+    Ok(PathPreview {
         takes_s: trajectory.duration_s(),
         joints_deg: [joints.base, joints.rear, joints.fore, joints.servo].map(|it| it.0),
         path_mm: iter::once(&start).chain(&way).map(point).collect(),

@@ -120,7 +120,7 @@ impl Leases {
         if self.lease.is_some() {
             self.check(client)?;
         } else {
-            changes.push(self.grant(now, client));
+            changes.push(self.assign(now, client));
         }
         Ok(changes)
     }
@@ -273,7 +273,7 @@ impl Leases {
         }
         self.check_allowed(to)?;
         let mut changes = self.end("control was given to another client");
-        changes.push(self.grant(now, to));
+        changes.push(self.assign(now, to));
         Ok(changes)
     }
 
@@ -282,7 +282,7 @@ impl Leases {
             return Vec::new();
         }
         let mut changes = self.end("control was taken by an administrator");
-        changes.push(self.grant(now, client));
+        changes.push(self.assign(now, client));
         changes
     }
 
@@ -292,7 +292,7 @@ impl Leases {
             known.is_program = true;
         }
         let may_have = self.lease.is_none() && self.check_allowed(client).is_ok();
-        may_have.then(|| self.grant(now, client))
+        may_have.then(|| self.assign(now, client))
     }
 
     /// Takes what is changed of what a client sends; says whether that is news.
@@ -386,7 +386,7 @@ impl Leases {
         known.is_some_and(|it| it.role == Role::Admin)
     }
 
-    fn grant(&mut self, now: Duration, client: ClientId) -> Change {
+    fn assign(&mut self, now: Duration, client: ClientId) -> Change {
         self.lease = Some(Lease {
             client,
             since: now,

@@ -298,7 +298,7 @@ impl JobPlan {
     pub(super) fn settings_before(&self, index: usize) -> impl Iterator<Item = &Command> {
         let indices = self.settings.iter().skip(1).map(|it| it.0 - 1);
         indices
-            .take_while(move |index| *index < index)
+            .take_while(move |start| *start < index)
             .map(|it| &self.commands[it])
     }
 
