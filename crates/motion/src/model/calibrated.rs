@@ -226,7 +226,7 @@ mod tests {
             reach_mm: 5.0,
             ..Calibration::NONE
         };
-        model(arm).told(&far).unwrap_err();
+        model(arm).to_raw(&far).unwrap_err();
         assert!(model(arm).place.pose.position != Position::new(500.0, 0.0, 0.0));
     }
 }
