@@ -63,7 +63,9 @@ impl<'a> PathCheck<'a> {
         depth: usize,
     ) -> Result<(), Box<Breach>> {
         let broken = match &to {
-            Ok(stop) => self.fence.broken_between(path.bend(), &self.here, stop),
+            Ok(stop) => self
+                .fence
+                .broken_between(path.interpolation(), &self.here, stop),
             Err(error) => Some(Broken::Unreachable(*error)),
         };
         let is_leaf = |stop: &PathPoint| self.here.is_next_to(stop) || depth == DEEPEST;

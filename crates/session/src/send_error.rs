@@ -15,7 +15,7 @@ pub enum SendError {
     },
     /// The arm stands there already, and a straight line of no length makes it lose its pose.
     #[error(
-        "the arm is there already, and a straight line of no length would make it lose its pose (note N34)"
+        "the arm is at the target already; a straight line of no length would make it lose its pose (note N34)"
     )]
     OnTheSpot,
     /// The arm was reset, or nobody has looked where it stands: what it says of its pose need not be
