@@ -1,22 +1,23 @@
-//! The Hershey fonts: letters of straight strokes on a grid, drawn in 1967 for pen plotters.
+//! The Hershey single-stroke fonts, digitised in 1967 for pen plotters.
 //!
 //! They were created by Dr. A. V. Hershey while working at the U. S. National Bureau of Standards;
 //! the format is that of James Hurt, Cognition, Inc. (see `hershey/LICENSE-HERSHEY`).
 //!
-//! A line of a file is a letter, from the space on: in columns 9 and 10 its left and right edge,
-//! then pairs of x and y, each a character whose distance from `R` counts. ` R` lifts the pen.
+//! Each line of a file is a glyph, starting with the space: columns 9 and 10 hold its left and
+//! right edge, followed by pairs of x and y. Each coordinate is a character's distance from `R`. `
+//! R` lifts the pen.
 
 use dobot_geometry::Point;
 
-/// A font of single strokes that comes with the program.
+/// A single-stroke font built into the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum StrokeFont {
-    /// Plain: the fastest to write.
+    /// Plain; the fastest to write.
     #[default]
     Sans,
-    /// Plain, each stroke doubled.
+    /// Plain with doubled strokes.
     Bold,
-    /// Handwriting whose letters join.
+    /// Connected handwriting.
     Script,
     /// With serifs and thick stems.
     Serif,
@@ -26,17 +27,17 @@ pub enum StrokeFont {
     Gothic,
 }
 
-/// A letter as lines: from x 0 to its advance, on a base line at y 0, capitals up to y -21.
+/// A glyph as lines: from x 0 to its advance, on a baseline at y 0, with capitals up to y -21.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Letter {
-    /// Its lines; each one of a single point is a dot.
+    /// The lines; a line of a single point is a dot.
     pub strokes: Vec<Vec<Point>>,
-    /// From its beginning to that of the next letter.
+    /// The distance from its origin to that of the next glyph.
     pub advance: f64,
 }
 
 impl StrokeFont {
-    /// All of them.
+    /// All fonts.
     pub const ALL: [Self; 6] = [
         Self::Sans,
         Self::Bold,
@@ -46,7 +47,7 @@ impl StrokeFont {
         Self::Gothic,
     ];
 
-    /// What it is called on the command line.
+    /// Returns the name used on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -59,8 +60,8 @@ impl StrokeFont {
         }
     }
 
-    /// The font that a file names, as `Hershey` and a name of ours, or as Inkscape calls it: such as `Hershey
-    /// script`, `Hershey Sans 1-stroke`, `HersheySerifMed`.
+    /// Returns the font for a family name in a file: `Hershey` with one of our names, or an
+    /// Inkscape name such as `Hershey script`, `Hershey Sans 1-stroke`, `HersheySerifMed`.
     ///
     /// ```
     /// use dobot_lettering::StrokeFont;
@@ -83,7 +84,7 @@ impl StrokeFont {
         })
     }
 
-    /// How far its letters lean to the right for each unit up.
+    /// Returns the slant: the shift to the right per unit upwards.
     pub(crate) const fn slant(self) -> f64 {
         match self {
             Self::Script | Self::Italic => 0.3,
@@ -91,7 +92,7 @@ impl StrokeFont {
         }
     }
 
-    /// A letter that the font itself has; a Greek or Cyrillic one of the font that goes with it.
+    /// Returns a glyph of the font itself; Greek and Cyrillic letters come from the matching font.
     pub(crate) fn glyph(self, character: char) -> Option<Letter> {
         let place = |alphabet: &str| alphabet.chars().position(|letter| letter == character);
         let (file, number) = if let Some(number) = place(GREEK) {
@@ -140,13 +141,13 @@ fn parse(line: &[u8]) -> Option<Letter> {
     })
 }
 
-/// The letters of the Greek files, in their order.
+/// The letters of the Greek files, in file order.
 const GREEK: &str = "ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩαβγδεζηθικλμνξοπρστυφχψω";
-/// The letters of the Cyrillic file, in their order.
+/// The letters of the Cyrillic file, in file order.
 const CYRILLIC: &str = "АБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯабвгдежзийклмнопрстуфхцчшщъыьэюя";
-/// Where capitals stand on the grid.
+/// The baseline on the grid.
 const BASE_LINE: f64 = 9.0;
-/// How tall capitals are on the grid.
+/// The height of capitals on the grid.
 pub const CAPITAL: f64 = 21.0;
 
 #[cfg(test)]
@@ -189,7 +190,7 @@ mod tests {
     fn letters_that_look_alike_are_as_tall_in_all_alphabets() {
         for font in StrokeFont::ALL {
             for (latin, others) in [('H', "ΗН"), ('M', "ΜМ"), ('P', "ΡР"), ('T', "ΤТ")] {
-                // The Gothic P goes below the line.
+                // The Gothic P descends below the baseline.
                 let others = others.chars();
                 for other in others.filter(|_| font != StrokeFont::Gothic || latin != 'P') {
                     let height =

@@ -1,4 +1,4 @@
-//! Letters that a font lacks, made of those that it has.
+//! Glyphs composed of those in a font.
 
 use dobot_geometry::{Point, Rect, Vec2, bounds};
 
@@ -7,7 +7,7 @@ use crate::smooth::smooth;
 use crate::symbols::{self, Composition, Mark};
 
 impl Letter {
-    /// The letter for a character; `None` where the font has none and it cannot be made.
+    /// Returns the glyph for a character; `None` if the font lacks it and it cannot be composed.
     #[must_use]
     pub fn of(font: StrokeFont, character: char) -> Option<Self> {
         if let Some(glyph) = font.glyph(character) {
@@ -27,7 +27,7 @@ impl Letter {
         }
     }
 
-    /// Its gentle corners rounded, within a tolerance in units of the grid.
+    /// Rounds gentle corners, within a tolerance in grid units.
     #[must_use]
     pub fn rounded(&self, font: StrokeFont, tolerance: f64) -> Self {
         let is_gothic = font == StrokeFont::Gothic;
@@ -80,7 +80,7 @@ impl Letter {
         Self { advance, ..small }
     }
 
-    /// Upside down, as Spanish questions begin.
+    /// Turns the glyph upside down, as at the start of a Spanish question.
     fn turned(self) -> Self {
         let (width, middle) = (self.advance, X_HEIGHT);
         self.each(|p| Point::new(width - p.x, -middle - p.y))
@@ -109,7 +109,7 @@ impl Letter {
         bounds(self.strokes.iter().flatten().copied())
     }
 
-    /// The middle of what reaches highest.
+    /// Returns the middle of the highest part.
     fn top_middle(&self) -> f64 {
         let ink = self.bounds();
         let limit = ink.y0 + 0.35 * ink.height();
@@ -118,7 +118,7 @@ impl Letter {
     }
 }
 
-/// Across the whole letter and a little more.
+/// Returns a stroke across the whole letter and slightly beyond.
 fn slash(letter: Rect) -> Vec<Point> {
     let [low, high] = [Vec2::new(-1.0, 1.5), Vec2::new(1.0, -1.5)];
     let foot = Point::new(letter.x0, letter.y1) + low;
@@ -129,13 +129,13 @@ fn leaning(p: Point, slant: f64) -> Point {
     Point::new(p.x - slant * p.y, p.y)
 }
 
-/// The dot of an i or j, which gives way to a mark.
+/// Whether a stroke is the dot of an i or j, which a mark replaces.
 fn is_dot_above(stroke: &[Point]) -> bool {
     let bounds = bounds(stroke.iter().copied());
     bounds.y1 < -X_HEIGHT - 1.0 && bounds.height() <= 4.0 && bounds.width() <= 5.0
 }
 
-/// A full stop and the like: a small square on its corner.
+/// Whether the points are a full stop or similar: a small square on its corner.
 fn is_dot(points: &[Point]) -> bool {
     let is_near = |p: &Point| p.distance(points[0]) <= 2.5;
     points.len() > 3 && points.first() == points.last() && points.iter().all(is_near)
@@ -143,12 +143,12 @@ fn is_dot(points: &[Point]) -> bool {
 
 const X_HEIGHT: f64 = 14.0;
 const RAISED: f64 = 0.6;
-/// How far the letters of æ and œ lie over each other.
+/// The overlap of the letters in æ and œ.
 const LIGATURE: f64 = 4.0;
-/// From what turn on a corner is meant to be one, in radians.
+/// The turn above which a corner stays sharp, in radians.
 const SHARP: f64 = 0.95;
 const SHARP_GOTHIC: f64 = 0.6;
-/// Every corner is rounded.
+/// Larger than any turn, so that every corner is rounded.
 const ROUND: f64 = 4.0;
 
 #[cfg(test)]

@@ -1,5 +1,5 @@
-//! Letters of single lines, and sheets on which lines, areas and words become an SVG picture that looks
-//! the same with and without fonts.
+//! Single-stroke lettering, and sheets that draw lines, areas and words as SVG without relying on
+//! fonts.
 //!
 //! ```
 //! use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};

@@ -1,10 +1,10 @@
-//! The parts that all pictures of the arm's table share: paper on a desk, in millimetres. Words are as
-//! large as a `unit` says, which grows with the page.
+//! Common parts of all pictures of the arm's table: paper on a background, in millimetres. Text
+//! scales with a `unit`, which grows with the page.
 
 use crate::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 
 impl Sheet {
-    /// An empty desk.
+    /// Creates a sheet with only the background.
     #[must_use]
     pub fn with_background(page: Rectangle) -> Self {
         let mut sheet = Self::new(page, "mm");
@@ -12,15 +12,15 @@ impl Sheet {
         sheet
     }
 
-    /// A paper on the desk with what `draw` draws on it, cut off at its edges.
+    /// Draws paper with the content of `draw` clipped to its edges.
     pub fn paper(&mut self, frame: &Rectangle, radius: f64, draw: impl FnOnce(&mut Self)) {
         self.rect(frame, radius, &ShapeStyle::area(PAPER));
         self.clipped(frame, radius, draw);
         self.rect(frame, radius, &ShapeStyle::line("#c9c3b4", 0.3));
     }
 
-    /// The reach of the arm around its axis: the smallest and the largest radius. Each is written so many
-    /// units below its arc.
+    /// Draws the reach of the arm around its axis: the smallest and the largest radius. Each label
+    /// is placed the given number of units below its arc.
     pub fn reach(&mut self, [near, far]: [f64; 2], labels: [f64; 2], unit: f64) {
         let arcs = |r: f64| format!("M{r} 0A{r} {r} 0 1 0 -{r} 0A{r} {r} 0 1 0 {r} 0");
         let style = ShapeStyle::area("#e9f0f3").edged("#9fb3c2", 0.4);
@@ -32,7 +32,7 @@ impl Sheet {
         }
     }
 
-    /// How long 50 mm are on the page, with the right end at a place.
+    /// Draws a scale bar of 50 mm with its right end at a point.
     pub fn scale_bar(&mut self, [right, y]: [f64; 2], long: f64, unit: f64) {
         let (left, top) = (right - long, y - 1.2 * unit);
         let bar = [[left, top], [left, y], [right, y], [right, top]];
@@ -46,7 +46,7 @@ impl Sheet {
         );
     }
 
-    /// Below a paper: what each figure is, and the figure.
+    /// Writes names and values below a paper.
     pub fn figures<N: AsRef<str>>(&mut self, [x, y]: [f64; 2], all: &[(N, String)], unit: f64) {
         let (names, figures) = (
             TextStyle::new(1.7 * unit, MUTED),
@@ -62,11 +62,11 @@ impl Sheet {
     }
 }
 
-/// The colour of the desk.
+/// The background colour.
 const BACKGROUND: &str = "#f4f1e9";
 /// The colour of paper.
 pub const PAPER: &str = "#fffefb";
-/// The colour of ink and of words that matter.
+/// The colour of ink and important text.
 pub const INK: &str = "#1b2a41";
-/// The colour of words that explain.
+/// The colour of secondary text.
 pub const MUTED: &str = "#75838d";

@@ -1,4 +1,4 @@
-//! A picture in the making: lines, areas and words, written as SVG.
+//! A canvas for lines, areas and words, written as SVG.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -7,12 +7,12 @@ use crate::style::{Rounded, ShapeStyle, TextStyle};
 use crate::words::{Anchor, letter_of, placed};
 use crate::{CAPITAL, width};
 
-/// A picture in the making: x to the right, y down; later things lie on earlier ones. Lines have
-/// round ends, and no fonts are needed.
+/// An SVG canvas: x to the right, y down; later elements cover earlier ones. Lines have round ends,
+/// and no fonts are needed.
 #[derive(Debug)]
 pub struct Sheet {
     svg: String,
-    /// Those that were written: each is drawn once and used often.
+    /// The letters in use: each is defined once and referenced for every occurrence.
     letters: BTreeSet<char>,
     clips: u32,
 }
@@ -24,14 +24,14 @@ pub struct Rectangle {
     pub left: f64,
     /// Its upper edge.
     pub top: f64,
-    /// From left to right.
+    /// The width.
     pub width: f64,
-    /// From top to bottom.
+    /// The height.
     pub height: f64,
 }
 
 impl Rectangle {
-    /// The rectangle from its upper left to its lower right corner.
+    /// Creates a rectangle from its upper left and lower right corners.
     #[must_use]
     pub fn between([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Self {
         Self {
@@ -42,19 +42,19 @@ impl Rectangle {
         }
     }
 
-    /// Its right edge.
+    /// Returns the right edge.
     #[must_use]
     pub fn right(&self) -> f64 {
         self.left + self.width
     }
 
-    /// Its lower edge.
+    /// Returns the lower edge.
     #[must_use]
     pub fn bottom(&self) -> f64 {
         self.top + self.height
     }
 
-    /// The attributes of an element.
+    /// Returns the attributes of a `rect` element.
     fn attributes(&self, radius: f64) -> String {
         let [left, top, width, height] =
             [self.left, self.top, self.width, self.height].map(Rounded);
@@ -64,7 +64,7 @@ impl Rectangle {
 }
 
 impl Sheet {
-    /// An empty sheet of that page, in a unit of length as SVG names it: `mm`, or `px` for pixels.
+    /// Creates an empty sheet of this page, in an SVG unit of length: `mm`, or `px` for pixels.
     #[must_use]
     pub fn new(page: Rectangle, unit: &str) -> Self {
         let [left, top, width, height] =
@@ -80,7 +80,7 @@ impl Sheet {
         }
     }
 
-    /// The text of the SVG file.
+    /// Returns the text of the SVG file.
     #[must_use]
     pub fn finish(mut self) -> String {
         self.svg += "<defs>\n";
@@ -94,19 +94,20 @@ impl Sheet {
         self.svg + "</defs>\n</svg>\n"
     }
 
-    /// A straight line.
+    /// Draws a straight line.
     pub fn line(&mut self, from: [f64; 2], to: [f64; 2], style: &ShapeStyle<'_>) {
         self.curve(&[from, to], style);
     }
 
-    /// A line through some points; a single one is a dot.
+    /// Draws a line through points; a single point is a dot.
     pub fn curve(&mut self, points: &[[f64; 2]], style: &ShapeStyle<'_>) {
         let mut path = String::new();
         outline(&mut path, points.iter().copied());
         self.path(&path, style);
     }
 
-    /// Many lines in one style, in few elements: large pictures stay small and are shown fast.
+    /// Draws many lines in one style with few elements, so that large pictures stay small and
+    /// render fast.
     pub fn curves<L>(&mut self, lines: impl IntoIterator<Item = L>, style: &ShapeStyle<'_>)
     where
         L: IntoIterator<Item = [f64; 2]>,
@@ -124,14 +125,14 @@ impl Sheet {
         self.add("</g>");
     }
 
-    /// The area between some points.
+    /// Fills the polygon of some points.
     pub fn area(&mut self, corners: &[[f64; 2]], style: &ShapeStyle<'_>) {
         let mut path = String::new();
         outline(&mut path, corners.iter().copied());
         self.path(&(path + "Z"), style);
     }
 
-    /// A path of SVG path data, filled by the even-odd rule.
+    /// Draws SVG path data, filled by the even-odd rule.
     pub fn path(&mut self, data: &str, style: &ShapeStyle<'_>) {
         if !data.is_empty() {
             self.add(format_args!(
@@ -140,12 +141,12 @@ impl Sheet {
         }
     }
 
-    /// A rectangle whose corners are round.
+    /// Draws a rectangle with rounded corners.
     pub fn rect(&mut self, frame: &Rectangle, radius: f64, style: &ShapeStyle<'_>) {
         self.add(format_args!("<rect {}{style}/>", frame.attributes(radius)));
     }
 
-    /// A circle around a point.
+    /// Draws a circle.
     pub fn circle(&mut self, [x, y]: [f64; 2], radius: f64, style: &ShapeStyle<'_>) {
         let [x, y, radius] = [x, y, radius].map(Rounded);
         self.add(format_args!(
@@ -153,7 +154,7 @@ impl Sheet {
         ));
     }
 
-    /// A line of words, held at a place on its base line.
+    /// Writes a line of text, anchored at a point on its baseline.
     pub fn text(&mut self, [x, y]: [f64; 2], anchor: Anchor, kind: &TextStyle<'_>, words: &str) {
         let TextStyle {
             height,
@@ -181,14 +182,14 @@ impl Sheet {
         self.add("</g>");
     }
 
-    /// Draws by `draw`, moved, turned or scaled by an SVG transform.
+    /// Draws the content of `draw` with an SVG transform.
     pub fn within(&mut self, transform: &str, draw: impl FnOnce(&mut Self)) {
         self.add(format_args!(r#"<g transform="{transform}">"#));
         draw(self);
         self.add("</g>");
     }
 
-    /// Draws by `draw`; a frame with round corners cuts it off.
+    /// Draws the content of `draw` clipped to a frame with rounded corners.
     pub fn clipped(&mut self, frame: &Rectangle, radius: f64, draw: impl FnOnce(&mut Self)) {
         let (clip, frame) = (self.clips, frame.attributes(radius));
         self.clips += 1;
@@ -204,12 +205,13 @@ impl Sheet {
     }
 }
 
-/// The name of a letter in a file.
+/// Returns the element id of a letter.
 fn id(letter: char) -> String {
     format!("letter-{:x}", u32::from(letter))
 }
 
-/// A line through some points, and how many those are. A dot is a line of no length with round ends.
+/// Appends a line through points and returns their number. A dot is a line of no length with round
+/// ends.
 fn outline(path: &mut String, points: impl IntoIterator<Item = [f64; 2]>) -> usize {
     let mut count = 0;
     for [x, y] in points {
@@ -223,7 +225,7 @@ fn outline(path: &mut String, points: impl IntoIterator<Item = [f64; 2]>) -> usi
     count
 }
 
-/// A text as an attribute takes it; control characters it does not take at all.
+/// Escapes a text for an attribute; control characters, which are not allowed there, are replaced.
 fn escaped(words: &str) -> String {
     let mut text = String::new();
     for letter in words.chars() {

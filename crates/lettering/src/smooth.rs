@@ -1,13 +1,13 @@
-//! Round letters: curves through the corners of coarse polygons.
+//! Smoothing of glyphs: curves through the corners of coarse polygons.
 //!
 //! The fonts were digitised for letters a few millimetres tall; larger ones would show corners. A
-//! stroke is cut where it turns sharply. In between each corner gets the tangent of the circle
-//! through it and its neighbours, and the ends of long straight pieces get the piece's direction,
-//! so that stems stay straight and meet their bows smoothly.
+//! stroke is split at sharp turns. In between, each corner gets the tangent of the circle through
+//! it and its neighbours, and the ends of long straight pieces get the direction of the piece, so
+//! that stems stay straight and meet their bows smoothly.
 
 use dobot_geometry::{CubicBez, Point, Vec2, chords, corners};
 
-/// A stroke with its gentle corners rounded, within `tolerance` of the curve through them.
+/// Rounds the gentle corners of a stroke, within `tolerance` of the curve through them.
 pub(crate) fn smooth(points: &[Point], sharp: f64, tolerance: f64) -> Vec<Point> {
     let mut points = points.to_vec();
     points.dedup();
@@ -29,7 +29,7 @@ pub(crate) fn smooth(points: &[Point], sharp: f64, tolerance: f64) -> Vec<Point>
     smooth
 }
 
-/// The directions in which a curve comes to a corner and leaves it; `None` leaves it free.
+/// The directions in which a curve arrives at a corner and leaves it; `None` leaves it free.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tangent {
     before: Option<Vec2>,
@@ -62,7 +62,7 @@ fn tangent(a: Point, b: Point, c: Point, sharp: f64) -> Tangent {
         (true, true) => return Tangent::default(),
         (true, false) => before,
         (false, true) => after,
-        // That of the circle through the three.
+        // Use the tangent of the circle through the three points.
         (false, false) => unit(before * next + after * way),
     };
     Tangent {
@@ -71,7 +71,7 @@ fn tangent(a: Point, b: Point, c: Point, sharp: f64) -> Tangent {
     }
 }
 
-/// The way from one corner to the next, without the first.
+/// Returns the curve from one corner to the next, without the first point.
 fn curve(
     [a, d]: [Point; 2],
     leaving: Option<Vec2>,
@@ -80,7 +80,7 @@ fn curve(
     points: &mut Vec<Point>,
 ) {
     let chord = unit(d - a);
-    // A free end goes on as a circle would.
+    // Mirror the other tangent at a free end, which continues the curve like a circle.
     let mirrored = |other: Vec2| chord * (2.0 * chord.dot(other)) - other;
     let (leaving, coming) = match (leaving, coming) {
         (None, None) => return points.push(d),
@@ -104,7 +104,7 @@ fn unit(way: Vec2) -> Vec2 {
     way * (1.0 / way.length().max(f64::MIN_POSITIVE))
 }
 
-/// Longer pieces, in units of the fonts' grid, are meant to be straight.
+/// Segments longer than this, in grid units, are straight by design.
 const STRAIGHT: f64 = 5.5;
 const MOST_CHORDS: f64 = 1000.0;
 

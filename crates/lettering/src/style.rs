@@ -1,8 +1,8 @@
-//! How lines, areas and words style.
+//! Styles of lines, areas and words.
 
 use std::fmt;
 
-/// How a line or an area looks: colours as SVG names them, widths in units of the sheet.
+/// The style of a line or an area: SVG colours, widths in units of the sheet.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ShapeStyle<'a> {
     fill: Option<&'a str>,
@@ -12,7 +12,7 @@ pub struct ShapeStyle<'a> {
 }
 
 impl<'a> ShapeStyle<'a> {
-    /// A line.
+    /// Creates the style of a line.
     #[must_use]
     pub const fn line(color: &'a str, width: f64) -> Self {
         Self {
@@ -23,7 +23,7 @@ impl<'a> ShapeStyle<'a> {
         }
     }
 
-    /// An area.
+    /// Creates the style of an area.
     #[must_use]
     pub const fn area(color: &'a str) -> Self {
         Self {
@@ -34,7 +34,7 @@ impl<'a> ShapeStyle<'a> {
         }
     }
 
-    /// The area with a line around it, or the line in another colour and width.
+    /// Adds an outline to an area, or changes the colour and width of a line.
     #[must_use]
     pub const fn edged(self, color: &'a str, width: f64) -> Self {
         Self {
@@ -43,7 +43,7 @@ impl<'a> ShapeStyle<'a> {
         }
     }
 
-    /// The line in dashes: how long each is and how long the gap after it.
+    /// Makes the line dashed: the length of the dashes and of the gaps.
     #[must_use]
     pub const fn dashed(self, dash: &'a str) -> Self {
         Self {
@@ -52,7 +52,7 @@ impl<'a> ShapeStyle<'a> {
         }
     }
 
-    /// The opacity, from 0 (invisible) to 1.
+    /// Sets the opacity, from 0 (invisible) to 1.
     #[must_use]
     pub const fn faded(self, opacity: f64) -> Self {
         Self {
@@ -80,17 +80,17 @@ impl fmt::Display for ShapeStyle<'_> {
     }
 }
 
-/// The height of capitals, the colour and the weight of words.
+/// The capital height, colour and weight of text.
 #[derive(Clone, Copy, Debug)]
 pub struct TextStyle<'a> {
     pub(crate) height: f64,
     pub(crate) color: &'a str,
-    /// The width of the lines, in heights.
+    /// The line width, in capital heights.
     pub(crate) weight: f64,
 }
 
 impl<'a> TextStyle<'a> {
-    /// Plain words.
+    /// Creates a plain text style.
     #[must_use]
     pub const fn new(height: f64, color: &'a str) -> Self {
         Self {
@@ -100,7 +100,7 @@ impl<'a> TextStyle<'a> {
         }
     }
 
-    /// The same in bold.
+    /// Makes the text bold.
     #[must_use]
     pub const fn bold(self) -> Self {
         Self {
@@ -109,7 +109,8 @@ impl<'a> TextStyle<'a> {
         }
     }
 
-    /// The same words as a wide border. Written below them, it sets them off from the picture.
+    /// Returns the style of a wide border around the text. Drawn below the text, it separates it
+    /// from the picture.
     #[must_use]
     pub const fn halo(self, color: &'a str) -> Self {
         Self {
@@ -119,14 +120,14 @@ impl<'a> TextStyle<'a> {
         }
     }
 
-    /// How wide a line of these words is.
+    /// Returns the width of a line of text.
     #[must_use]
     pub fn width(&self, words: &str) -> f64 {
         crate::width(words, self.height)
     }
 }
 
-/// A number to a hundredth, without the zeros at its end.
+/// A number rounded to a hundredth, without trailing zeros.
 pub(crate) struct Rounded(pub(crate) f64);
 
 impl fmt::Display for Rounded {

@@ -1,21 +1,21 @@
-//! How characters beyond ASCII are made.
+//! Composition of characters beyond ASCII.
 
 use dobot_geometry::{Point, Rect};
 
-/// How a character is made.
+/// The composition of a character.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Composition {
     /// Other characters in its place.
     Text(&'static str),
-    /// Two letters that lie over each other.
+    /// Two overlapping letters.
     Ligature(&'static str),
-    /// A small one at the top.
+    /// A small letter at the top.
     Raised(char),
-    /// One upside down.
+    /// A letter upside down.
     Turned(char),
-    /// One with a mark.
+    /// A letter with a mark.
     Marked(char, Mark),
-    /// Strokes of its own: see [`read`].
+    /// Its own strokes: see [`read`].
     Own { strokes: &'static str, advance: f64 },
 }
 
@@ -33,12 +33,12 @@ pub(crate) enum Mark {
     Macron,
     Dot,
     DoubleAcute,
-    /// No mark at all, in the place of a dot.
+    /// No mark: removes the dot.
     Dotless,
     Cedilla,
     Ogonek,
     Comma,
-    /// As long as its letter.
+    /// As tall as its letter.
     Slash,
     BarRight,
     BarLeft,
@@ -59,7 +59,7 @@ impl Mark {
         )
     }
 
-    /// Its strokes around its own place.
+    /// Returns the strokes around the origin.
     pub(crate) const fn strokes(self) -> &'static str {
         match self {
             Self::Acute => "-1.5,0 2,-4.5",
@@ -83,7 +83,7 @@ impl Mark {
         }
     }
 
-    /// The point of a letter around which it is drawn.
+    /// Returns the point of a letter around which the mark is drawn.
     pub(crate) fn place(self, letter: Rect, top_middle: f64) -> Point {
         let (middle, height) = (letter.center(), letter.height());
         match self {
@@ -100,7 +100,7 @@ impl Mark {
     }
 }
 
-/// How a character beyond ASCII is made; `None` where it cannot be.
+/// Returns the composition of a character beyond ASCII; `None` if there is none.
 pub(crate) fn composition(character: char) -> Option<Composition> {
     let fixed = COMPOSITIONS
         .iter()
@@ -125,7 +125,7 @@ fn marked(character: char) -> Option<Composition> {
     })
 }
 
-/// Lines of points: `x,y x,y; x,y x,y`.
+/// Parses lines of points: `x,y x,y; x,y x,y`.
 pub(crate) fn read(strokes: &str) -> Vec<Vec<Point>> {
     let point = |pair: &str| {
         let (x, y) = pair.split_once(',')?;
@@ -136,7 +136,7 @@ pub(crate) fn read(strokes: &str) -> Vec<Vec<Point>> {
     lines.filter(|line: &Vec<Point>| !line.is_empty()).collect()
 }
 
-/// From a letter to the mark above it.
+/// The gap between a letter and the mark above it.
 const GAP: f64 = 2.5;
 
 const MARKED: &[(Mark, &str, &str)] = &[
@@ -212,8 +212,8 @@ const COMPOSITIONS: &[(char, Composition)] = &[
     ('¡', Composition::Turned('!')),
 ];
 
-/// Characters with strokes of their own, one a line: the character, its advance, and its strokes as
-/// [`read`] takes them.
+/// Characters with their own strokes, one per line: the character, its advance, and its strokes in
+/// the format of [`read`].
 const OWN: &str = "\
 ß 16 3,0 3,-15 3.5,-18 5,-20.3 7.5,-21 10,-20.5 11.5,-18.5 11.5,-16 10.5,-13.8 8,-12 10.5,-11 12.5,-9 13.2,-6 12.5,-3 10.5,-0.7 8,0 6,-0.3
 ẞ 17 3,0 3,-15 4,-19 7,-21 13,-21 9,-13 11.5,-12 13.5,-9.5 14,-6 13,-2.5 10.5,-0.4 8,0 6,-0.5

@@ -1,4 +1,4 @@
-//! A line of words, laid out in plain letters.
+//! Layout of a line of text in plain letters.
 
 use std::sync::LazyLock;
 
@@ -6,19 +6,19 @@ use dobot_geometry::{Point, Vec2};
 
 use crate::{CAPITAL, Letter, StrokeFont};
 
-/// Which point of a text lies at the place given.
+/// The point of a text that lies at the given place.
 #[derive(Clone, Copy, Debug)]
 pub enum Anchor {
-    /// At its left end.
+    /// The left end.
     Left,
-    /// In its middle.
+    /// The middle.
     Middle,
-    /// At its right end.
+    /// The right end.
     Right,
 }
 
 impl Anchor {
-    /// The left end of a text of this width.
+    /// Returns the left end of a text of this width.
     pub(crate) fn left(self, at: f64, width: f64) -> f64 {
         match self {
             Self::Left => at,
@@ -28,14 +28,15 @@ impl Anchor {
     }
 }
 
-/// The width of a line of text, by the height of its capitals.
+/// Returns the width of a line of text, given the height of its capitals.
 #[must_use]
 pub fn width(text: &str, height: f64) -> f64 {
     let advance: f64 = text.chars().map(advance).sum();
     (advance - 2.0 * BEARING).max(0.0) * height / CAPITAL
 }
 
-/// The lines of a text. Its anchor lies at the place given, on the base line; y grows downwards.
+/// Returns the lines of a text. Its anchor lies at the given place, on the baseline; y grows
+/// downwards.
 #[must_use]
 pub fn strokes(text: &str, anchor: Anchor, at: Point, height: f64) -> Vec<Vec<Point>> {
     let scale = height / CAPITAL;
@@ -53,7 +54,7 @@ pub fn strokes(text: &str, anchor: Anchor, at: Point, height: f64) -> Vec<Vec<Po
         .collect()
 }
 
-/// The letters of a text, and how far from its beginning each begins, in units of the grid.
+/// Returns the letters of a text with the offset of each from the start, in grid units.
 pub(crate) fn placed(text: &str) -> impl Iterator<Item = (f64, char)> {
     text.chars().scan(-BEARING, |x, letter| {
         let begin = *x;
@@ -62,8 +63,9 @@ pub(crate) fn placed(text: &str) -> impl Iterator<Item = (f64, char)> {
     })
 }
 
-/// A plain letter, round enough for a title; a box where there is none. The font's full stops float
-/// and its words stand far apart: good to write by hand, not to read in a picture.
+/// Returns a plain letter, round enough for a title; a box for unknown characters. The font's full
+/// stops float and its spaces are wide, which suits handwriting but not pictures, so both are
+/// adapted here.
 pub(crate) fn letter_of(character: char) -> Letter {
     let mut letter = Letter::of(StrokeFont::Sans, character).unwrap_or_else(missing);
     match character {
@@ -96,14 +98,14 @@ fn advance(character: char) -> f64 {
     known.map_or_else(|| letter_of(character).advance, |advance| *advance)
 }
 
-/// Of ASCII, from the space on: broken lines are measured often.
+/// The advances of ASCII from the space: line breaking measures text often.
 static ADVANCES: LazyLock<Vec<f64>> = LazyLock::new(|| {
     (' '..='~')
         .map(|letter| letter_of(letter).advance)
         .collect()
 });
 
-/// The room beside the ink of most letters: a line of text ends where its ink does.
+/// The bearing beside the ink of most letters: a line of text ends where its ink ends.
 const BEARING: f64 = 3.5;
 const ROUND: f64 = 0.15;
 

@@ -1,6 +1,6 @@
-//! Planning a motion, and what a control tick asks of it.
+//! Benchmarks of planning a motion and of its control ticks.
 //!
-//! `cargo bench -p dobot-motion --bench motion`: each sample goes through a thousand inputs.
+//! `cargo bench -p dobot-motion --bench motion`: each sample processes a thousand inputs.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -62,7 +62,7 @@ fn joint_move_joints_at(bencher: Bencher) {
     );
 }
 
-/// A control tick on a line: where, by which joint angles, and whether the arm may.
+/// A control tick on a line: the pose, its joint angles and the limit check.
 #[divan::bench]
 fn tick_on_line(bencher: Bencher) {
     let line =
@@ -75,7 +75,7 @@ fn tick_on_line(bencher: Bencher) {
     each(bencher, &times, |t_s| solve(&line, *t_s));
 }
 
-/// A control tick on a joint move: which joint angles, and whether the arm may.
+/// A control tick on a joint move: the joint angles and the limit check.
 #[divan::bench]
 fn tick_on_joint_move(bencher: Bencher) {
     let movement =
@@ -98,7 +98,7 @@ fn each<T: Sync, O>(bencher: Bencher, inputs: &[T], calculate: impl Fn(&T) -> O 
     });
 }
 
-/// A thousand things made from shares between 0 and 1.
+/// Creates a thousand inputs from shares between 0 and 1.
 fn thousand<T>(make: impl Fn(f64) -> T) -> Vec<T> {
     (0..1000)
         .map(|n| make((f64::from(n) * 0.618_03).fract()))

@@ -1,4 +1,4 @@
-//! All joints at once (MOVJ).
+//! Coordinated joint moves (MOVJ).
 
 use dobot_arm::Joints;
 
@@ -6,10 +6,10 @@ use crate::plan_error::finite;
 use crate::timing_law::TimingLaw;
 use crate::{PlanError, Profile, Speeds};
 
-/// A move on which all four joints start and stop together (MOVJ; Table 3.7, note N29).
+/// A move in which all four joints start and stop together (MOVJ; Table 3.7, note N29).
 ///
-/// Each joint turns its own angle on the one profile that the slowest of them needs, so the share
-/// of the way is the same for all at any time.
+/// All joints follow the profile of the slowest one, so at any time they have covered the same
+/// share of their angles.
 ///
 /// ```
 /// # use dobot_arm::Joints;
@@ -28,11 +28,11 @@ pub struct JointMove {
 }
 
 impl JointMove {
-    /// Plans the move; it lasts 0 s where no joint has to turn.
+    /// Plans the move; it takes 0 s if no joint has to turn.
     ///
     /// # Errors
     ///
-    /// [`PlanError`] where an angle is not finite or a speed or acceleration is not positive.
+    /// [`PlanError`] if an angle is not finite or a speed or acceleration is not positive.
     pub fn new(from: Joints, to: Joints, speeds: &Speeds) -> Result<Self, PlanError> {
         speeds.check()?;
         let [base, rear, fore, servo] = [
@@ -57,7 +57,7 @@ impl JointMove {
         })
     }
 
-    /// The joint angles at a time.
+    /// Returns the joint angles at a time.
     #[must_use]
     pub fn joints_at(&self, t_s: f64) -> Joints {
         if t_s >= self.profile.duration_s() {
@@ -66,13 +66,13 @@ impl JointMove {
         self.from.towards(&self.to, self.profile.distance_at(t_s))
     }
 
-    /// How long it takes.
+    /// Returns the duration.
     #[must_use]
     pub const fn duration_s(&self) -> f64 {
         self.profile.duration_s()
     }
 
-    /// Where it ends.
+    /// Returns the end.
     #[must_use]
     pub const fn target(&self) -> Joints {
         self.to

@@ -1,4 +1,4 @@
-//! Up, across, down (JUMP).
+//! Moves up, across and down (JUMP).
 
 use dobot_arm::{Degrees, Millimeters, Pose, Position};
 
@@ -6,7 +6,7 @@ use crate::plan_error::{finite, not_negative};
 use crate::timing_law::TimingLaw;
 use crate::{PlanError, Profile, Speeds};
 
-/// A move over whatever stands in between (JUMP; Table 3.7, Figure 3.2, note N11).
+/// A move over obstacles (JUMP; Table 3.7, Figure 3.2, note N11).
 ///
 /// ```text
 ///        _______________        height above the higher end
@@ -16,10 +16,10 @@ use crate::{PlanError, Profile, Speeds};
 ///  from *
 /// ```
 ///
-/// Each of the three phases starts and ends at rest; one that has no way to go takes no time.
-/// Across, reach and base angle change evenly together, so that the tool comes neither nearer nor
-/// farther than the two ends are, and the tool turns. The base turns the way that does not cross
-/// straight behind, as its joint has to.
+/// Each of the three phases starts and ends at rest; a phase without a distance takes no time. In
+/// the phase across, reach and base angle are interpolated linearly, so that the reach stays
+/// between that of the two ends, and the tool rotates. The base turns in the direction that avoids
+/// the angle straight behind it, as its joint requires.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jump {
     from: Pose,
@@ -37,7 +37,7 @@ impl Jump {
     ///
     /// # Errors
     ///
-    /// [`PlanError`] where a coordinate is not finite, the height is negative, or a speed or
+    /// [`PlanError`] if a coordinate is not finite, the height is negative, or a speed or
     /// acceleration is not positive.
     pub fn new(
         from: Pose,
@@ -71,7 +71,7 @@ impl Jump {
         })
     }
 
-    /// The pose at a time.
+    /// Returns the pose at a time.
     #[must_use]
     pub fn pose_at(&self, t_s: f64) -> Pose {
         let across_from_s = self.up.duration_s();
@@ -89,20 +89,20 @@ impl Jump {
         }
     }
 
-    /// How long it takes, all three phases together.
+    /// Returns the duration of all three phases.
     #[must_use]
     pub const fn duration_s(&self) -> f64 {
         self.up.duration_s() + self.across.duration_s() + self.down.duration_s()
     }
 
-    /// When the way across begins and when it ends, in seconds since the start.
+    /// Returns when the phase across begins and ends, in seconds since the start.
     #[must_use]
     pub const fn corners_s(&self) -> [f64; 2] {
         let across_from_s = self.up.duration_s();
         [across_from_s, across_from_s + self.across.duration_s()]
     }
 
-    /// Where it ends.
+    /// Returns the end.
     #[must_use]
     pub const fn target(&self) -> Pose {
         self.to
@@ -119,7 +119,7 @@ impl Jump {
     }
 }
 
-/// A place seen from above, or the way from one to another.
+/// A position in polar coordinates seen from above, or a displacement between two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Polar {
     reach: Millimeters,
@@ -153,11 +153,12 @@ fn vertical(height: Millimeters, speeds: &Speeds) -> Result<Profile, PlanError> 
     Profile::plan(height.0, 0.0, 0.0, speeds.line_mm_s, speeds.line_mm_s2).finite()
 }
 
-/// The pace across, at which the tool's whole acceleration stays within the line's.
+/// Returns the timing law of the phase across, which keeps the tool's total acceleration within the
+/// line's.
 ///
-/// At a pace `u'` and its change `u''` (shares of the way per s and s2) the acceleration is at most
-/// `length u'' + bend u'^2`: the first along the way, the second because the way bends. At full
-/// pace the bend may take half of what is allowed; speeding up and slowing down get the rest.
+/// At a rate `u'` and its change `u''` (shares of the path per s and s2), the acceleration is at
+/// most `length u'' + bend u'^2`: the first term along the path, the second from its curvature. At
+/// full rate the curvature may use half of the limit; the ramps get the rest.
 fn across(
     way: Polar,
     farthest: Millimeters,

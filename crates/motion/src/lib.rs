@@ -2,18 +2,18 @@
 //!
 //! # Motions
 //!
-//! Every motion is planned once and is then a pure function of the time in seconds since its
-//! start: before 0 it stands at its start, after its duration exactly at its end. Which way to
-//! move is the caller's choice; there is one type for each.
+//! Every motion is planned once and is then a pure function of the time in seconds since its start:
+//! before 0 it returns its start, after its duration exactly its end. There is one type per kind of
+//! path.
 //!
-//! | type | the protocol calls it | moves along |
+//! | type | in the protocol | path |
 //! |---|---|---|
 //! | [`JointMove`] | MOVJ (Table 3.7) | all joints start and stop together |
 //! | [`LineMove`] | MOVL (Table 3.7) | a straight line |
 //! | [`Jump`] | JUMP (Table 3.7) | up, across, down (Figure 3.2) |
 //! | [`Stroke`] | writing and laser vector (Table 2.6) | a straight line with a speed at each end |
-//! | [`TickStroke`] | the same on a stock arm | the same, in whole ticks |
-//! | [`Ramp`] | jog (Tables 3.5 and 2.5) | one axis, until told otherwise |
+//! | [`TickStroke`] | a vector on a stock arm | a straight line in whole ticks |
+//! | [`Ramp`] | jog (Tables 3.5 and 2.5) | one axis until its release |
 //!
 //! ```
 //! use dobot_arm::{Degrees, Pose, Position};
@@ -31,7 +31,7 @@
 
 //! # Commands
 //!
-//! A [`Model`] holds what is known of an arm. It predicts the [`Trajectory`] of a [`Command`](dobot_wire::Command), and the
+//! A [`Model`] holds the estimated state of an arm. It predicts the [`Trajectory`] of a [`Command`](dobot_wire::Command), and the
 //! model after the command. Controller, client and safety share this prediction. The differences between arms are fields of
 //! [`Dialect`](dobot_wire::Dialect). A stock arm executes motions in ticks of 20 ms: each of its motions ends up to one tick
 //! later than its trajectory, and deviates from it by up to one tick's travel.
@@ -72,8 +72,8 @@ pub use joint_move::JointMove;
 pub use jump::Jump;
 pub use line_move::LineMove;
 pub use model::{
-    ArmPlace, ArmSettings, Bend, Button, HandAxis, HandScale, JogAxis, JogTrajectory, LASER_OFF,
-    LONGEST_S, Model, Segment, Trajectory, TrajectoryError, burns, to_raw,
+    ArmPlace, ArmSettings, Button, HandAxis, HandScale, Interpolation, JogAxis, JogTrajectory,
+    LASER_OFF, LONGEST_S, Model, Segment, Trajectory, TrajectoryError, burns, to_raw,
 };
 pub use plan_error::PlanError;
 pub use profile::Profile;

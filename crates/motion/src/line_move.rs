@@ -1,4 +1,4 @@
-//! Straight to the target (MOVL).
+//! Straight moves (MOVL).
 
 use dobot_arm::Pose;
 
@@ -8,8 +8,8 @@ use crate::{PlanError, Profile, Speeds};
 
 /// A move of the tool along a straight line (MOVL; Table 3.7, note N12).
 ///
-/// The tool turns evenly with the distance; where the turn would be too fast for the servo, the
-/// line takes the time that the turn needs.
+/// The tool rotates in proportion to the distance; if that is too fast for the servo, the line is
+/// slowed down to match the rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineMove {
     from: Pose,
@@ -18,11 +18,11 @@ pub struct LineMove {
 }
 
 impl LineMove {
-    /// Plans the move; it lasts 0 s where there is nothing to move and nothing to turn.
+    /// Plans the move; it takes 0 s if there is nothing to move or rotate.
     ///
     /// # Errors
     ///
-    /// [`PlanError`] where a coordinate is not finite or a speed or acceleration is not positive.
+    /// [`PlanError`] if a coordinate is not finite or a speed or acceleration is not positive.
     pub fn new(from: Pose, to: Pose, speeds: &Speeds) -> Result<Self, PlanError> {
         speeds.check()?;
         let length_mm = from.position.distance(to.position).0;
@@ -39,7 +39,7 @@ impl LineMove {
         })
     }
 
-    /// The pose at a time.
+    /// Returns the pose at a time.
     #[must_use]
     pub fn pose_at(&self, t_s: f64) -> Pose {
         if t_s >= self.profile.duration_s() {
@@ -53,13 +53,13 @@ impl LineMove {
         }
     }
 
-    /// How long it takes.
+    /// Returns the duration.
     #[must_use]
     pub const fn duration_s(&self) -> f64 {
         self.profile.duration_s()
     }
 
-    /// Where it ends.
+    /// Returns the end.
     #[must_use]
     pub const fn target(&self) -> Pose {
         self.to

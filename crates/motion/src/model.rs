@@ -1,4 +1,4 @@
-//! The motion model: what is known of an arm, and what a command makes of it.
+//! The motion model: the state of an arm and the effect of commands on it.
 
 mod button;
 mod calibrated;
@@ -34,11 +34,11 @@ pub use self::hand_scale::{HandAxis, HandScale};
 pub use self::jog::JogTrajectory;
 pub use self::laser::{LASER_OFF, burns};
 pub use self::place::ArmPlace;
-pub use self::segment::{Bend, Segment};
+pub use self::segment::{Interpolation, Segment};
 pub use self::settings::ArmSettings;
 pub use self::trajectory::Trajectory;
 
-/// What is believed of an arm: where it is and what it was told, before or after a command.
+/// The estimated state of an arm before or after a command: position and settings.
 ///
 /// ```
 /// # use dobot_arm::{Joints, Tool};
@@ -48,7 +48,7 @@ pub use self::trajectory::Trajectory;
 /// let model = Model::standing(Dialect::SPECIFICATION, here);
 /// let vector = Command::from(WriteVector::by(0.0, 20.0, 0.0, 40.0));
 /// let trajectory = model.trajectory(&vector)?;
-/// // 8 mm speeding up to 40 mm/s at 100 mm/s2, as much to slow down, 4 mm between.
+/// // 8 mm accelerating to 40 mm/s at 100 mm/s2, as much to slow down, 4 mm between.
 /// assert!((trajectory.duration_s().unwrap() - 0.9).abs() < 1e-9);
 /// let after = model.after(&vector, &trajectory);
 /// assert!((after.place.pose.position.y.0 - 20.0).abs() < 1e-9);
@@ -60,9 +60,9 @@ pub use self::trajectory::Trajectory;
     reason = "two switches of the arm, and two things that are known or not"
 )]
 pub struct Model {
-    /// Where the arm is.
+    /// The position of the arm.
     pub place: ArmPlace,
-    /// What is mounted.
+    /// The mounted tool.
     pub tool: Tool,
     /// Whether the pump runs.
     pub suction: bool,
@@ -70,44 +70,45 @@ pub struct Model {
     pub laser: bool,
     /// The gripper's angle in degrees.
     pub gripper_deg: f64,
-    /// What configuration has told.
+    /// The settings from configuration commands.
     pub settings: ArmSettings,
-    /// How the arm understands commands.
+    /// The arm's dialect.
     pub dialect: Dialect,
-    /// How it differs from the drawing of it: what is believed are its own words.
+    /// The calibration; the model itself uses raw positions.
     pub calibration: Calibration,
-    /// Whether it serves its Bluetooth port, on which every arm hears voice (note N38).
+    /// Whether it serves its Bluetooth port, on which every arm accepts voice (note N38).
     pub is_bluetooth: bool,
-    /// Whether `place` is known: not behind a jog, until the arm was seen at rest.
+    /// Whether `place` is known: not after a jog, until the arm was observed at rest.
     pub(crate) knows_place: bool,
-    /// What the last vector left.
+    /// The speed left by the last vector.
     pub(crate) left: LeftSpeed,
-    /// The jog that goes on, or whose speed the arm keeps.
+    /// The running jog, or the one whose speed the arm keeps.
     pub(crate) jog: Option<JogTrajectory>,
-    /// The pause that begins anew as long as nothing follows, in seconds (note N47).
+    /// The pause that restarts until another command follows, in seconds (note N47).
     pub(crate) idle_pause_s: f64,
     /// The mouse moves and gestures with which the next one is averaged.
     pub(crate) followed: Followed,
-    /// What may be left of straight lines.
+    /// The state left by straight lines.
     pub(crate) lines: Lines,
 }
 
-/// What a stock arm keeps of its straight lines (note N46).
+/// The state that a stock arm keeps from its straight lines (note N46).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Lines {
-    /// Nothing: there was none.
+    /// There was no line.
     #[default]
     None,
-    /// Nothing, if the last one was gone to its end.
+    /// No state, provided that the last line ran to its end.
     Whole,
-    /// One may have been cut short: the next one would begin with a jump, unless a MOVJ comes before
-    /// it.
+    /// A line may have been cut short: the next one would begin with a jump, unless a MOVJ comes
+    /// first.
     Cut,
 }
 
 impl Model {
-    /// An arm that tells a status and has not been configured: stock settings, and the suction
-    /// cup unless the status is that of a laser. What others told it before is not known.
+    /// Creates the model of an arm that reports a status and has not been configured: stock
+    /// settings, and the suction cup unless the status is that of a laser. Earlier commands of
+    /// others are unknown.
     #[must_use]
     pub fn new(dialect: Dialect, status: &Status) -> Self {
         let mut model = Self::standing(dialect, ArmPlace::of_status(status));
@@ -116,7 +117,7 @@ impl Model {
         model
     }
 
-    /// An arm that stands at a place and has not been configured: stock settings, suction cup.
+    /// Creates the model of an unconfigured arm at a position: stock settings, suction cup.
     #[must_use]
     pub fn standing(dialect: Dialect, place: ArmPlace) -> Self {
         Self {
@@ -138,15 +139,15 @@ impl Model {
         }
     }
 
-    /// The same arm, which differs so from the drawing of it.
+    /// Sets the calibration.
     #[must_use]
     pub const fn calibrated(mut self, calibration: Calibration) -> Self {
         self.calibration = calibration;
         self
     }
 
-    /// Takes over place, pump and gripper from the status of an arm at rest, and the tool where its
-    /// reach shows that it is another one.
+    /// Adopts position, pump and gripper from the status of an arm at rest, and changes the tool if
+    /// the reach requires another one.
     pub fn observe(&mut self, status: &Status) {
         self.place = ArmPlace::of_status(status);
         self.tool = tool_of(&self.place, self.tool);
@@ -156,7 +157,7 @@ impl Model {
         self.jog = self.jog.filter(|_| self.dialect.keeps_jog_speed);
     }
 
-    /// Takes note that it is unknown where the arm is, until it is seen at rest.
+    /// Marks the position as unknown until the arm is observed at rest.
     pub const fn lose_place(&mut self) {
         self.knows_place = false;
         self.left = self.left.perhaps();
@@ -165,29 +166,29 @@ impl Model {
         }
     }
 
-    /// Whether [`Model::place`] is known: not behind a jog or a smoothed motion, until the arm was
-    /// [`seen`](Self::observe) at rest.
+    /// Whether [`Model::place`] is known: not after a jog or a smoothed motion, until the arm was
+    /// [observed](Self::observe) at rest.
     #[must_use]
     pub const fn knows_place(&self) -> bool {
         self.knows_place
     }
 
-    /// How long a command that comes late may wait until it is taken, in seconds: a pause that begins
-    /// anew as long as nothing follows (note N47).
+    /// Returns how long a late command may wait before the arm takes it, in seconds: a pause that
+    /// restarts until another command follows (note N47).
     #[must_use]
     pub const fn idle_pause_s(&self) -> f64 {
         self.idle_pause_s
     }
 
-    /// The jog that goes on, if one does. Of a stock arm also one that was stopped by something else
-    /// than its release: it keeps the speed for that (note N44).
+    /// Returns the running jog. A stock arm also keeps the speed of a jog that was stopped by
+    /// something other than its release (note N44).
     #[must_use]
     pub const fn jog(&self) -> Option<&JogTrajectory> {
         self.jog.as_ref()
     }
 
-    /// The model in the moment in which a command begins: what acts at once has acted (settings,
-    /// switches), what comes behind the motion has not.
+    /// Returns the model at the start of a command: immediate effects (settings, switches) have
+    /// happened, effects after the motion have not.
     #[must_use]
     pub fn begun(&self, command: &Command) -> Self {
         let mut model = *self;
@@ -197,27 +198,27 @@ impl Model {
         }
         match command {
             Command::MoveTo(_) | Command::MoveJoints(_) => {}
-            Command::WriteVector(it) => model.laser = model.laser_during(it),
-            Command::MouseMove(it) => {
-                model.followed.take_mouse(it);
-                model.follow(it.suction, MOUSE_DEG_S2, |it| it.mouse_swings);
+            Command::WriteVector(write) => model.laser = model.laser_during(write),
+            Command::MouseMove(mouse) => {
+                model.followed.take_mouse(mouse);
+                model.follow(mouse.suction, MOUSE_DEG_S2, |dialect| dialect.mouse_swings);
             }
-            Command::Gesture(it) => {
-                model.followed.take_hand(it);
-                model.follow(it.grab, GESTURE_DEG_S2, |it| it.scales_gesture);
+            Command::Gesture(hand) => {
+                model.followed.take_hand(hand);
+                model.follow(hand.grab, GESTURE_DEG_S2, |dialect| dialect.scales_gesture);
             }
-            Command::Voice(it) => model.suction = model.suction_after(it),
+            Command::Voice(voice) => model.suction = model.suction_after(voice),
             Command::JointJog(_) | Command::LinearJog(_) => model.press(command),
-            Command::Configuration(it) => model.configure(it),
-            Command::PlaybackAdjustment(it) => {
+            Command::Configuration(configuration) => model.configure(configuration),
+            Command::PlaybackAdjustment(adjustment) => {
                 let dialect = model.dialect;
-                model.settings.adjust(it, &dialect);
+                model.settings.adjust(adjustment, &dialect);
             }
         }
         model
     }
 
-    /// The model when the command is over.
+    /// Returns the model after the command.
     #[must_use]
     pub fn after(&self, command: &Command, trajectory: &Trajectory) -> Self {
         let mut model = self.begun(command);
@@ -229,23 +230,25 @@ impl Model {
         };
         model.left = trajectory.left.unwrap_or(model.left);
         match command {
-            Command::MoveTo(it) => {
-                model.note_lines(it.mode);
-                model.set_tool(it.suction, it.gripper_deg);
+            Command::MoveTo(move_to) => {
+                model.note_lines(move_to.mode);
+                model.set_tool(move_to.suction, move_to.gripper_deg);
             }
-            Command::MoveJoints(it) => {
-                model.note_lines(it.mode);
-                model.set_tool(it.suction, it.gripper_deg);
+            Command::MoveJoints(move_joints) => {
+                model.note_lines(move_joints.mode);
+                model.set_tool(move_joints.suction, move_joints.gripper_deg);
             }
             Command::Voice(_) => model.note_lines(MovingMode::MovL),
-            // Behind the last vector the laser goes off, unless the dialect leaves it (note N36).
+            // After the last vector the laser switches off, unless the dialect leaves it on (note
+            // N36).
             Command::WriteVector(_) if !model.dialect.has_rapid_laser_mode => model.laser = false,
             _ => {}
         }
         model
     }
 
-    /// The pause of a command, if it begins anew as long as nothing follows: not behind a JUMP.
+    /// Returns the pause of a command if it restarts until another command follows: not after a
+    /// JUMP.
     fn repeated_s(&self, command: &Command) -> f64 {
         match command {
             Command::MoveTo(MoveTo { mode, .. }) | Command::MoveJoints(MoveJoints { mode, .. })
@@ -265,8 +268,9 @@ impl Model {
         }
     }
 
-    /// A line is taken to be gone to its end, and a MOVJ clears away what a line left. At a limit the
-    /// arm is refused the tick in which it would notice that the line is gone.
+    /// Updates the state of straight lines: a line is assumed to run to its end, and a MOVJ clears
+    /// its state. At a limit the arm is refused the tick in which it would notice the end of the
+    /// line.
     fn note_lines(&mut self, mode: MovingMode) {
         self.lines = match (self.lines, mode) {
             (_, MovingMode::MovL) if self.place.is_at_limit() => Lines::Cut,
@@ -299,7 +303,7 @@ impl Model {
         self.settings.configure(configuration);
         match configuration {
             Configuration::EndEffector { tool } => self.tool = (*tool).into(),
-            // From now on it says its true angles.
+            // From now on it reports its actual angles.
             Configuration::InitialAngles { .. } => {
                 self.calibration = self.calibration.without_zeros();
             }
@@ -308,7 +312,7 @@ impl Model {
     }
 }
 
-/// The tool by which position and angles of a status belong together.
+/// Returns the tool with which position and angles of a status agree.
 fn tool_of(place: &ArmPlace, believed: Tool) -> Tool {
     let reach_mm = |joints: &Joints, tool| forward(joints, tool).position.reach().0;
     let reported_mm = place.pose.position.reach().0;

@@ -1,39 +1,39 @@
-//! Why a motion cannot be planned.
+//! Errors of motion planning.
 
-/// Why a motion cannot be planned.
+/// The error returned when a motion cannot be planned.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// A place to start from or to go to is NaN or infinite.
+    /// A start or target coordinate is NaN or infinite.
     #[error("{name} is {found}; a motion needs a finite number")]
     NotFinite {
-        /// Which number.
+        /// The name of the number.
         name: &'static str,
-        /// NaN or an infinity.
+        /// The value.
         found: f64,
     },
     /// A distance or a speed that may be zero is negative, not finite or too large.
     #[error("{name} is {found}; a motion allows 0 to 3.4e38")]
     Negative {
-        /// Which number.
+        /// The name of the number.
         name: &'static str,
-        /// How much it is.
+        /// The value.
         found: f64,
     },
     /// A limit is zero, negative, not finite or too large.
     #[error("{name} is {found}; a motion needs more than 0 and at most 3.4e38")]
     NotPositive {
-        /// Which number.
+        /// The name of the number.
         name: &'static str,
-        /// How much it is.
+        /// The value.
         found: f64,
     },
     /// A start or end speed is greater than the maximum speed of the same motion.
     #[error("{name} is {found}; the maximum speed of the same motion allows 0 to {max}")]
     AboveMaximum {
-        /// Which number.
+        /// The name of the number.
         name: &'static str,
-        /// How much it is.
+        /// The value.
         found: f64,
         /// The maximum speed.
         max: f64,
@@ -41,7 +41,7 @@ pub enum PlanError {
     /// The limits are so small that the motion would never end.
     #[error("the motion takes {found} s; a motion allows a finite time")]
     Endless {
-        /// Infinite.
+        /// The duration: infinite.
         found: f64,
     },
 }
@@ -70,5 +70,5 @@ pub(crate) fn positive(name: &'static str, found: f64) -> Result<(), PlanError> 
     }
 }
 
-/// What the wire can carry; its square still is a finite `f64`.
+/// The largest number on the wire; its square is still a finite `f64`.
 const LARGEST: f64 = f32::MAX as f64;

@@ -1,9 +1,9 @@
-//! How speed goes with time along a distance.
+//! Speed profiles along a distance.
 
 use crate::PlanError;
 use crate::plan_error::{not_negative, positive};
 
-/// A trapezoid of speed over time, from a start speed over a distance to an end speed.
+/// A trapezoidal speed profile over a distance, from a start speed to an end speed.
 ///
 /// ```text
 /// speed       peak
@@ -16,10 +16,10 @@ use crate::plan_error::{not_negative, positive};
 ///     speed up  cruise  slow down
 /// ```
 ///
-/// Where the distance is too short for the two speeds, one of them gives way: an end speed that
-/// cannot be reached becomes the highest that can; a start speed that cannot be braked down in time
-/// becomes the highest that can (note N5). [`start_speed`](Self::start_speed) and
-/// [`end_speed`](Self::end_speed) tell the speeds that were found.
+/// If the distance is too short for the two speeds, one of them is lowered: an end speed to the
+/// highest that can be reached, or a start speed to the highest from which braking is possible
+/// (note N5). [`start_speed`](Self::start_speed) and [`end_speed`](Self::end_speed) return the
+/// resulting speeds.
 ///
 /// The unit of length is the caller's: millimetres, degrees, or shares of a whole.
 ///
@@ -40,11 +40,11 @@ pub struct Profile {
     end_speed: f64,
     peak_speed: f64,
     acceleration: f64,
-    /// When speeding up ends.
+    /// The end of the acceleration.
     cruise_from_s: f64,
-    /// When slowing down begins.
+    /// The start of the deceleration.
     cruise_to_s: f64,
-    /// How far speeding up goes.
+    /// The distance of the acceleration.
     cruise_from: f64,
     duration_s: f64,
 }
@@ -54,8 +54,8 @@ impl Profile {
     ///
     /// # Errors
     ///
-    /// [`PlanError`] where the distance or a speed is negative, a limit is not positive, a start or
-    /// end speed exceeds `max_speed`, or a number is not finite or too large to calculate with.
+    /// [`PlanError`] if the distance or a speed is negative, a limit is not positive, a start or
+    /// end speed exceeds `max_speed`, or a number is not finite or too large.
     pub fn new(
         distance: f64,
         start_speed: f64,
@@ -71,7 +71,8 @@ impl Profile {
         Self::plan(distance, start_speed, end_speed, max_speed, acceleration).finite()
     }
 
-    /// The distance covered at a time; 0 before the start, exactly the distance after the end.
+    /// Returns the distance covered at a time; 0 before the start, exactly the distance after the
+    /// end.
     #[must_use]
     pub fn distance_at(&self, t_s: f64) -> f64 {
         let left_s = self.duration_s - t_s;
@@ -88,7 +89,7 @@ impl Profile {
         }
     }
 
-    /// The speed at a time; the start speed before the start, the end speed after the end.
+    /// Returns the speed at a time; the start speed before the start, the end speed after the end.
     #[must_use]
     pub fn speed_at(&self, t_s: f64) -> f64 {
         let left_s = self.duration_s - t_s;
@@ -105,40 +106,41 @@ impl Profile {
         }
     }
 
-    /// How long it takes.
+    /// Returns the duration.
     #[must_use]
     pub const fn duration_s(&self) -> f64 {
         self.duration_s
     }
 
-    /// How far it goes.
+    /// Returns the distance.
     #[must_use]
     pub const fn distance(&self) -> f64 {
         self.distance
     }
 
-    /// The speed at the start: as asked for, or the highest that can be braked down in time.
+    /// Returns the start speed: as requested, or the highest from which braking is possible.
     #[must_use]
     pub const fn start_speed(&self) -> f64 {
         self.start_speed
     }
 
-    /// The speed at the end: as asked for, or the highest that can be reached.
+    /// Returns the end speed: as requested, or the highest that can be reached.
     #[must_use]
     pub const fn end_speed(&self) -> f64 {
         self.end_speed
     }
 
-    /// The highest speed on the way.
+    /// Returns the peak speed.
     #[must_use]
     pub const fn peak_speed(&self) -> f64 {
         self.peak_speed
     }
 
-    /// [`new`](Self::new) for numbers that are known to be good.
+    /// Plans like [`new`](Self::new), for valid numbers.
     ///
-    /// The speed after a distance `d` of speeding up is `sqrt(v * v + 2 * a * d)`. From both ends
-    /// it meets at the peak, whose square is the mean of the squared end speeds plus `a * distance`.
+    /// The speed after accelerating over a distance `d` is `sqrt(v * v + 2 * a * d)`. The curves
+    /// from both ends meet at the peak, whose square is the mean of the squared end speeds plus `a
+    /// * distance`.
     pub(crate) fn plan(distance: f64, start: f64, end: f64, max_speed: f64, a: f64) -> Self {
         if distance == 0.0 {
             return Self::standstill(start.min(end), a);
@@ -186,7 +188,7 @@ impl Profile {
         }
     }
 
-    /// No distance, no time: the lower of the two speeds is the only one that both ends can have.
+    /// Without a distance there is no time: both ends have the lower of the two speeds.
     const fn standstill(speed: f64, acceleration: f64) -> Self {
         Self {
             distance: 0.0,

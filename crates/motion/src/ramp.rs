@@ -1,13 +1,13 @@
-//! From one speed to another, then on (jog).
+//! Ramps from one speed to another (jog).
 
 use crate::PlanError;
 use crate::plan_error::{finite, positive};
 
-/// A change of speed at a constant acceleration, and that speed from then on.
+/// A change of speed at constant acceleration, followed by constant speed.
 ///
-/// This is how jogging moves an axis: the button sets the speed aimed at, its release aims at 0, the
-/// opposite button at the opposite speed; each starts from the speed of the moment. Speeds have a
-/// sign, which is the direction. The unit of length is the caller's.
+/// Jogging moves an axis this way: a button sets the target speed, its release sets 0, the opposite
+/// button the opposite speed; each starts from the current speed. The sign of a speed is its
+/// direction. The unit of length is the caller's.
 ///
 /// ```
 /// # use dobot_motion::Ramp;
@@ -21,7 +21,7 @@ use crate::plan_error::{finite, positive};
 pub struct Ramp {
     from_speed: f64,
     to_speed: f64,
-    /// With the sign of the change.
+    /// Signed acceleration of the change.
     acceleration: f64,
     change_s: f64,
 }
@@ -31,7 +31,7 @@ impl Ramp {
     ///
     /// # Errors
     ///
-    /// [`PlanError`] where a speed is not finite or the acceleration is not positive.
+    /// [`PlanError`] if a speed is not finite or the acceleration is not positive.
     pub fn new(from_speed: f64, to_speed: f64, acceleration: f64) -> Result<Self, PlanError> {
         finite("speed of the moment", from_speed)?;
         finite("speed aimed at", to_speed)?;
@@ -49,16 +49,17 @@ impl Ramp {
         })
     }
 
-    /// Plans the run-down from a speed to rest.
+    /// Plans the ramp from a speed down to rest.
     ///
     /// # Errors
     ///
-    /// As of [`new`](Self::new).
+    /// See [`new`](Self::new).
     pub fn to_rest(speed: f64, acceleration: f64) -> Result<Self, PlanError> {
         Self::new(speed, 0.0, acceleration)
     }
 
-    /// The speed at a time; the first speed before the start, the second once it is reached.
+    /// Returns the speed at a time; the first speed before the start, the second once it is
+    /// reached.
     #[must_use]
     pub fn speed_at(&self, t_s: f64) -> f64 {
         if t_s >= self.change_s {
@@ -68,7 +69,7 @@ impl Ramp {
         }
     }
 
-    /// The way gone since the start, with its sign; 0 before the start.
+    /// Returns the signed distance since the start; 0 before the start.
     #[must_use]
     pub fn distance_at(&self, t_s: f64) -> f64 {
         if t_s >= self.change_s {
@@ -79,13 +80,13 @@ impl Ramp {
         }
     }
 
-    /// How long the change of speed takes.
+    /// Returns the duration of the change of speed.
     #[must_use]
     pub const fn change_s(&self) -> f64 {
         self.change_s
     }
 
-    /// The way gone during the change of speed, with its sign.
+    /// Returns the signed distance of the change of speed.
     #[must_use]
     pub const fn change_distance(&self) -> f64 {
         0.5 * (self.from_speed + self.to_speed) * self.change_s

@@ -1,9 +1,9 @@
-//! How fast the arm may move from point to point.
+//! Speed limits of point-to-point moves.
 
 use crate::PlanError;
 use crate::plan_error::positive;
 
-/// The highest speeds and accelerations of target moves (Table 3.9, state 9, mode 1).
+/// The maximum speeds and accelerations of target moves (Table 3.9, state 9, mode 1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speeds {
     /// Speed of joints 1 to 3.
@@ -21,10 +21,12 @@ pub struct Speeds {
 }
 
 impl Speeds {
-    /// What a stock arm knows after power-up, before its percentages of 50 (state 10) are applied.
+    /// The values of a stock arm after power-up, before its percentages of 50 (state 10) are
+    /// applied.
     pub const STOCK: Self = Self::new([200.0, 200.0, 200.0, 200.0, 100.0, 200.0]);
 
-    /// Speed and acceleration of the joints, of the servo and of the tool, as Table 3.9 has them.
+    /// Creates speeds from the numbers of Table 3.9: speed and acceleration of the joints, of the
+    /// servo and of the tool.
     #[must_use]
     pub const fn new(numbers: [f64; 6]) -> Self {
         let [
@@ -45,7 +47,7 @@ impl Speeds {
         }
     }
 
-    /// The numbers that [`Speeds::new`] takes.
+    /// Returns the numbers as passed to [`Speeds::new`].
     #[must_use]
     pub const fn numbers(&self) -> [f64; 6] {
         [
@@ -58,7 +60,7 @@ impl Speeds {
         ]
     }
 
-    /// The same with all speeds and all accelerations at a percentage (Table 3.9, state 10).
+    /// Scales all speeds and accelerations by percentages (Table 3.9, state 10).
     ///
     /// ```
     /// # use dobot_motion::Speeds;
@@ -77,7 +79,7 @@ impl Speeds {
         }
     }
 
-    /// Whether a motion can be planned with them.
+    /// Checks that a motion can be planned with these speeds.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! The writing and laser vector.
+//! Writing and laser vectors.
 
 use dobot_arm::Position;
 
@@ -7,7 +7,7 @@ use crate::{PlanError, Profile};
 
 /// A straight stroke with a speed at each end (state 4; Table 2.6).
 ///
-/// Strokes join without a halt: the end speed of one is the start speed of the next.
+/// Strokes join without stopping: the end speed of one is the start speed of the next.
 ///
 /// ```
 /// # use dobot_arm::Position;
@@ -26,13 +26,13 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    /// Plans the stroke from a position along a vector; a vector of length 0 lasts 0 s.
+    /// Plans the stroke from a position along a vector; a vector of length 0 takes 0 s.
     ///
-    /// A vector too short for its two speeds lowers one of them, as [`Profile`] says.
+    /// If a vector is too short for its two speeds, one of them is lowered as in [`Profile`].
     ///
     /// # Errors
     ///
-    /// [`PlanError`] where a coordinate is not finite, or as of [`Profile::new`].
+    /// [`PlanError`] if a coordinate is not finite, or as in [`Profile::new`].
     pub fn new(from: Position, vector: Position, speeds: &StrokeSpeeds) -> Result<Self, PlanError> {
         let to = from + vector;
         finite("end of the stroke", to.x.0 + to.y.0 + to.z.0)?;
@@ -46,7 +46,7 @@ impl Stroke {
         Ok(Self { from, to, profile })
     }
 
-    /// The position at a time.
+    /// Returns the position at a time.
     #[must_use]
     pub fn position_at(&self, t_s: f64) -> Position {
         if t_s >= self.profile.duration_s() {
@@ -56,31 +56,31 @@ impl Stroke {
         self.from + (self.to - self.from) * share
     }
 
-    /// The speed in mm/s at a time.
+    /// Returns the speed in mm/s at a time.
     #[must_use]
     pub fn speed_at(&self, t_s: f64) -> f64 {
         self.profile.speed_at(t_s)
     }
 
-    /// How long it takes.
+    /// Returns the duration.
     #[must_use]
     pub const fn duration_s(&self) -> f64 {
         self.profile.duration_s()
     }
 
-    /// The speed in mm/s with which it starts: as asked for, or lower where the vector is too short.
+    /// Returns the start speed in mm/s: as requested, or lower if the vector is too short.
     #[must_use]
     pub const fn start_speed(&self) -> f64 {
         self.profile.start_speed()
     }
 
-    /// The speed in mm/s with which it ends: as asked for, or lower where the vector is too short.
+    /// Returns the end speed in mm/s: as requested, or lower if the vector is too short.
     #[must_use]
     pub const fn end_speed(&self) -> f64 {
         self.profile.end_speed()
     }
 
-    /// Where it ends.
+    /// Returns the end.
     #[must_use]
     pub const fn target(&self) -> Position {
         self.to
@@ -94,8 +94,8 @@ pub struct StrokeSpeeds {
     pub start_mm_s: f64,
     /// Speed at the end, 0 to the maximum.
     pub end_mm_s: f64,
-    /// Highest speed on the way, above 0.
+    /// The maximum speed, above 0.
     pub max_mm_s: f64,
-    /// Highest acceleration, above 0.
+    /// The maximum acceleration, above 0.
     pub acceleration_mm_s2: f64,
 }

@@ -1,22 +1,23 @@
-//! How a stock arm goes along a vector, tick by tick (note N48).
+//! Execution of a vector on a stock arm, tick by tick (note N48).
 
 use dobot_arm::TICK;
 
 use crate::TickStroke;
 
-/// How far a stock arm has gone along a vector, and how it goes on, in the controller's own arithmetic.
+/// The progress of a stock arm along a vector, in the controller's own arithmetic.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TickProgress {
-    /// Ticks left that accelerate, go on as fast, and slow down.
+    /// The remaining ticks that accelerate, keep the speed, and decelerate.
     counts: [i16; 3],
     speed_mm_s: f32,
-    /// How far the last tick went.
+    /// The distance of the last tick.
     step_mm: f32,
     travelled_mm: [f32; 3],
 }
 
 impl TickProgress {
-    /// Begins a vector that is cut like that. Without a cut it has no ticks; the speed of the one before stays.
+    /// Begins a vector with these ticks. With `None` it has no ticks, and the speed of the vector
+    /// before remains.
     pub fn begin(&mut self, tick_stroke: Option<&TickStroke>) {
         self.travelled_mm = [0.0; 3];
         self.counts = [0; 3];
@@ -26,7 +27,8 @@ impl TickProgress {
         }
     }
 
-    /// A tick further along a vector of this length, each tick of which is so much faster or slower than the one before.
+    /// Advances by one tick along a vector of this length; `change_mm_s` is the speed change per
+    /// tick.
     #[must_use]
     pub fn tick(mut self, vector_mm: [f32; 3], length_mm: f32, change_mm_s: f32) -> Self {
         let [up, even, down] = &mut self.counts;
@@ -48,20 +50,21 @@ impl TickProgress {
         self
     }
 
-    /// How many ticks are left. A sum below zero never comes to zero: such a vector creeps on for ever.
+    /// Returns the number of remaining ticks. A sum below zero never reaches zero: such a vector
+    /// creeps forever.
     #[must_use]
     pub fn ticks_left(&self) -> i16 {
         added(self.counts)
     }
 
-    /// How far it has gone from where the vector began.
+    /// Returns the displacement since the start of the vector.
     #[must_use]
     pub const fn travelled_mm(&self) -> [f32; 3] {
         self.travelled_mm
     }
 }
 
-/// In sixteen bits, as the stock processor adds.
+/// Adds the counts in 16 bits, as the stock processor does.
 pub(crate) fn added(counts: [i16; 3]) -> i16 {
     counts.into_iter().fold(0, i16::wrapping_add)
 }

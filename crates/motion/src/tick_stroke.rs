@@ -1,11 +1,11 @@
-//! How a stock arm cuts a vector into ticks (note N48).
+//! Division of a vector into ticks by a stock arm (note N48).
 
 use dobot_arm::stock::short;
 
 use crate::TickProgress;
 use crate::tick_progress::{TICK_S, added};
 
-/// How a stock arm runs a vector: so many ticks faster each, so many as fast, so many slower.
+/// A vector as executed by a stock arm: ticks that accelerate, keep the speed, and decelerate.
 ///
 /// ```text
 ///   speed in a tick     begin 4, up 2, even 1, down 3          each tick's way is its speed times
@@ -17,24 +17,25 @@ use crate::tick_progress::{TICK_S, added};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TickStroke {
-    /// Ticks that accelerate, go on as fast, and slow down.
+    /// The number of ticks that accelerate, keep the speed, and decelerate.
     pub counts: [i16; 3],
     /// The speed of the first tick, before it accelerates, in mm/s.
     pub first_mm_s: f32,
     /// The speed of the fastest tick, in mm/s.
     pub top_mm_s: f32,
-    /// What the next vector begins with, in mm/s.
+    /// The initial speed of the next vector, in mm/s.
     pub end_mm_s: f32,
-    /// By how much all ticks would have to be faster to be as long as the vector, in mm/s.
+    /// The speed that all ticks lack to cover the length of the vector, in mm/s.
     pub correction_mm_s: f32,
-    /// How much faster one tick is than the one before, in mm/s.
+    /// The speed change from tick to tick, in mm/s.
     pub change_mm_s: f32,
 }
 
 impl TickStroke {
-    /// What the controller makes of a vector of this length, in its own arithmetic: single precision,
-    /// in this order. `stored_mm_s` is what the vector before left; end speed and largest speed are
-    /// those of the packet, and the acceleration is a hundredfold in laser mode without the laser.
+    /// Computes the ticks of a vector of this length in the controller's own arithmetic: single
+    /// precision, in this order. `stored_mm_s` is the speed left by the vector before; end speed
+    /// and maximum speed are those of the packet. In laser mode without the laser the acceleration
+    /// is a hundredfold.
     #[must_use]
     pub fn of(
         length_mm: f32,
@@ -99,13 +100,13 @@ impl TickStroke {
         }
     }
 
-    /// How many ticks it takes.
+    /// Returns the number of ticks.
     #[must_use]
     pub fn ticks(&self) -> i16 {
         added(self.counts)
     }
 
-    /// The speed of each tick in mm/s.
+    /// Returns the speed of each tick in mm/s.
     #[must_use]
     pub fn speeds_mm_s(&self) -> impl DoubleEndedIterator<Item = f32> {
         let [up, even, down] = self.counts;
@@ -118,14 +119,15 @@ impl TickStroke {
         rises.chain(keeps).chain(falls)
     }
 
-    /// How long the vector becomes, in mm: as long as it should where it [is true](Self::is_exact), and
-    /// less than nothing where it goes back.
+    /// Returns the executed length in mm: the nominal length if it [is exact](Self::is_exact),
+    /// negative if the vector moves back.
     #[must_use]
     pub fn length_mm(&self) -> f32 {
-        self.speeds_mm_s().map(|it| it * TICK_S).sum()
+        self.speeds_mm_s().map(|mm_s| mm_s * TICK_S).sum()
     }
 
-    /// How far a vector with these increments, which is cut like this, leads, in mm: rounding included.
+    /// Returns the displacement in mm of a vector with these increments and ticks, including
+    /// rounding.
     #[must_use]
     pub fn displacement_mm(&self, vector_mm: [f32; 3], length_mm: f32) -> [f32; 3] {
         let mut progress = TickProgress::default();
@@ -136,8 +138,8 @@ impl TickStroke {
         progress.travelled_mm()
     }
 
-    /// Whether the vector becomes as long as it should. Where more than one step of speed is left
-    /// to spread, the controller spreads one step and is off the way.
+    /// Whether the executed length equals the nominal one. If the missing speed exceeds one step,
+    /// the controller adds only one step and the length is wrong.
     #[must_use]
     pub fn is_exact(&self) -> bool {
         self.counts.iter().all(|&count| count >= 0)
@@ -147,7 +149,7 @@ impl TickStroke {
     }
 }
 
-/// The begin speed, and how many ticks accelerate and slow down.
+/// Returns the initial speed and the numbers of ticks that accelerate and decelerate.
 fn ramps(length: f32, [begin, end, max]: [f32; 3], acceleration: f32) -> (f32, i16, i16) {
     let step = acceleration * TICK_S;
     let ticks = |change: f32| short(change / step + 0.5);
@@ -176,7 +178,7 @@ fn ramps(length: f32, [begin, end, max]: [f32; 3], acceleration: f32) -> (f32, i
     }
 }
 
-/// How much of a step is spared, for rounding.
+/// The share of a step reserved for rounding.
 const SPARE: f32 = 1e-5;
 
 #[cfg(test)]
@@ -186,7 +188,7 @@ mod tests {
     #[test]
     fn a_vector_from_rest_to_rest_has_the_ticks_of_the_note() {
         // 10 mm at 100 mm/s2: the peak is sqrt(1000) = 31.6 mm/s, 16 steps of 2 mm/s up and down;
-        // their ways are 4.8 mm each, and the 0.4 mm left make 50 * 0.4 / 32 = 0.625 mm/s more.
+        // they cover 4.8 mm each, and the missing 0.4 mm add 50 * 0.4 / 32 = 0.625 mm/s.
         let tick_stroke = TickStroke::of(10.0, 0.0, 0.0, 40.0, 100.0);
         assert_eq!(tick_stroke.counts, [16, 0, 16]);
         assert!((tick_stroke.correction_mm_s - 0.625).abs() < 1e-4);
@@ -201,7 +203,7 @@ mod tests {
         // 3 mm at 40 mm/s: three ticks of 0.8 mm leave 0.6 mm, which is 10 mm/s for each.
         let tick_stroke = TickStroke::of(3.0, 40.0, 40.0, 40.0, 100.0);
         assert_eq!(tick_stroke.counts, [0, 3, 0]);
-        // One step of 2 mm/s is spread of them: 42 mm/s for 60 ms.
+        // Only one step of 2 mm/s is added: 42 mm/s for 60 ms.
         assert!((tick_stroke.length_mm() - 2.52).abs() < 1e-4);
         assert!(!tick_stroke.is_exact());
     }

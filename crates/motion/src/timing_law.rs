@@ -1,22 +1,22 @@
-//! One profile for things that move together.
+//! The timing law of several axes that move together.
 
 use crate::{PlanError, Profile};
 
-/// The fastest profile from 0 to 1, at rest at both ends, within everyone's limits.
+/// The fastest timing law from 0 to 1 that starts and ends at rest and respects the limits of all
+/// axes.
 ///
-/// Each thing goes its whole way while the profile goes from 0 to 1. The pace is that of the
-/// slowest in speed and that of the slowest in acceleration. Nothing to move takes no time;
-/// nor does a way too small to calculate with (below 1e-300).
+/// Each axis covers its distance while the law goes from 0 to 1. The axis slowest in speed and the
+/// one slowest in acceleration determine it. No distance, or one below 1e-300, takes no time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TimingLaw {
-    /// How long the slowest would take at full speed all the way.
+    /// The time of the slowest axis at full speed.
     pub(crate) per_speed_s: f64,
-    /// The largest way per acceleration.
+    /// The largest ratio of distance to acceleration.
     pub(crate) per_acceleration_s2: f64,
 }
 
 impl TimingLaw {
-    /// The pace of a thing that goes `way` within `speed` and `acceleration`.
+    /// Creates the law of one axis with a distance, a speed and an acceleration.
     pub(crate) fn of(way: f64, speed: f64, acceleration: f64) -> Self {
         Self {
             per_speed_s: way / speed,
@@ -24,7 +24,7 @@ impl TimingLaw {
         }
     }
 
-    /// The pace of both together.
+    /// Combines the laws of two axes.
     pub(crate) const fn with(self, other: Self) -> Self {
         Self {
             per_speed_s: self.per_speed_s.max(other.per_speed_s),
@@ -32,7 +32,7 @@ impl TimingLaw {
         }
     }
 
-    /// The profile over shares of the way, 0 to 1.
+    /// Returns the profile over shares of the distance, 0 to 1.
     pub(crate) fn profile(self) -> Result<Profile, PlanError> {
         let (speed, acceleration) = (1.0 / self.per_speed_s, 1.0 / self.per_acceleration_s2);
         if !(speed.is_finite() && acceleration.is_finite()) {

@@ -189,7 +189,7 @@ fn paths(trajectory: &Trajectory) -> [Path<'_>; 3] {
         trajectory,
         from_s: if index == 0 { 0.0 } else { ends_s[index - 1] },
         to_s: ends_s[index],
-        bend: segments[index].bend,
+        interpolation: segments[index].interpolation,
     })
 }
 

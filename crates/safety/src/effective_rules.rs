@@ -1,7 +1,7 @@
 //! The rules in force on a way: those of the policy, wider where the arm stands outside already.
 
 use dobot_arm::{Calibration, Tool, Unreachable};
-use dobot_motion::{ArmPlace, Bend};
+use dobot_motion::{ArmPlace, Interpolation};
 
 use crate::body::{Body, MEASURES, measures};
 use crate::limits::{LASER_AREA, Limit};
@@ -153,11 +153,11 @@ impl<'a> EffectiveRules<'a> {
     /// What may forbid a place between two of a segment; `None` where none is forbidden for sure.
     pub(crate) fn broken_between(
         &self,
-        bend: Bend,
+        interpolation: Interpolation,
         a: &PathPoint,
         b: &PathPoint,
     ) -> Option<Broken> {
-        let Some(swept) = SweptPath::between(bend, &a.raw, &b.raw, self.tool, &self.arm) else {
+        let Some(swept) = SweptPath::between(interpolation, &a.raw, &b.raw, self.tool, &self.arm) else {
             return Some(Broken::Unclear);
         };
         let outside = |effective: &&EffectiveLimit| {

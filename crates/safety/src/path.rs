@@ -1,7 +1,7 @@
 //! A segment of a way on which the same things change evenly.
 
 use dobot_arm::{Joints, Pose, Tool, Unreachable};
-use dobot_motion::{ArmPlace, Bend, Trajectory};
+use dobot_motion::{ArmPlace, Interpolation, Trajectory};
 
 /// A segment of a way; where on it is told by a share, 0 to 1.
 #[derive(Clone, Copy, Debug)]
@@ -11,7 +11,7 @@ pub(crate) enum Path<'a> {
         trajectory: &'a Trajectory,
         from_s: f64,
         to_s: f64,
-        bend: Bend,
+        interpolation: Interpolation,
     },
     /// All joints evenly.
     Joints {
@@ -51,11 +51,11 @@ impl Path<'_> {
         }
     }
 
-    pub(crate) const fn bend(&self) -> Bend {
+    pub(crate) const fn interpolation(&self) -> Interpolation {
         match self {
-            Self::Trajectory { bend, .. } => *bend,
-            Self::Joints { .. } => Bend::Joints,
-            Self::Line { .. } => Bend::Line,
+            Self::Trajectory { interpolation, .. } => *interpolation,
+            Self::Joints { .. } => Interpolation::Joints,
+            Self::Line { .. } => Interpolation::Line,
         }
     }
 }

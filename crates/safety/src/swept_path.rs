@@ -7,7 +7,7 @@
 //! `docs/policy.md` derives them.
 
 use dobot_arm::{Calibration, FOREARM, Joints, Pose, REAR_ARM, Tool};
-use dobot_motion::{ArmPlace, Bend};
+use dobot_motion::{ArmPlace, Interpolation};
 
 use crate::Bounds;
 use crate::body::{MEASURES, Measure};
@@ -25,21 +25,21 @@ pub(crate) struct SweptPath {
 impl SweptPath {
     /// The bounds between two places that the arm says; `None` where they are too far apart to tell.
     pub(crate) fn between(
-        bend: Bend,
+        interpolation: Interpolation,
         a: &ArmPlace,
         b: &ArmPlace,
         tool: Tool,
         arm: &Calibration,
     ) -> Option<Self> {
-        let flat = match bend {
-            Bend::Joints => return Turns::evenly(&a.joints, &b.joints).swept_path(a, b, arm),
-            Bend::Line => Flat::line(&a.pose, &b.pose)?,
-            Bend::Around => Flat::around(a, b),
+        let flat = match interpolation {
+            Interpolation::Joints => return Turns::evenly(&a.joints, &b.joints).swept_path(a, b, arm),
+            Interpolation::Line => Flat::line(&a.pose, &b.pose)?,
+            Interpolation::Around => Flat::around(a, b),
         };
         let turns = flat.turns(a, b, tool.reach().0)?;
         // To an arm that is not as drawn, no line of its own is straight.
         if arm.is_none() {
-            Some(flat.swept_path(bend, &turns, arm))
+            Some(flat.swept_path(interpolation, &turns, arm))
         } else {
             turns.swept_path(a, b, arm)
         }
@@ -217,9 +217,9 @@ impl Flat {
     }
 
     /// What follows for an arm as drawn, whose tool goes just so.
-    fn swept_path(&self, bend: Bend, turns: &Turns, arm: &Calibration) -> SweptPath {
+    fn swept_path(&self, interpolation: Interpolation, turns: &Turns, arm: &Calibration) -> SweptPath {
         let degrees = f64::to_degrees;
-        let tool_mm = if bend == Bend::Around {
+        let tool_mm = if interpolation == Interpolation::Around {
             turned(FARTHEST_MM, self.way_mm, 0.0, self.base, 0.0)
         } else {
             0.0

@@ -191,7 +191,7 @@ fn a_motion_of_hours_is_refused_at_once() {
         .send(crawl)
         .send(movl(250.0, 0.0, 0.0))
         .wait_ms(100)
-        .expect_refusal("a motion is allowed 3600 s");
+        .expect_refusal("allowed are 3600 s");
 }
 
 #[test]

@@ -2,25 +2,25 @@
 
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis};
 
-/// What a button of the jog panel does (Table 2.5).
+/// The effect of a jog panel button (Table 2.5).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Button {
-    /// The button that was held is released.
+    /// The held button is released.
     Released,
-    /// A button is held: the axis moves until told otherwise.
+    /// A button is held: the axis moves until its release.
     Held {
-        /// What moves.
+        /// The axis.
         axis: JogAxis,
-        /// The share of the axis's speed, -1 to 1; its sign is the direction.
+        /// The share of the axis's speed, -1 to 1; the sign is the direction.
         share: f64,
     },
-    /// The pump.
+    /// The pump switches.
     Suction(bool),
-    /// The laser.
+    /// The laser switches.
     Laser(bool),
 }
 
-/// What a jog moves.
+/// The axis of a jog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum JogAxis {
     /// Joint 1.
@@ -31,7 +31,7 @@ pub enum JogAxis {
     Fore,
     /// Joint 4.
     Servo,
-    /// The gripper, which moves nothing else.
+    /// The gripper; the arm itself does not move.
     Gripper,
     /// The tool along X.
     X,
@@ -42,7 +42,7 @@ pub enum JogAxis {
 }
 
 impl Button {
-    /// The button that a command presses; `None` where it is no jog.
+    /// Returns the button that a command presses; `None` if it is not a jog.
     #[must_use]
     pub fn of(command: &Command) -> Option<Self> {
         match command {
@@ -64,9 +64,10 @@ impl Button {
         }
     }
 
-    /// What releases the button that a command holds: a release of the same kind, joint (state 2) or
-    /// linear (state 7). On a stock arm one of the other kind runs down the axis of the same number
-    /// there, the forearm for Z (note N44). `None` where the command holds no button.
+    /// Returns the command that releases the button held by a command: a release of the same kind,
+    /// joint (state 2) or linear (state 7). On a stock arm, a release of the other kind ramps down
+    /// the axis of the same number there, the forearm for Z (note N44). `None` if the command holds
+    /// no button.
     #[must_use]
     pub fn release_of(command: &Command) -> Option<Command> {
         let Self::Held { .. } = Self::of(command)? else {
@@ -79,7 +80,7 @@ impl Button {
     }
 }
 
-/// The button of a code, of which the first six move these three axes.
+/// Returns the button of a code whose first six values move these three axes.
 fn button(code: u8, [first, second, third]: [JogAxis; 3], speed_percent: f32) -> Button {
     let share = f64::from(speed_percent) / 100.0;
     let held = |axis, share| Button::Held { axis, share };

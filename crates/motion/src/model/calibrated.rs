@@ -1,7 +1,7 @@
-//! An arm that is not as drawn: where it truly is, and what it has to be told.
+//! Conversion between raw and calibrated positions.
 //!
-//! A model, its trajectories and the statuses are in the arm's own words. What people and the rules
-//! speak of are true places: a [`Model`] that knows its [`Calibration`] turns one into the other.
+//! A model, its trajectories and the statuses use raw positions. People and rules use calibrated
+//! positions: a [`Model`] with a [`Calibration`] converts between them.
 
 use dobot_arm::{Calibration, Degrees, Joints, Pose, Tool, Unreachable, forward};
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, WriteVector, single};
@@ -10,7 +10,7 @@ use super::place::position;
 use crate::{ArmPlace, Model};
 
 impl ArmPlace {
-    /// The true joint angles and the true place of the tool, where an arm says this one.
+    /// Returns the calibrated joint angles and position for this raw position.
     #[must_use]
     pub fn calibrated(&self, calibration: &Calibration, tool: Tool) -> Self {
         if calibration.is_none() {
@@ -26,13 +26,14 @@ impl ArmPlace {
     }
 }
 
-/// What an arm that differs so from the drawing of it has to be told for a target, in place or in joint
-/// angles, that speaks of where the tool truly is. All else means the same to every arm. Where it is known from
-/// where the arm comes, slack joints are told less where they turn back.
+/// Converts a command from calibrated to raw positions for an arm with this calibration.
+///
+/// Targets in positions or joint angles are converted; all other commands are returned unchanged.
+/// If the start is known, backlash is compensated where a joint reverses.
 ///
 /// # Errors
 ///
-/// [`Unreachable`] where the arm cannot bring its tool to the true place.
+/// [`Unreachable`] if the arm cannot bring its tool to the calibrated position.
 pub fn to_raw(
     command: &Command,
     arm: &Calibration,
@@ -43,13 +44,13 @@ pub fn to_raw(
         return Ok(*command);
     }
     Ok(match command {
-        Command::MoveTo(it) => {
-            let there = position(it.x_mm, it.y_mm, it.z_mm);
+        Command::MoveTo(move_to) => {
+            let there = position(move_to.x_mm, move_to.y_mm, move_to.z_mm);
             let joints = arm.told_joints(there, tool)?;
-            let above = position(it.x_mm, it.y_mm, it.z_mm + 1.0);
+            let above = position(move_to.x_mm, move_to.y_mm, move_to.z_mm + 1.0);
             let lowered = arm.told_joints(above, tool).ok();
-            let from = match it.mode {
-                // It comes down on to its end, with the base turned already.
+            let from = match move_to.mode {
+                // A JUMP approaches its end from above, with the base already turned.
                 MovingMode::Jump => from.zip(lowered).map(|(from, above)| Joints {
                     base: from.base,
                     ..above
@@ -61,20 +62,25 @@ pub fn to_raw(
                 x_mm: single(raw.x.0),
                 y_mm: single(raw.y.0),
                 z_mm: single(raw.z.0),
-                rotation_deg: single(f64::from(it.rotation_deg) - arm.base_deg),
-                ..*it
+                rotation_deg: single(f64::from(move_to.rotation_deg) - arm.base_deg),
+                ..*move_to
             }
             .into()
         }
-        Command::MoveJoints(it) => {
-            let [base, rear, fore] = [it.base_deg, it.rear_deg, it.fore_deg].map(f64::from);
+        Command::MoveJoints(move_joints) => {
+            let [base, rear, fore] = [
+                move_joints.base_deg,
+                move_joints.rear_deg,
+                move_joints.fore_deg,
+            ]
+            .map(f64::from);
             let joints = arm.told_joints_of(&Joints::new(base, rear, fore, 0.0));
             let raw = compensated(&joints, from, arm);
             MoveJoints {
                 base_deg: single(raw.base.0),
                 rear_deg: single(raw.rear.0),
                 fore_deg: single(raw.fore.0),
-                ..*it
+                ..*move_joints
             }
             .into()
         }
@@ -82,7 +88,7 @@ pub fn to_raw(
     })
 }
 
-/// Joint angles that the arm has to say, where it comes from others.
+/// Returns the raw joint angles with backlash compensated, given those of the start.
 fn compensated(joints: &Joints, from: Option<&Joints>, arm: &Calibration) -> Joints {
     from.map_or(*joints, |from| {
         let turned = [
@@ -90,32 +96,32 @@ fn compensated(joints: &Joints, from: Option<&Joints>, arm: &Calibration) -> Joi
             joints.rear - from.rear,
             joints.fore - from.fore,
         ];
-        arm.motors_at(joints, turned.map(|it| it.0))
+        arm.motors_at(joints, turned.map(|angle| angle.0))
     })
 }
 
 impl Model {
-    /// Where the arm truly is when it says a place.
+    /// Returns the calibrated position of a raw one.
     #[must_use]
     pub fn calibrated_place(&self, raw: &ArmPlace) -> ArmPlace {
         raw.calibrated(&self.calibration, self.tool)
     }
 
-    /// What the arm has to be told for a command that speaks of true places: targets, joint angles and
-    /// vectors, which begin where the arm is.
+    /// Converts a command from calibrated to raw positions: targets, joint angles and vectors,
+    /// which begin at the arm's position.
     ///
-    /// The end of a line is where it should be; the line between is straight by the arm's own places,
-    /// which bends it by as much as its zeros and its tool are off.
+    /// The end of a line is exact. The line between is straight in raw positions, which bends it by
+    /// the errors of zeros and tool.
     ///
     /// # Errors
     ///
-    /// [`Unreachable`] where the arm cannot bring its tool to the true place.
+    /// [`Unreachable`] if the arm cannot bring its tool to the calibrated position.
     pub fn to_raw(&self, command: &Command) -> Result<Command, Unreachable> {
         let arm = &self.calibration;
         match command {
-            Command::WriteVector(it) if !it.stop && !arm.is_none() => {
+            Command::WriteVector(write) if !write.stop && !arm.is_none() => {
                 let here = self.calibrated_place(&self.place).pose.position;
-                let there = here + position(it.x_mm, it.y_mm, it.z_mm);
+                let there = here + position(write.x_mm, write.y_mm, write.z_mm);
                 let joints = arm.told_joints(there, self.tool)?;
                 let joints = compensated(&joints, Some(&self.place.joints), arm);
                 let raw = forward(&joints, self.tool).position - self.place.pose.position;
@@ -123,7 +129,7 @@ impl Model {
                     x_mm: single(raw.x.0),
                     y_mm: single(raw.y.0),
                     z_mm: single(raw.z.0),
-                    ..*it
+                    ..*write
                 }
                 .into())
             }
@@ -168,7 +174,7 @@ mod tests {
         Model::standing(Dialect::SPECIFICATION, here).calibrated(calibration)
     }
 
-    /// Where the tool truly is when a command is over.
+    /// Returns the calibrated position after a command.
     fn end(model: &Model, command: &Command) -> ArmPlace {
         let raw = model.to_raw(command).unwrap();
         let trajectory = model.trajectory(&raw).unwrap();
@@ -180,7 +186,7 @@ mod tests {
         fn a_target_brings_the_tool_to_the_calibrated_place(arm in arm(), x in 190.0_f32..230.0, y in -60.0_f32..60.0, z in -10.0_f32..30.0) {
             let model = model(arm);
             let target = Command::from(MoveTo::to(x, y, z));
-            prop_assume!(model.to_raw(&target).is_ok_and(|it| model.trajectory(&it).is_ok()));
+            prop_assume!(model.to_raw(&target).is_ok_and(|raw| model.trajectory(&raw).is_ok()));
             let found = end(&model, &target).pose.position;
             let away = found - position(x, y, z);
             prop_assert!(away.x.0.hypot(away.y.0).hypot(away.z.0) < 1e-3, "{found:?}");
@@ -190,7 +196,7 @@ mod tests {
         fn a_vector_moves_the_tool_by_what_it_says(arm in arm(), dx in -10.0_f32..10.0, dy in -10.0_f32..10.0) {
             let model = model(arm);
             let vector = Command::from(WriteVector::by(dx, dy, 0.0, 40.0));
-            prop_assume!(model.to_raw(&vector).is_ok_and(|it| model.trajectory(&it).is_ok()));
+            prop_assume!(model.to_raw(&vector).is_ok_and(|raw| model.trajectory(&raw).is_ok()));
             let from = model.calibrated_place(&model.place).pose.position;
             let gone = end(&model, &vector).pose.position - from;
             prop_assert!((gone - position(dx, dy, 0.0)).reach().0 < 1e-3, "{gone:?}");

@@ -1,36 +1,39 @@
-//! How a stock arm follows mouse and hand: scaled, and smoothed by what it was sent before (note
-//! N49).
+//! Mouse and hand following of a stock arm: scaled, and averaged with earlier packets (note N49).
 
 use crate::{JointMove, Speeds};
 use dobot_arm::{Degrees, Joints, Limits, Millimeters, Pose, Position, TICK_S, Tool};
 use dobot_wire::{Gesture, MouseMove};
 
-use super::followed::{Before, Behind, hand_sample, mouse_sample};
+use super::followed::{Predecessor, StaleSlot, hand_sample, mouse_sample};
 use super::hand_scale::{HandScale, lowest_mm};
 use super::motion::Motion;
 use crate::{ArmPlace, Model, Trajectory, TrajectoryError};
 
-/// Swings the base, and changes reach and height, by what a mouse tells.
-pub(crate) fn moused(by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
+/// Plans a mouse move: swings the base and changes reach and height.
+pub(crate) fn follow_mouse(by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
     let trajectory = |before| {
         let average = model.followed.mouse_average(mouse_sample(by), before);
-        swung(average, by, model)
+        mouse_step(average, by, model)
     };
-    surely_moves(&trajectory(Before::Another))?;
-    surely_moves(&trajectory(Before::TheRow))?;
-    trajectory(Before::AsSent)
+    check_moves(&trajectory(Predecessor::OtherCommand))?;
+    check_moves(&trajectory(Predecessor::SameSeries))?;
+    trajectory(Predecessor::AsSent)
 }
 
-/// Whether the arm does not hang with a packet that may come to this.
-fn surely_moves(trajectory: &Result<Trajectory, TrajectoryError>) -> Result<(), TrajectoryError> {
+/// Refuses a packet whose trajectory may be empty, because the arm would hang.
+fn check_moves(trajectory: &Result<Trajectory, TrajectoryError>) -> Result<(), TrajectoryError> {
     match trajectory {
         Err(TrajectoryError::NothingToFollow) => Err(TrajectoryError::NothingToFollow),
         Ok(_) | Err(_) => Ok(()),
     }
 }
 
-/// Goes by what a mouse told, averaged.
-fn swung(average: [f32; 3], by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
+/// Plans an averaged mouse move.
+fn mouse_step(
+    average: [f32; 3],
+    by: &MouseMove,
+    model: &Model,
+) -> Result<Trajectory, TrajectoryError> {
     let [swing, longer, higher] = average.map(f64::from);
     let from = model.place;
     let reach = from.pose.position.reach() + Millimeters(MOUSE_MM * longer);
@@ -50,27 +53,32 @@ fn swung(average: [f32; 3], by: &MouseMove, model: &Model) -> Result<Trajectory,
         servo,
         ..arms
     };
-    // From an unknown place only the swing is sure to move something: the arm may be at a stop.
+    // From an unknown position only the swing is certain to move something: the arm may be at a
+    // stop.
     let sure = [true, model.knows_place, model.knows_place];
-    followed(to, FOLLOW_S, sure, model)
+    joint_step(to, FOLLOW_S, sure, model)
 }
 
-/// Goes to where a hand is, scaled to the arm.
-pub(crate) fn gestured(hand: &Gesture, model: &Model) -> Result<Trajectory, TrajectoryError> {
+/// Plans a move to the position of a hand, scaled to the arm.
+pub(crate) fn follow_hand(hand: &Gesture, model: &Model) -> Result<Trajectory, TrajectoryError> {
     let sample = hand_sample(hand);
     let trajectory = |before, behind| {
         let average = model.followed.hand_average(sample, before, behind);
-        handed(average, model)
+        hand_step(average, model)
     };
-    for before in [Before::AsSent, Before::Another, Before::TheRow] {
-        surely_moves(&trajectory(before, Behind::AsSent))?;
-        surely_moves(&trajectory(before, Behind::TheSame))?;
+    for before in [
+        Predecessor::AsSent,
+        Predecessor::OtherCommand,
+        Predecessor::SameSeries,
+    ] {
+        check_moves(&trajectory(before, StaleSlot::AsSent))?;
+        check_moves(&trajectory(before, StaleSlot::SameAsNew))?;
     }
-    trajectory(Before::AsSent, Behind::AsSent)
+    trajectory(Predecessor::AsSent, StaleSlot::AsSent)
 }
 
-/// Goes to the place of a hand that is averaged already.
-fn handed([x, y, z]: [f32; 3], model: &Model) -> Result<Trajectory, TrajectoryError> {
+/// Plans a move to an averaged hand position.
+fn hand_step([x, y, z]: [f32; 3], model: &Model) -> Result<Trajectory, TrajectoryError> {
     let from = model.place;
     let hand = HandScale::of(&model.dialect, model.tool);
     let to = Position::new(hand.x.place_mm(x), hand.y.place_mm(y), hand.z.place_mm(z));
@@ -91,12 +99,12 @@ fn handed([x, y, z]: [f32; 3], model: &Model) -> Result<Trajectory, TrajectoryEr
         servo: from.joints.servo,
         ..Limits::STOCK.solve(&pose, model.tool)?
     };
-    followed(to, period_s, [model.knows_place; 3], model)
+    joint_step(to, period_s, [model.knows_place; 3], model)
 }
 
-/// All joints at an even speed, without ramps, for as many whole ticks as fit into the time. `sure`
-/// tells of base, rear arm and forearm whether their ways are known.
-fn followed(
+/// Moves all joints at constant speed, without ramps, for the whole number of ticks that fit into
+/// the time. `sure` states whether the angles of base, rear arm and forearm are known.
+fn joint_step(
     to: Joints,
     period_s: f64,
     sure: [bool; 3],
@@ -130,7 +138,7 @@ fn followed(
     };
     let motion = Motion::Joints(JointMove::new(from, end, &even)?);
     let trajectory = Trajectory::moving(motion, ArmPlace::at_joints(end, model.tool), model);
-    // With a whole number of ticks, rounding decides whether it is one less.
+    // With a whole number of ticks, rounding may make it one less.
     let clear = libm::fabs(period_s / TICK_S - ticks) > 2.0 * ROUNDING || period_s == FOLLOW_S;
     Ok(Trajectory {
         knows_end: trajectory.knows_end && clear,
@@ -139,7 +147,7 @@ fn followed(
 }
 
 fn longest(ways: [Degrees; 3], counts: [bool; 3]) -> f64 {
-    let counted = ways.into_iter().zip(counts).filter(|it| it.1);
+    let counted = ways.into_iter().zip(counts).filter(|way| way.1);
     counted.fold(0.0, |most, (way, _)| f64::max(most, way.abs().0))
 }
 
@@ -147,17 +155,17 @@ fn within_height(z_mm: f64, tool: Tool) -> f64 {
     z_mm.clamp(lowest_mm(tool), HIGHEST_MM)
 }
 
-/// What a unit of the mouse is worth.
+/// The value of a mouse unit.
 const MOUSE_DEG: f64 = 0.225;
 const MOUSE_MM: f64 = 0.4;
 const FOLLOW_S: f64 = 0.1;
-/// Of a number of ticks, by single precision.
+/// The single-precision rounding of a number of ticks.
 const ROUNDING: f64 = 1e-3;
 const HIGHEST_MM: f64 = 135.0;
-/// Beyond that distance the time of a gesture follows from its speed.
+/// Beyond this distance the duration of a gesture follows from its speed.
 const NEAR_MM: f64 = 20.0;
 const GESTURE_MM_S: f64 = 200.0;
-/// So fast that no ramp is left of it.
+/// So fast that the ramp vanishes.
 const NO_RAMP_DEG_S2: f64 = 1e9;
-/// A step of a motor (note N37): who moves less than that may move nothing, and then the arm hangs.
+/// A motor step (note N37): a smaller move may move nothing, and then the arm hangs.
 const STEP_DEG: f64 = 1.8 / 160.0;

@@ -1,42 +1,42 @@
-//! The packets of mouse and hand that a stock arm remembers (note N49).
+//! The history of mouse and hand packets in a stock arm (note N49).
 
 use dobot_wire::{Gesture, MouseMove};
 
-/// The packets of mouse and hand that a stock arm remembers, for it averages each with those before.
+/// The mouse and hand packets that a stock arm remembers to average each with its predecessors.
 ///
-/// They lie in ten places that mouse and hand share. A row ends with any other command; what it
-/// leaves in its places stays there, and the first nine averages of a hand reach one place of that.
+/// They occupy ten slots shared by mouse and hand. A series ends with any other command; its
+/// samples stay in their slots, and the first nine averages of a hand include one stale slot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Followed {
     row: Option<FollowedInput>,
-    /// Another command came behind the row.
+    /// Another command followed the series.
     is_over: bool,
     samples: [[f32; 3]; SAMPLES],
-    /// How many places the row has filled.
+    /// The number of slots filled by the series.
     count: u8,
 }
 
-/// What is followed.
+/// The followed input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FollowedInput {
     Mouse,
     Hand,
 }
 
-/// What a packet may find when the arm comes to it. A release or a laser off, which wait for nothing,
-/// may come between those of a row, or between others than was foreseen.
+/// The possible predecessor of a packet. A release or a laser off, which do not wait, may come
+/// between packets of a series, or at another point than expected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Before {
-    /// What was sent.
+pub(crate) enum Predecessor {
+    /// The predecessor as sent.
     AsSent,
-    /// Another command: a row begins.
-    Another,
-    /// The row that is taken to be over goes on.
-    TheRow,
+    /// Another command: a series begins.
+    OtherCommand,
+    /// The series assumed to be over continues.
+    SameSeries,
 }
 
 impl Followed {
-    /// Another command: what follows it begins a row.
+    /// Records another command: the next packet begins a series.
     pub(crate) const fn end_row(&mut self) {
         self.is_over = true;
     }
@@ -50,7 +50,7 @@ impl Followed {
     }
 
     fn take(&mut self, row: FollowedInput, sample: [f32; 3]) {
-        self.count = self.len(row, Before::AsSent);
+        self.count = self.len(row, Predecessor::AsSent);
         (self.row, self.is_over) = (Some(row), false);
         if usize::from(self.count) == SAMPLES {
             self.samples.copy_within(1.., 0);
@@ -61,12 +61,12 @@ impl Followed {
         }
     }
 
-    /// How many samples the next packet of a row finds.
-    fn len(&self, row: FollowedInput, before: Before) -> u8 {
+    /// Returns the number of earlier samples for the next packet of a series.
+    fn len(&self, row: FollowedInput, before: Predecessor) -> u8 {
         let goes_on = match before {
-            Before::AsSent => !self.is_over,
-            Before::Another => false,
-            Before::TheRow => true,
+            Predecessor::AsSent => !self.is_over,
+            Predecessor::OtherCommand => false,
+            Predecessor::SameSeries => true,
         };
         if goes_on && self.row == Some(row) {
             self.count
@@ -75,54 +75,54 @@ impl Followed {
         }
     }
 
-    /// Each sample before counts together with the new one, which counts once more.
-    pub(crate) fn mouse_average(&self, sample: [f32; 3], before: Before) -> [f32; 3] {
+    /// Averages each earlier sample with the new one, which counts once more.
+    pub(crate) fn mouse_average(&self, sample: [f32; 3], before: Predecessor) -> [f32; 3] {
         let len = self.len(FollowedInput::Mouse, before);
         core::array::from_fn(|axis| {
             let new = sample[axis];
             let row = self.samples[..usize::from(len)].iter();
-            row.fold(new, |sum, it| sum + (new + it[axis])) / divisor(len)
+            row.fold(new, |sum, sample| sum + (new + sample[axis])) / divisor(len)
         })
     }
 
-    /// Half of it the new sample, half of it those before and one place more: what lies `behind` them,
-    /// or behind ten samples the new one.
+    /// Returns half the new sample plus half the average of the earlier samples and one further
+    /// slot: its stale content `behind` them, or the new sample once ten are stored.
     pub(crate) fn hand_average(
         &self,
         sample: [f32; 3],
-        before: Before,
-        behind: Behind,
+        before: Predecessor,
+        behind: StaleSlot,
     ) -> [f32; 3] {
         let len = self.len(FollowedInput::Hand, before);
         let (row, left) = self.samples.split_at(usize::from(len));
         let behind = match (behind, left.first()) {
-            (Behind::AsSent, Some(left)) => *left,
+            (StaleSlot::AsSent, Some(left)) => *left,
             _ => sample,
         };
         core::array::from_fn(|axis| {
-            // A slip of the stock program: the height counts once more.
+            // A bug of the stock firmware: the height counts once more.
             let first = if axis == 2 { sample[2] } else { 0.0 };
-            let sum = row.iter().fold(first, |sum, it| sum + it[axis]) + behind[axis];
+            let sum = row.iter().fold(first, |sum, sample| sum + sample[axis]) + behind[axis];
             0.5 * sample[axis] + 0.5 * sum / divisor(len)
         })
     }
 }
 
-/// By how many packets a sum is divided: those before and the new one, ten at the most.
+/// Returns the divisor of the sum: the earlier packets and the new one, at most ten.
 fn divisor(len: u8) -> f32 {
     f32::from((len + 1).min(10))
 }
 
-/// What lies in the place behind a row.
+/// The content of the slot after a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Behind {
-    /// What was sent before; nothing since power-up.
+pub(crate) enum StaleSlot {
+    /// As sent before; zero since power-up.
     AsSent,
-    /// The same as the new sample: whoever had the arm before held the hand still there.
-    TheSame,
+    /// Equal to the new sample, as if the previous user held the hand still at this position.
+    SameAsNew,
 }
 
-/// Floats 3 to 5 in their order.
+/// Floats 3 to 5 in order.
 pub(crate) const fn mouse_sample(by: &MouseMove) -> [f32; 3] {
     [by.y, by.x, by.z]
 }
@@ -131,5 +131,5 @@ pub(crate) const fn hand_sample(hand: &Gesture) -> [f32; 3] {
     [hand.x, hand.y, hand.z]
 }
 
-/// So many packets are remembered.
+/// The number of remembered packets.
 pub(crate) const SAMPLES: usize = 10;

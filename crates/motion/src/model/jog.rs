@@ -3,7 +3,7 @@
 use crate::{ArmPlace, ArmSettings, JogAxis, Model, PlanError, Ramp};
 use dobot_arm::{Degrees, Joints, Millimeters, Tool, Unreachable};
 
-/// One axis on the move, until told otherwise.
+/// The trajectory of one axis until the button is released.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JogTrajectory {
     axis: JogAxis,
@@ -16,12 +16,12 @@ pub struct JogTrajectory {
 }
 
 impl JogTrajectory {
-    /// Starts from where the arm is, with the speed that the axis has (degrees/s or mm/s), towards
+    /// Starts at the arm's position with the current speed of the axis (degrees/s or mm/s), towards
     /// a share of the axis's speed, -1 to 1.
     ///
     /// # Errors
     ///
-    /// [`PlanError`] where the axis has no acceleration or a number is not finite.
+    /// [`PlanError`] if the axis has no acceleration or a number is not finite.
     pub fn start(model: &Model, axis: JogAxis, share: f64, speed: f64) -> Result<Self, PlanError> {
         let (max, acceleration) = axis.speeds(&model.settings);
         let target = max * share * model.settings.teach_percent / 100.0;
@@ -36,11 +36,11 @@ impl JogTrajectory {
         })
     }
 
-    /// Comes to rest from the speed that it has after `t_s`, where the arm is then by the model.
+    /// Ramps down to rest from the speed after `t_s`, at the position of the model.
     ///
     /// # Errors
     ///
-    /// As of [`JogTrajectory::start`].
+    /// See [`JogTrajectory::start`].
     pub fn release(&self, model: &Model, t_s: f64) -> Result<Self, PlanError> {
         Ok(Self {
             from: model.place,
@@ -51,37 +51,37 @@ impl JogTrajectory {
         })
     }
 
-    /// What moves.
+    /// Returns the axis.
     #[must_use]
     pub const fn axis(&self) -> JogAxis {
         self.axis
     }
 
-    /// The speed aimed at in degrees/s or mm/s; its sign is the direction.
+    /// Returns the target speed in degrees/s or mm/s; its sign is the direction.
     #[must_use]
     pub const fn target_speed(&self) -> f64 {
         self.target
     }
 
-    /// The acceleration in degrees/s2 or mm/s2, above 0.
+    /// Returns the acceleration in degrees/s2 or mm/s2, above 0.
     #[must_use]
     pub const fn acceleration(&self) -> f64 {
         self.acceleration
     }
 
-    /// The speed after a time, in degrees/s or mm/s.
+    /// Returns the speed at a time, in degrees/s or mm/s.
     #[must_use]
     pub fn speed_at(&self, t_s: f64) -> f64 {
         self.ramp.speed_at(t_s)
     }
 
-    /// How long the change to the speed aimed at takes, in seconds.
+    /// Returns the time of the change to the target speed, in seconds.
     #[must_use]
     pub const fn change_s(&self) -> f64 {
         self.ramp.change_s()
     }
 
-    /// The gripper's angle in degrees after a time.
+    /// Returns the gripper's angle in degrees at a time.
     #[must_use]
     pub fn gripper_deg_at(&self, t_s: f64) -> f64 {
         match self.axis {
@@ -90,20 +90,20 @@ impl JogTrajectory {
         }
     }
 
-    /// The place on its way, without an end, that is the nearest to another along the axis that moves: the start
-    /// where the other lies behind it, and where the gripper moves.
+    /// Returns the position on its unbounded path nearest to another one along the moving axis: the
+    /// start if the other lies behind it, or if the gripper moves.
     ///
     /// # Errors
     ///
-    /// [`Unreachable`] where the arm cannot be at all.
+    /// [`Unreachable`] if the position is outside the arm's workspace.
     pub fn nearest(&self, to: &ArmPlace) -> Result<ArmPlace, Unreachable> {
         let (from, way) = (&self.from, to.pose.position - self.from.pose.position);
         let turned = |of: fn(&Joints) -> Degrees| of(&to.joints).0 - of(&from.joints).0;
         let by = match self.axis {
-            JogAxis::Base => turned(|it| it.base),
-            JogAxis::Rear => turned(|it| it.rear),
-            JogAxis::Fore => turned(|it| it.fore),
-            JogAxis::Servo => turned(|it| it.servo),
+            JogAxis::Base => turned(|joints| joints.base),
+            JogAxis::Rear => turned(|joints| joints.rear),
+            JogAxis::Fore => turned(|joints| joints.fore),
+            JogAxis::Servo => turned(|joints| joints.servo),
             JogAxis::X => way.x.0,
             JogAxis::Y => way.y.0,
             JogAxis::Z => way.z.0,
@@ -112,16 +112,16 @@ impl JogTrajectory {
         self.moved(if by * self.target > 0.0 { by } else { 0.0 })
     }
 
-    /// Where the arm is after a time, were it not for limits.
+    /// Returns the position at a time, ignoring limits.
     ///
     /// # Errors
     ///
-    /// [`Unreachable`] where the arm cannot be at all.
+    /// [`Unreachable`] if the position is outside the arm's workspace.
     pub fn place_at(&self, t_s: f64) -> Result<ArmPlace, Unreachable> {
         self.moved(self.ramp.distance_at(t_s))
     }
 
-    /// Where the arm is after so many degrees or millimetres.
+    /// Returns the position after a number of degrees or millimetres.
     fn moved(&self, by: f64) -> Result<ArmPlace, Unreachable> {
         let joints = |change: fn(&mut Joints) -> &mut Degrees| {
             let mut joints = self.from.joints;
@@ -136,10 +136,10 @@ impl JogTrajectory {
             ArmPlace::at_pose(pose, self.tool)
         };
         match self.axis {
-            JogAxis::Base => joints(|it| &mut it.base),
-            JogAxis::Rear => joints(|it| &mut it.rear),
-            JogAxis::Fore => joints(|it| &mut it.fore),
-            JogAxis::Servo => joints(|it| &mut it.servo),
+            JogAxis::Base => joints(|joints| &mut joints.base),
+            JogAxis::Rear => joints(|joints| &mut joints.rear),
+            JogAxis::Fore => joints(|joints| &mut joints.fore),
+            JogAxis::Servo => joints(|joints| &mut joints.servo),
             JogAxis::X => line(1.0, 0.0, 0.0),
             JogAxis::Y => line(0.0, 1.0, 0.0),
             JogAxis::Z => line(0.0, 0.0, 1.0),
@@ -149,7 +149,7 @@ impl JogTrajectory {
 }
 
 impl JogAxis {
-    /// Speed and acceleration at 100 %, in degrees or millimetres.
+    /// Returns speed and acceleration at 100 %, in degrees or millimetres.
     const fn speeds(self, settings: &ArmSettings) -> (f64, f64) {
         let teach = &settings.teach;
         match self {

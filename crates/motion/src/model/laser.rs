@@ -1,13 +1,13 @@
-//! What lights the laser, and what switches it off.
+//! Detection of commands that switch the laser.
 
 use dobot_wire::{Command, JointJog, JointJogAxis, WriteMode, WriteVector};
 
 use crate::{Button, Model};
 
-/// Whether a command lights the laser, in whatever form: jog axis 13, or a write vector with its laser
-/// switch on, the stop of stock arms and the writing mode included.
+/// Whether a command switches the laser on: jog axis 13, or a write vector with its laser switch
+/// on, including the stop of stock arms and the writing mode.
 ///
-/// Such a command may be sent only while a person has armed the laser.
+/// Such commands may be sent only while a person has armed the laser.
 ///
 /// ```
 /// use dobot_motion::burns;
@@ -25,7 +25,7 @@ pub fn burns(command: &Command) -> bool {
     }
 }
 
-/// What switches the laser off, and does nothing else: jog axis 14 (Table 2.5).
+/// The command that only switches the laser off: jog axis 14 (Table 2.5).
 pub const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
 
 impl Model {

@@ -1,9 +1,9 @@
-//! The JUMP of stock arms: up, across and down, each with all joints together (note N45).
+//! The JUMP of stock arms: up, across and down, each as a joint move (note N45).
 
 use crate::{ArmPlace, JointMove, Speeds, TrajectoryError};
 use dobot_arm::{Joints, Limits, Millimeters, Pose, Tool};
 
-/// Lifts by a height where it stands, goes to that height above the target, and down.
+/// Lifts by a height at its start, moves to that height above the target, and lowers.
 ///
 /// ```text
 ///          _ - - _ to + height        each way from rest to rest, all joints together:
@@ -17,8 +17,8 @@ pub(crate) struct Lifts {
 }
 
 impl Lifts {
-    /// Plans the three ways. A stock arm leaves out one whose end is out of reach; here that is an
-    /// error, because the tool would then go straight across.
+    /// Plans the three moves. A stock arm skips a move whose end is out of reach; here that is an
+    /// error, because the tool would then move straight across.
     pub(crate) fn new(
         from: ArmPlace,
         to: Pose,
@@ -51,7 +51,7 @@ impl Lifts {
         }
     }
 
-    /// When each of the three ways ends, in seconds since the start of the first.
+    /// Returns when each of the three moves ends, in seconds since the start of the first.
     pub(crate) const fn ends_s(&self) -> [f64; 3] {
         let [up, across, down] = &self.ways;
         let above_s = up.duration_s();

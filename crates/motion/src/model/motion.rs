@@ -1,47 +1,47 @@
-//! The ways to move.
+//! The kinds of motion.
 
 use crate::{ArmPlace, JogTrajectory, JointMove, Jump, LineMove, Stroke};
 use dobot_arm::{Degrees, Millimeters, Pose, Tool, Unreachable};
 
 use super::lifts::Lifts;
 
-/// How an arm gets somewhere.
+/// The motion of an arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Motion {
-    /// Not at all.
-    Still,
+    /// No motion.
+    Rest,
     Joints(JointMove),
-    /// A line, and the rotation that the tool has at its end.
+    /// A line, and the rotation of the tool at its end.
     Line(LineMove, Degrees),
     Jump(Jump),
     Lifts(Lifts),
-    /// A stroke with the rotation kept, and with the height if that is held.
+    /// A stroke with constant rotation and, if held, constant height.
     Stroke {
         stroke: Stroke,
         rotation: Degrees,
         held_z: Option<Millimeters>,
     },
-    /// Until told otherwise.
+    /// A jog until its release.
     Jog(JogTrajectory),
     /// The end of a jog.
     RunDown(JogTrajectory),
 }
 
 impl Motion {
-    /// Where the arm is after a time, if it moves.
+    /// Returns the position at a time, if the arm moves.
     pub(crate) fn place_at(&self, t_s: f64, tool: Tool) -> Option<Result<ArmPlace, Unreachable>> {
         Some(match self {
-            Self::Still => return None,
-            Self::Joints(it) => Ok(ArmPlace::at_joints(it.joints_at(t_s), tool)),
-            Self::Lifts(it) => Ok(ArmPlace::at_joints(it.joints_at(t_s), tool)),
-            Self::Line(it, turned) => {
-                let mut pose = it.pose_at(t_s);
-                if t_s >= it.duration_s() {
+            Self::Rest => return None,
+            Self::Joints(movement) => Ok(ArmPlace::at_joints(movement.joints_at(t_s), tool)),
+            Self::Lifts(lifts) => Ok(ArmPlace::at_joints(lifts.joints_at(t_s), tool)),
+            Self::Line(line, turned) => {
+                let mut pose = line.pose_at(t_s);
+                if t_s >= line.duration_s() {
                     pose.rotation = *turned;
                 }
                 ArmPlace::at_pose(pose, tool)
             }
-            Self::Jump(it) => ArmPlace::at_pose(it.pose_at(t_s), tool),
+            Self::Jump(jump) => ArmPlace::at_pose(jump.pose_at(t_s), tool),
             Self::Stroke {
                 stroke,
                 rotation,
@@ -55,21 +55,21 @@ impl Motion {
                 };
                 ArmPlace::at_pose(pose, tool)
             }
-            Self::Jog(it) | Self::RunDown(it) => it.place_at(t_s),
+            Self::Jog(jog) | Self::RunDown(jog) => jog.place_at(t_s),
         })
     }
 
-    /// How long it takes, in seconds; `None` for one that goes on until told otherwise.
+    /// Returns the duration, in seconds; `None` for a jog.
     pub(crate) const fn duration_s(&self) -> Option<f64> {
         match self {
-            Self::Still => Some(0.0),
-            Self::Joints(it) => Some(it.duration_s()),
-            Self::Line(it, _) => Some(it.duration_s()),
-            Self::Jump(it) => Some(it.duration_s()),
-            Self::Lifts(it) => Some(it.duration_s()),
+            Self::Rest => Some(0.0),
+            Self::Joints(movement) => Some(movement.duration_s()),
+            Self::Line(line, _) => Some(line.duration_s()),
+            Self::Jump(jump) => Some(jump.duration_s()),
+            Self::Lifts(lifts) => Some(lifts.duration_s()),
             Self::Stroke { stroke, .. } => Some(stroke.duration_s()),
             Self::Jog(_) => None,
-            Self::RunDown(it) => Some(it.change_s()),
+            Self::RunDown(jog) => Some(jog.change_s()),
         }
     }
 }

@@ -1,19 +1,19 @@
-//! Where the arm is.
+//! The position of the arm.
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, forward, inverse};
 use dobot_wire::{Status, single};
 
-/// Joint angles and the pose that they lead to.
+/// Joint angles and the matching pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArmPlace {
     /// The joint angles.
     pub joints: Joints,
-    /// The tool's place and turn.
+    /// The position and rotation of the tool.
     pub pose: Pose,
 }
 
 impl ArmPlace {
-    /// Where these joint angles bring a tool.
+    /// Returns the position of these joint angles with a tool.
     #[must_use]
     pub fn at_joints(joints: Joints, tool: Tool) -> Self {
         Self {
@@ -22,18 +22,18 @@ impl ArmPlace {
         }
     }
 
-    /// The place of a pose.
+    /// Returns the position of a pose.
     ///
-    /// This is geometry only: whether the arm may be there is told by [`ArmPlace::check`].
+    /// This is geometry only; [`ArmPlace::check`] checks the limits.
     ///
     /// # Errors
     ///
-    /// [`Unreachable`] where the arm is too short or too long for it, or a number is not finite.
+    /// [`Unreachable`] if the arm is too short or too long, or a number is not finite.
     pub fn at_pose(pose: Pose, tool: Tool) -> Result<Self, Unreachable> {
         inverse(&pose, tool).map(|joints| Self { joints, pose })
     }
 
-    /// The status of an arm that stands here, with the pump off and the gripper at 0.
+    /// Returns the status of an arm at rest here, with the pump off and the gripper at 0.
     #[must_use]
     pub fn status(&self) -> Status {
         let Self { joints, pose } = self;
@@ -51,7 +51,7 @@ impl ArmPlace {
         }
     }
 
-    /// The place that a status tells.
+    /// Returns the position that a status reports.
     #[must_use]
     pub fn of_status(status: &Status) -> Self {
         let [base, rear, fore, servo] = [
@@ -70,7 +70,7 @@ impl ArmPlace {
         }
     }
 
-    /// Whether the arm may be here, by the limits of a stock arm.
+    /// Checks the limits of a stock arm.
     ///
     /// # Errors
     ///
@@ -79,7 +79,8 @@ impl ArmPlace {
         Limits::STOCK.check_at(&self.joints, self.pose.position)
     }
 
-    /// Whether the arm may be here, and the rounding of a stock arm could bring it out.
+    /// Whether the position is within the limits, but the rounding of a stock arm could move it
+    /// outside.
     pub(crate) fn is_at_limit(&self) -> bool {
         let beside = |[rear, fore]: [f64; 2]| {
             let Joints { base, servo, .. } = self.joints;
@@ -95,14 +96,14 @@ impl ArmPlace {
             Limits::STOCK.check_at(&joints, position)
         };
         let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
-        signs.into_iter().any(|it| beside(it).is_err())
+        signs.into_iter().any(|sign| beside(sign).is_err())
     }
 }
 
-/// More than single precision loses of an angle or a place, in degrees, mm and parts.
+/// More than the single-precision rounding of an angle or a position, in degrees, mm and parts.
 const ROUNDING: f64 = 1e-3;
 
-/// A position by the numbers of a packet.
+/// Returns a position from the numbers of a packet.
 pub(crate) fn position(x_mm: f32, y_mm: f32, z_mm: f32) -> Position {
     Position::new(x_mm.into(), y_mm.into(), z_mm.into())
 }

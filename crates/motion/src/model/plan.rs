@@ -1,4 +1,4 @@
-//! From a command to its trajectory: pure, nothing has moved yet.
+//! From a command to its trajectory, without any side effect.
 
 use crate::{JointMove, Jump, LineMove};
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, forward};
@@ -7,32 +7,34 @@ use dobot_wire::{
 };
 
 use super::Lines;
-use super::follow::{gestured, moused};
+use super::follow::{follow_hand, follow_mouse};
 use super::lifts::Lifts;
 use super::motion::Motion;
 use super::place::position;
 use super::vector::vector;
 use crate::{ArmPlace, Button, JogTrajectory, Model, Trajectory, TrajectoryError};
 
-/// Plans a command from where the arm is.
+/// Plans a command from the arm's position.
 fn plan(model: &Model, command: &Command) -> Result<Trajectory, TrajectoryError> {
     match command {
-        Command::MoveTo(it) => {
+        Command::MoveTo(move_to) => {
             let target = Target::Pose(Pose {
-                position: position(it.x_mm, it.y_mm, it.z_mm),
-                rotation: Degrees(it.rotation_deg.into()),
+                position: position(move_to.x_mm, move_to.y_mm, move_to.z_mm),
+                rotation: Degrees(move_to.rotation_deg.into()),
             });
-            target.trajectory(model, it.mode, command)
+            target.trajectory(model, move_to.mode, command)
         }
-        Command::MoveJoints(it) => Target::Joints(joints(it)).trajectory(model, it.mode, command),
-        Command::WriteVector(it) if it.stop => Ok(still(model)),
-        Command::WriteVector(it) => vector(it, model),
-        Command::MouseMove(it) => mouse(it, model),
-        Command::Gesture(it) => gesture(it, model),
-        Command::Voice(it) => spoken(it, model),
+        Command::MoveJoints(move_joints) => {
+            Target::Joints(joints(move_joints)).trajectory(model, move_joints.mode, command)
+        }
+        Command::WriteVector(write) if write.stop => Ok(rest(model)),
+        Command::WriteVector(write) => vector(write, model),
+        Command::MouseMove(by) => mouse(by, model),
+        Command::Gesture(hand) => gesture(hand, model),
+        Command::Voice(voice) => spoken(voice, model),
         Command::JointJog(_) | Command::LinearJog(_) => pressed(command, model),
-        Command::Configuration(it) => configured(it, model),
-        Command::PlaybackAdjustment(_) => Ok(still(model)),
+        Command::Configuration(configuration) => configured(configuration, model),
+        Command::PlaybackAdjustment(_) => Ok(rest(model)),
     }
 }
 
@@ -43,7 +45,7 @@ enum Target {
 }
 
 impl Target {
-    /// The place of the target. One given as joint angles says more than its pose.
+    /// Returns the position of the target. Joint angles are more specific than their pose.
     fn place(self, model: &Model) -> Result<ArmPlace, Unreachable> {
         match self {
             Self::Pose(pose) => Limits::STOCK
@@ -76,14 +78,14 @@ impl Target {
         };
         Ok(Trajectory {
             pause_s: model.pause_s(command),
-            // It says itself where it ends, from wherever.
+            // The target defines its end, whatever the start.
             knows_end: true,
             ..Trajectory::moving(motion, to, model)
         })
     }
 }
 
-/// A straight line, and how the tool turns on it.
+/// Plans a straight line with the rotation of the tool.
 fn line(model: &Model, to: Pose) -> Result<Motion, TrajectoryError> {
     let from = model.place.pose;
     let length_mm = from.position.distance(to.position).0;
@@ -103,7 +105,7 @@ fn line(model: &Model, to: Pose) -> Result<Motion, TrajectoryError> {
     Ok(Motion::Line(line, to.rotation))
 }
 
-/// Whether a straight line begins where the arm is.
+/// Checks that a straight line begins at the arm's position.
 fn check_lines(model: &Model) -> Result<(), TrajectoryError> {
     if model.dialect.resumes_cut_lines && model.lines == Lines::Cut {
         return Err(TrajectoryError::BehindCutLine);
@@ -111,10 +113,10 @@ fn check_lines(model: &Model) -> Result<(), TrajectoryError> {
     Ok(())
 }
 
-/// By a mouse increment: that much of Y, X and Z by the document (note N9).
+/// Plans a mouse increment of Y, X and Z as documented (note N9).
 fn mouse(by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
     if model.dialect.mouse_swings {
-        return moused(by, model);
+        return follow_mouse(by, model);
     }
     let from = model.place.pose;
     let to = Pose {
@@ -130,10 +132,10 @@ fn mouse(by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
     )
 }
 
-/// To where the hand is, with the rotation kept (note N18).
+/// Plans a move to the position of the hand, with constant rotation (note N18).
 fn gesture(hand: &Gesture, model: &Model) -> Result<Trajectory, TrajectoryError> {
     if model.dialect.scales_gesture {
-        return gestured(hand, model);
+        return follow_hand(hand, model);
     }
     straight(position(hand.x, hand.y, hand.z), model)
 }
@@ -143,7 +145,7 @@ fn spoken(voice: &Voice, model: &Model) -> Result<Trajectory, TrajectoryError> {
         return Err(TrajectoryError::NotHeard);
     }
     match VoiceOrder::parse(voice).ok_or(TrajectoryError::NotUnderstood)? {
-        VoiceOrder::Catch | VoiceOrder::Release => Ok(still(model)),
+        VoiceOrder::Catch | VoiceOrder::Release => Ok(rest(model)),
         VoiceOrder::Move { x_mm, y_mm, z_mm } => {
             let from = model.place.pose.position;
             straight(from + position(x_mm, y_mm, z_mm), model)
@@ -162,7 +164,7 @@ fn straight(to: Position, model: &Model) -> Result<Trajectory, TrajectoryError> 
     Trajectory::relative(Motion::Line(line, to.rotation), model)
 }
 
-/// A button pressed; while an arm jogs it goes on from the speed that it has.
+/// Plans a pressed button; a jogging arm continues from its current speed.
 fn pressed(command: &Command, model: &Model) -> Result<Trajectory, TrajectoryError> {
     let speed = |axis| match &model.jog {
         Some(jog) if jog.axis() == axis || model.dialect.keeps_jog_speed => jog.target_speed(),
@@ -174,9 +176,9 @@ fn pressed(command: &Command, model: &Model) -> Result<Trajectory, TrajectoryErr
         }
         Some(Button::Released) => match &model.jog {
             Some(jog) => Motion::RunDown(jog.release(model, f64::MAX)?),
-            None => Motion::Still,
+            None => Motion::Rest,
         },
-        _ => Motion::Still,
+        _ => Motion::Rest,
     };
     let goes_on = matches!(motion, Motion::Jog(_) | Motion::RunDown(_));
     let trajectory = Trajectory::moving(motion, model.place, model);
@@ -196,22 +198,22 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Trajectory
             place.check()?;
             return Ok(Trajectory {
                 knows_end: true,
-                ..Trajectory::moving(Motion::Still, place, model)
+                ..Trajectory::moving(Motion::Rest, place, model)
             });
         }
         Configuration::EndEffector { tool } => ArmPlace::at_joints(joints, tool.into()),
         _ => model.place,
     };
-    Ok(Trajectory::moving(Motion::Still, to, model))
+    Ok(Trajectory::moving(Motion::Rest, to, model))
 }
 
 impl Model {
-    /// Where a command leads from here.
+    /// Plans the trajectory of a command.
     ///
     /// # Errors
     ///
-    /// [`TrajectoryError`] where a value breaks its table, its end is out of reach or beyond the limits
-    /// of a stock arm, it cannot be planned, or the arm would hang or get lost in it.
+    /// [`TrajectoryError`] if a value violates its table, the end is out of reach or beyond the
+    /// limits of a stock arm, it cannot be planned, or the arm would hang or lose its pose.
     pub fn trajectory(&self, command: &Command) -> Result<Trajectory, TrajectoryError> {
         Command::parse(&command.emit(&self.dialect), &self.dialect)
             .map_err(TrajectoryError::Invalid)?;
@@ -222,19 +224,19 @@ impl Model {
         }
         if trajectory.motion_s().is_some() && trajectory.knows_end && trajectory.to.check().is_err()
         {
-            // Its end is beyond a limit; the text tells where the way leaves it.
+            // The end exceeds a limit; report where the path leaves it.
             trajectory.check()?;
         }
         Ok(trajectory)
     }
 
-    /// How long the arm waits behind a command, in seconds. A target without a pause of its own
-    /// takes the default one, where there is one (note N10).
+    /// Returns the arm's pause after a command, in seconds. A target without its own pause uses the
+    /// default one, if the dialect has it (note N10).
     #[must_use]
     pub fn pause_s(&self, command: &Command) -> f64 {
         let own_s = match command {
-            Command::MoveTo(it) => it.pause_s,
-            Command::MoveJoints(it) => it.pause_s,
+            Command::MoveTo(move_to) => move_to.pause_s,
+            Command::MoveJoints(move_joints) => move_joints.pause_s,
             _ => return 0.0,
         };
         if own_s > 0.0 || !self.dialect.uses_default_pause {
@@ -244,8 +246,8 @@ impl Model {
         }
     }
 
-    /// The point that a command names, be it in reach or not: a target, or that far from a place that
-    /// is known. `None` where it names none, or a stock arm makes another of it (notes N9 and N18).
+    /// Returns the point that a command names, in reach or not: a target, or a displacement from a
+    /// known position. `None` if it names none, or a stock arm changes it (notes N9 and N18).
     #[must_use]
     pub fn target(&self, command: &Command) -> Option<Position> {
         let by = |x, y, z| {
@@ -253,14 +255,18 @@ impl Model {
             Some(from + position(x, y, z))
         };
         match command {
-            Command::MoveTo(it) => Some(position(it.x_mm, it.y_mm, it.z_mm)),
-            Command::MoveJoints(it) => Some(forward(&joints(it), self.tool).position),
-            Command::WriteVector(it) if !it.stop => by(it.x_mm, it.y_mm, it.z_mm),
-            Command::MouseMove(it) if !self.dialect.mouse_swings => by(it.x, it.y, it.z),
-            Command::Gesture(it) if !self.dialect.scales_gesture => {
-                Some(position(it.x, it.y, it.z))
+            Command::MoveTo(move_to) => Some(position(move_to.x_mm, move_to.y_mm, move_to.z_mm)),
+            Command::MoveJoints(move_joints) => {
+                Some(forward(&joints(move_joints), self.tool).position)
             }
-            Command::Voice(it) => match VoiceOrder::parse(it)? {
+            Command::WriteVector(write) if !write.stop => by(write.x_mm, write.y_mm, write.z_mm),
+            Command::MouseMove(mouse) if !self.dialect.mouse_swings => {
+                by(mouse.x, mouse.y, mouse.z)
+            }
+            Command::Gesture(hand) if !self.dialect.scales_gesture => {
+                Some(position(hand.x, hand.y, hand.z))
+            }
+            Command::Voice(voice) => match VoiceOrder::parse(voice)? {
                 VoiceOrder::Move { x_mm, y_mm, z_mm } => by(x_mm, y_mm, z_mm),
                 VoiceOrder::Catch | VoiceOrder::Release => None,
             },
@@ -280,9 +286,9 @@ fn joints(target: &MoveJoints) -> Joints {
     Joints::new(base, rear, fore, servo)
 }
 
-fn still(model: &Model) -> Trajectory {
-    Trajectory::moving(Motion::Still, model.place, model)
+fn rest(model: &Model) -> Trajectory {
+    Trajectory::moving(Motion::Rest, model.place, model)
 }
 
-/// A status says where the arm is to that much.
+/// The accuracy of a position in a status.
 const ON_THE_SPOT_MM: f64 = 0.001;

@@ -1,13 +1,13 @@
-//! How a trajectory runs: what changes evenly on which part of it.
+//! The interpolation of a trajectory in each of its segments.
 
 use super::motion::Motion;
 use crate::{JogAxis, Trajectory};
 
-/// What changes evenly with the share of the way: all of it at one pace, whatever the pace is.
+/// The quantities that are interpolated linearly, all with the same timing.
 ///
-/// Whoever has to be sure of what lies between two places of a trajectory needs this.
+/// Code that must know every position between two points of a trajectory needs this.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bend {
+pub enum Interpolation {
     /// The tool's position and rotation: a straight line in space.
     Line,
     /// The tool's reach, height, base angle and rotation: across in a JUMP.
@@ -19,57 +19,63 @@ pub enum Bend {
 /// A part of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// When it ends, in seconds since the command began; it begins where the one before ends.
+    /// The end, in seconds since the start of the command; each segment begins at the end of the
+    /// one before.
     pub until_s: f64,
-    /// What changes evenly on it.
-    pub bend: Bend,
+    /// The interpolated quantities.
+    pub interpolation: Interpolation,
 }
 
 impl Trajectory {
-    /// The segments of the whole motion in their order. Those behind the last end where it ends,
-    /// and a jog, which has no end, has none that lasts.
+    /// Returns the segments of the whole motion in order. Unused segments end at the end of the
+    /// last one, and a jog, which has no end, has segments without duration.
     #[must_use]
     pub fn segments(&self) -> [Segment; 3] {
-        let whole = |until_s, bend| [Segment { until_s, bend }; 3];
-        match &self.motion {
-            Motion::Still | Motion::Jog(_) => whole(0.0, Bend::Joints),
-            Motion::Joints(it) => whole(it.duration_s(), Bend::Joints),
-            Motion::Stroke { stroke, .. } => whole(stroke.duration_s(), Bend::Line),
-            Motion::RunDown(it) => whole(it.change_s(), bend_of(it.axis())),
-            Motion::Lifts(it) => it.ends_s().map(|until_s| Segment {
+        let whole = |until_s, interpolation| {
+            [Segment {
                 until_s,
-                bend: Bend::Joints,
+                interpolation,
+            }; 3]
+        };
+        match &self.motion {
+            Motion::Rest | Motion::Jog(_) => whole(0.0, Interpolation::Joints),
+            Motion::Joints(movement) => whole(movement.duration_s(), Interpolation::Joints),
+            Motion::Stroke { stroke, .. } => whole(stroke.duration_s(), Interpolation::Line),
+            Motion::RunDown(jog) => whole(jog.change_s(), interpolation_of(jog.axis())),
+            Motion::Lifts(lifts) => lifts.ends_s().map(|until_s| Segment {
+                until_s,
+                interpolation: Interpolation::Joints,
             }),
-            Motion::Jump(it) => {
-                let [up_s, across_s] = it.corners_s();
-                [up_s, across_s, it.duration_s()].map(|until_s| Segment {
+            Motion::Jump(jump) => {
+                let [up_s, across_s] = jump.corners_s();
+                [up_s, across_s, jump.duration_s()].map(|until_s| Segment {
                     until_s,
-                    bend: Bend::Around,
+                    interpolation: Interpolation::Around,
                 })
             }
-            Motion::Line(it, _) => turning_at_the_end(it.duration_s()),
+            Motion::Line(line, _) => turning_at_the_end(line.duration_s()),
         }
     }
 }
 
-/// Some arms turn the tool in one step when the line is over.
+/// Some arms rotate the tool in one step at the end of the line.
 fn turning_at_the_end(duration_s: f64) -> [Segment; 3] {
     let line = Segment {
         until_s: duration_s.next_down().max(0.0),
-        bend: Bend::Line,
+        interpolation: Interpolation::Line,
     };
     let turn = Segment {
         until_s: duration_s,
-        bend: Bend::Joints,
+        interpolation: Interpolation::Joints,
     };
     [line, turn, turn]
 }
 
-const fn bend_of(axis: JogAxis) -> Bend {
+const fn interpolation_of(axis: JogAxis) -> Interpolation {
     match axis {
-        JogAxis::X | JogAxis::Y | JogAxis::Z => Bend::Line,
+        JogAxis::X | JogAxis::Y | JogAxis::Z => Interpolation::Line,
         JogAxis::Base | JogAxis::Rear | JogAxis::Fore | JogAxis::Servo | JogAxis::Gripper => {
-            Bend::Joints
+            Interpolation::Joints
         }
     }
 }
@@ -134,6 +140,9 @@ mod tests {
         let rotation_deg = |t_s| trajectory.place_at(t_s).unwrap().pose.rotation.0;
         assert_eq!(rotation_deg(line.until_s), -20.0);
         assert_eq!(rotation_deg(turn.until_s), 40.0);
-        assert_eq!((line.bend, turn.bend), (Bend::Line, Bend::Joints));
+        assert_eq!(
+            (line.interpolation, turn.interpolation),
+            (Interpolation::Line, Interpolation::Joints)
+        );
     }
 }

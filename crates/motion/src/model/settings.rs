@@ -1,32 +1,33 @@
-//! What configuration has told an arm.
+//! The settings from configuration commands.
 
 use crate::Speeds;
 use dobot_arm::Millimeters;
 use dobot_wire::{Configuration, Dialect, PlaybackAdjustment};
 
-/// What configuration has told an arm so far (states 9 and 10; Table 3.9).
+/// The settings from configuration commands (states 9 and 10; Table 3.9).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArmSettings {
-    /// Speeds of the point to point moves, before the percentages.
+    /// The speeds of point-to-point moves, before percentages.
     pub playback: Speeds,
-    /// Percentage of the speeds of point to point moves, above 0 to 100.
+    /// The percentage of the speeds of point-to-point moves, above 0 to 100.
     pub speed_percent: f64,
-    /// Percentage of their accelerations, above 0 to 100.
+    /// The percentage of their accelerations, above 0 to 100.
     pub acceleration_percent: f64,
-    /// Percentage of all jogs, above 0 to 100; each jog has one of its own besides (note N15).
+    /// The percentage of all jogs, above 0 to 100; each jog has its own percentage as well (note
+    /// N15).
     pub teach_percent: f64,
-    /// Jog speeds at 100 %.
+    /// The jog speeds at 100 %.
     pub teach: Speeds,
-    /// Acceleration of write vectors in mm/s2.
+    /// The acceleration of write vectors in mm/s2.
     pub write_acceleration_mm_s2: f64,
-    /// How high a JUMP lifts.
+    /// The lift of a JUMP.
     pub jump_height: Millimeters,
-    /// The pause of targets that have none, in seconds, where the dialect knows one (note N10).
+    /// The pause of targets without one, in seconds, if the dialect has it (note N10).
     pub default_pause_s: f64,
 }
 
 impl ArmSettings {
-    /// The values of an arm at power-up.
+    /// Returns the settings at power-up.
     #[must_use]
     pub fn stock(dialect: &Dialect) -> Self {
         Self {
@@ -41,14 +42,14 @@ impl ArmSettings {
         }
     }
 
-    /// Speeds of the point to point moves, percentages applied.
+    /// Returns the speeds of point-to-point moves with percentages applied.
     #[must_use]
     pub const fn move_speeds(&self) -> Speeds {
         self.playback
             .scaled(self.speed_percent, self.acceleration_percent)
     }
 
-    /// Takes a playback adjustment (state 10).
+    /// Applies a playback adjustment (state 10).
     pub(crate) fn adjust(&mut self, adjustment: &PlaybackAdjustment, dialect: &Dialect) {
         self.speed_percent = adjustment.speed_percent.into();
         self.acceleration_percent = adjustment.acceleration_percent.into();
@@ -57,7 +58,7 @@ impl ArmSettings {
         }
     }
 
-    /// Takes what a configuration says of speeds, heights and pauses (state 9, modes 0 to 2).
+    /// Applies the speeds, heights and pauses of a configuration (state 9, modes 0 to 2).
     pub(crate) fn configure(&mut self, configuration: &Configuration) {
         let speeds = configuration.speeds().unwrap_or_default();
         let speeds = Speeds::new(speeds.map(f64::from));
@@ -79,8 +80,8 @@ impl ArmSettings {
         }
     }
 
-    /// A stock arm follows mouse and hand at speeds of its own, and forgets those that it was told
-    /// (note N43).
+    /// Overwrites the joint speeds: a stock arm follows mouse and hand at its own speeds and
+    /// forgets the configured ones (note N43).
     pub(crate) const fn overwrite_joints(&mut self, acceleration_deg_s2: f64) {
         self.playback.joint_deg_s = FOLLOW_DEG_S;
         self.playback.servo_deg_s = FOLLOW_DEG_S;

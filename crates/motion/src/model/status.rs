@@ -5,10 +5,10 @@ use dobot_wire::{Status, single};
 use crate::{ArmPlace, Model};
 
 impl Model {
-    /// The status that the arm of this model sends.
+    /// Returns the status of the arm with this model.
     #[must_use]
     pub fn status(&self) -> Status {
-        // The coordinates are those of the very angles that the status tells.
+        // The coordinates match exactly the angles in the status.
         Status {
             suction: self.suction,
             gripper_deg: single(self.gripper_deg),

@@ -1,4 +1,4 @@
-//! Where a command leads.
+//! The trajectory of a command.
 
 use dobot_arm::{Position, TICK_S, Tool, Unreachable};
 
@@ -7,37 +7,37 @@ use super::left_speed::LeftSpeed;
 use super::motion::Motion;
 use crate::{ArmPlace, JogTrajectory, Model, TrajectoryError};
 
-/// Where a command leads: the whole way, as a pure function of the time since it began.
+/// The trajectory of a command as a pure function of the time since its start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trajectory {
     pub(crate) motion: Motion,
     pub(crate) from: ArmPlace,
     pub(crate) tool: Tool,
-    /// Where the way ends, as well as it can be told.
+    /// The best known end.
     pub(crate) to: ArmPlace,
     pub(crate) pause_s: f64,
     pub(crate) burns: bool,
-    /// Whether it begins where the model says, and goes as planned.
+    /// Whether it begins at the model's position and follows the plan.
     pub(crate) is_exact: bool,
-    /// Whether it ends where it says.
+    /// Whether the end is certain.
     pub(crate) knows_end: bool,
-    /// What a vector leaves for the next one.
+    /// The speed that a vector leaves for the next one.
     pub(crate) left: Option<LeftSpeed>,
-    /// The ticks of a vector, where an arm counts such.
+    /// The ticks of a vector, if the arm counts them.
     pub(crate) ticks: Option<Ticks>,
 }
 
-/// How many ticks a stock arm counts of a vector (note N48).
+/// The number of ticks that a stock arm counts for a vector (note N48).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ticks {
-    /// With what the vector before is believed to have left.
+    /// With the speed that the vector before is assumed to have left.
     pub(crate) believed: i16,
-    /// The most, with all that it may have left.
+    /// The maximum over all possible speeds.
     pub(crate) most: i16,
 }
 
 impl Trajectory {
-    /// A way of an arm from where it is.
+    /// Creates a trajectory from the arm's position.
     pub(crate) fn moving(motion: Motion, to: ArmPlace, model: &Model) -> Self {
         Self {
             motion,
@@ -45,7 +45,7 @@ impl Trajectory {
             tool: model.tool,
             to,
             pause_s: 0.0,
-            burns: model.laser && motion != Motion::Still,
+            burns: model.laser && motion != Motion::Rest,
             is_exact: model.knows_place,
             knows_end: model.knows_place,
             left: None,
@@ -53,7 +53,7 @@ impl Trajectory {
         }
     }
 
-    /// A way by so much from wherever the arm is.
+    /// Creates a trajectory relative to any position of the arm.
     pub(crate) fn relative(motion: Motion, model: &Model) -> Result<Self, TrajectoryError> {
         let to = motion
             .place_at(f64::MAX, model.tool)
@@ -61,78 +61,79 @@ impl Trajectory {
         Ok(match to {
             Ok(to) => Self::moving(motion, to, model),
             Err(error) => {
-                // The arm cannot be there at all: where the way leaves the limits says more.
+                // The end is outside the workspace; report where the path leaves the limits
+                // instead.
                 Self::moving(motion, model.place, model).check()?;
                 return Err(error.into());
             }
         })
     }
 
-    /// How long motion and pause take, in seconds; `None` for a jog, which goes on until told
-    /// otherwise.
+    /// Returns the duration of motion and pause, in seconds; `None` for a jog.
     #[must_use]
     pub fn duration_s(&self) -> Option<f64> {
-        self.lasts_s().map(|it| it + self.pause_s)
+        self.lasts_s().map(|motion_s| motion_s + self.pause_s)
     }
 
-    /// How long the motion takes if no tick is counted, in seconds; `None` for a jog.
+    /// Returns the duration of the motion without counting ticks, in seconds; `None` for a jog.
     #[must_use]
     pub const fn motion_s(&self) -> Option<f64> {
         self.motion.duration_s()
     }
 
-    /// How long the arm is at the motion, in seconds; `None` for a jog. A stock arm counts a vector in
-    /// whole ticks, which take longer where it begins and goes on slowly: a vector for which it counts
-    /// no tick that accelerates keeps the speed that the one before left (note N48).
+    /// Returns how long the arm takes for the motion, in seconds; `None` for a jog. A stock arm
+    /// counts a vector in whole ticks, which takes longer at low speed: a vector without an
+    /// accelerating tick keeps the speed left by the one before (note N48).
     #[must_use]
     pub fn lasts_s(&self) -> Option<f64> {
-        self.in_ticks(|it| it.believed)
+        self.in_ticks(|ticks| ticks.believed)
     }
 
-    /// The same at the most, where nobody knows what the vector before left, in seconds.
+    /// Returns the maximum of that time if the speed left by the vector before is unknown, in
+    /// seconds.
     #[must_use]
     pub fn lasts_at_most_s(&self) -> Option<f64> {
-        self.in_ticks(|it| it.most)
+        self.in_ticks(|ticks| ticks.most)
     }
 
     fn in_ticks(&self, ticks: fn(Ticks) -> i16) -> Option<f64> {
-        let counted = self.ticks.map(|it| f64::from(ticks(it)) * TICK_S);
+        let counted = self.ticks.map(|counted| f64::from(ticks(counted)) * TICK_S);
         counted.or(self.motion_s())
     }
 
-    /// How long the arm waits behind the motion, in seconds.
+    /// Returns the arm's pause after the motion, in seconds.
     #[must_use]
     pub const fn pause_s(&self) -> f64 {
         self.pause_s
     }
 
-    /// Where the arm is at a time since the command began: before 0 at the start, behind the motion
-    /// at the end. Limits are not looked at: [`Trajectory::check`] does that.
+    /// Returns the position at a time since the start of the command: the start before 0, the end
+    /// after the motion. Limits are not checked; use [`Trajectory::check`].
     ///
     /// # Errors
     ///
-    /// [`Unreachable`] where a way leads through a place in which the arm cannot be at all.
+    /// [`Unreachable`] if the position is outside the arm's workspace.
     pub fn place_at(&self, t_s: f64) -> Result<ArmPlace, Unreachable> {
         self.motion
             .place_at(t_s, self.tool)
             .unwrap_or(Ok(self.from))
     }
 
-    /// Where the command ends. `None` where that cannot be told: of a jog and its release, of a step
-    /// from a place that is not known itself, and where rounding decides when a stock arm ends a
-    /// gesture (note N49); [`Trajectory::place_at`] the end is the best guess then.
+    /// Returns the end of the command. `None` if it is uncertain: for a jog and its release, for a
+    /// step from an unknown position, and if rounding decides when a stock arm ends a gesture (note
+    /// N49). [`Trajectory::place_at`] the end is the best guess then.
     #[must_use]
     pub fn end(&self) -> Option<ArmPlace> {
         self.knows_end.then_some(self.to)
     }
 
-    /// Whether the way is known, not only guessed: it begins where the arm is known to stand.
+    /// Whether the path is known rather than guessed: it begins at a known position.
     #[must_use]
     pub const fn is_exact(&self) -> bool {
         self.is_exact
     }
 
-    /// From where to where it goes, if that is known and its way is a straight line.
+    /// Returns start and end if they are known and the path is a straight line.
     #[must_use]
     pub const fn line(&self) -> Option<(Position, Position)> {
         match self.motion {
@@ -143,9 +144,10 @@ impl Trajectory {
         }
     }
 
-    /// Places by which the way can be drawn, each with when it is reached, in seconds since the command began: of a
-    /// vector its end, of any other motion sixteen places of equal time, the last of them its end. There are none of a
-    /// jog, nor where nothing moves, and those are left out where the arm cannot be at all.
+    /// Returns points for drawing the path, each with its time in seconds since the start of the
+    /// command: for a vector its end, for any other motion sixteen points at equal time steps
+    /// including the end. Jogs and motions without movement have none; positions outside the
+    /// workspace are skipped.
     pub fn corners(&self) -> impl Iterator<Item = (ArmPlace, f64)> + use<'_> {
         let duration_s = self.motion_s().unwrap_or_default();
         let parts = match self.motion {
@@ -159,19 +161,19 @@ impl Trajectory {
         })
     }
 
-    /// Whether something moves on the way.
+    /// Whether anything moves.
     #[must_use]
     pub fn moves(&self) -> bool {
         self.motion_s() != Some(0.0)
     }
 
-    /// Whether the laser burns on the way.
+    /// Whether the laser burns.
     #[must_use]
     pub const fn laser(&self) -> bool {
         self.burns
     }
 
-    /// The jog that it is.
+    /// Returns the jog.
     #[must_use]
     pub const fn jog(&self) -> Option<JogTrajectory> {
         match self.motion {
@@ -180,7 +182,7 @@ impl Trajectory {
         }
     }
 
-    /// Whether the motion takes no longer than [`LONGEST_S`].
+    /// Checks that the motion takes no longer than [`LONGEST_S`].
     pub(crate) fn check_duration(&self) -> Result<(), TrajectoryError> {
         match self.motion_s() {
             Some(found) if found > LONGEST_S => Err(TrajectoryError::TooSlow { found }),
@@ -188,7 +190,7 @@ impl Trajectory {
         }
     }
 
-    /// Whether a stock arm can count the ticks of motion and pause: it does so in 16 bits.
+    /// Checks that a stock arm can count the ticks of motion and pause in 16 bits.
     pub(crate) fn check_counters(&self) -> Result<(), TrajectoryError> {
         let motion_s = self.motion_s().unwrap_or(0.0);
         let found = if motion_s > MOST_COUNTED_S {
@@ -202,13 +204,14 @@ impl Trajectory {
         Ok(())
     }
 
-    /// Whether the whole way stays within the limits of a stock arm (note N30) and takes no longer
-    /// than [`LONGEST_S`]. An arm that stands outside of the limits may come back in. A jog is not
-    /// looked along: it has no end.
+    /// Checks that the whole path stays within the limits of a stock arm (note N30) and takes no
+    /// longer than [`LONGEST_S`]. An arm outside the limits may come back inside. A jog is not
+    /// checked along its path, because it has no end.
     ///
     /// # Errors
     ///
-    /// [`TrajectoryError::TooSlow`], or [`TrajectoryError::Unreachable`] with the first limit on the way.
+    /// [`TrajectoryError::TooSlow`], or [`TrajectoryError::Unreachable`] with the first limit
+    /// exceeded.
     pub fn check(&self) -> Result<(), TrajectoryError> {
         let Some(duration_s) = self.motion_s() else {
             return Ok(());
@@ -222,7 +225,7 @@ impl Trajectory {
             match self
                 .motion
                 .place_at(t_s, self.tool)
-                .map(|it| it.and_then(|place| place.check()))
+                .map(|result| result.and_then(|place| place.check()))
             {
                 Some(Ok(())) => inside = true,
                 Some(Err(error)) if inside || index == samples => return Err(error.into()),
@@ -234,7 +237,7 @@ impl Trajectory {
     }
 }
 
-/// In how many parts of equal time a way is drawn that may be a jump.
+/// The number of equal time steps with which a possible jump is drawn.
 const CORNERS: u32 = 16;
-/// As often as this a way is checked against the limits: once a control tick.
+/// The interval of limit checks on a path: one control tick.
 const SAMPLING_S: f64 = 0.02;

@@ -11,7 +11,7 @@ use super::place::position;
 use super::trajectory::Ticks;
 use crate::{ArmPlace, Model, Trajectory, TrajectoryError};
 
-/// Plans a vector from where the arm is.
+/// Plans a vector from the arm's position.
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
 pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, TrajectoryError> {
     let from = model.place.pose;
@@ -21,7 +21,9 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
     }
     let speeds = stroke_speeds(vector, model)?;
     let tick_stroke = TickStrokes::of(vector, speeds.acceleration_mm_s2, model);
-    let by = tick_stroke.as_ref().map_or(by, |it| it.executed(by));
+    let by = tick_stroke
+        .as_ref()
+        .map_or(by, |strokes| strokes.executed(by));
     let stroke = Stroke::new(from.position, by, &speeds)?;
     if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MOST_COUNTED_S {
         let found = stroke.duration_s();
@@ -30,7 +32,7 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
     let rapid = is_rapid(vector, model);
     if tick_stroke
         .as_ref()
-        .is_some_and(|it| it.may_never_end(rapid))
+        .is_some_and(|strokes| strokes.may_never_end(rapid))
     {
         return Err(TrajectoryError::NeverEnds);
     }
@@ -48,7 +50,9 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
     Ok(Trajectory {
         knows_end: trajectory.knows_end
             && (model.left.is_known()
-                || tick_stroke.as_ref().is_none_or(|it| it.is_sure(length_mm))),
+                || tick_stroke
+                    .as_ref()
+                    .is_none_or(|strokes| strokes.is_sure(length_mm))),
         to: if model.dialect.uses_start_speed {
             trajectory.to
         } else {
@@ -61,14 +65,14 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
     })
 }
 
-/// Where a stock arm takes itself to be when it has gone this way. At the very edge of its limits
-/// rounding could bring it out: there it is where the way leads.
+/// Returns the position of a stock arm after this displacement in its own arithmetic. At the very
+/// edge of the limits, where rounding could move it outside, the exact end is used.
 #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
 fn stock_end(trajectory: &Trajectory, model: &Model) -> ArmPlace {
-    let [from, to] = [trajectory.from, trajectory.to].map(|it| it.pose.position);
+    let [from, to] = [trajectory.from, trajectory.to].map(|place| place.pose.position);
     let way = to - from;
-    let way = [way.x, way.y, way.z].map(|it| it.0 as f32);
-    let from = [from.x, from.y, from.z].map(|it| it.0);
+    let way = [way.x, way.y, way.z].map(|mm| mm.0 as f32);
+    let from = [from.x, from.y, from.z].map(|mm| mm.0);
     let [x, y, z] = stock::behind(from, way, model.tool.reach().0 as f32);
     let pose = Pose {
         position: Position::new(x, y, z),
@@ -76,15 +80,15 @@ fn stock_end(trajectory: &Trajectory, model: &Model) -> ArmPlace {
     };
     let place = ArmPlace::at_pose(pose, model.tool).ok();
     place
-        .filter(|it| it.check().is_ok())
+        .filter(|place| place.check().is_ok())
         .unwrap_or(trajectory.to)
 }
 
-/// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
-/// vector (note N48).
+/// The possible ticks of a vector on an arm that divides it into ticks and keeps the last speed for
+/// the next vector (note N48).
 struct TickStrokes {
     believed: TickStroke,
-    /// What they may be instead.
+    /// The other possibilities.
     perhaps: Option<[TickStroke; 3]>,
 }
 
@@ -103,11 +107,14 @@ impl TickStrokes {
         };
         (!model.dialect.uses_start_speed).then(|| Self {
             believed: tick_stroke(model.left.believed_mm_s),
-            perhaps: model.left.perhaps_mm_s.map(|it| it.map(tick_stroke)),
+            perhaps: model
+                .left
+                .perhaps_mm_s
+                .map(|speeds| speeds.map(tick_stroke)),
         })
     }
 
-    /// The vector as it becomes where its ticks are known and do not add up to its length.
+    /// Returns the vector as executed if its ticks are known and do not add up to its length.
     fn executed(&self, by: Position) -> Position {
         if self.perhaps.is_some() || self.believed.is_exact() {
             return by;
@@ -115,21 +122,23 @@ impl TickStrokes {
         by * (f64::from(self.believed.length_mm()) / by.length().0)
     }
 
-    /// Whether it becomes that long with all that may be left.
+    /// Whether the vector has its length with every speed that may have been left.
     fn is_sure(&self, length_mm: f64) -> bool {
         let mut perhaps = self.perhaps.iter().flatten().chain([&self.believed]);
-        perhaps.all(|it| (f64::from(it.length_mm()) - length_mm).abs() <= SURE_MM)
+        perhaps.all(|stroke| (f64::from(stroke.length_mm()) - length_mm).abs() <= SURE_MM)
     }
 
-    /// Whether the arm would creep on for ever. What others may have left counts only where that is
-    /// likely: with a rapid vector, of which a tick is worth a hundred times more speed.
+    /// Whether the arm could creep forever. Speeds left by others count only if that is likely:
+    /// with a rapid vector, in which a tick changes the speed a hundred times more.
     fn may_never_end(&self, rapid: bool) -> bool {
         let perhaps = self.perhaps.iter().flatten().filter(|_| rapid);
-        perhaps.chain([&self.believed]).any(|it| it.ticks() <= 0)
+        perhaps
+            .chain([&self.believed])
+            .any(|stroke| stroke.ticks() <= 0)
     }
 
-    /// Whether a vector of writing mode behind it goes its way: begun at less than nothing it first goes
-    /// back, until it has accelerated to something.
+    /// Checks that a writing mode vector after this one does not move back: begun below zero, it
+    /// first moves backwards until it has accelerated.
     fn check_left(&self, acceleration_mm_s2: f32) -> Result<(), TrajectoryError> {
         let left_mm_s = self.believed.end_mm_s;
         let back_mm = left_mm_s * left_mm_s / (2.0 * acceleration_mm_s2);
@@ -153,18 +162,18 @@ impl TickStrokes {
             believed_mm_s: self.believed.end_mm_s,
             perhaps_mm_s: self
                 .perhaps
-                .map(|it| it.map(|tick_stroke| tick_stroke.end_mm_s)),
+                .map(|strokes| strokes.map(|tick_stroke| tick_stroke.end_mm_s)),
         }
     }
 }
 
-/// Speeds above the largest count as the largest (note N5).
+/// Returns the speeds of a stroke; values above the maximum count as the maximum (note N5).
 fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, TrajectoryError> {
     let max_mm_s = f64::from(vector.max_speed_mm_s);
     let start_mm_s = if model.dialect.uses_start_speed {
         vector.start_speed_mm_s.into()
     } else {
-        // It may have kept a little less than nothing, where a short vector was braked.
+        // The arm may keep slightly less than zero after braking in a short vector.
         f64::from(model.left.believed_mm_s).max(0.0)
     };
     let speeds = StrokeSpeeds {
@@ -180,13 +189,13 @@ fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, Tr
     }
 }
 
-/// Whether it is a vector of laser mode without the laser, which a stock arm accelerates a hundredfold
+/// Whether it is a laser mode vector without the laser, which a stock arm accelerates a hundredfold
 /// (note N48).
 fn is_rapid(vector: &WriteVector, model: &Model) -> bool {
     model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser && !vector.laser
 }
 
-/// Without the laser, laser mode accelerates a hundredfold (note N48).
+/// Scales the acceleration: without the laser, laser mode accelerates a hundredfold (note N48).
 fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, TrajectoryError> {
     let acceleration_mm_s2 = speeds.acceleration_mm_s2 * RAPID_FACTOR;
     let least_mm_s = acceleration_mm_s2 * TICK_S / 2.0;
@@ -196,8 +205,8 @@ fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, Traject
             ..*speeds
         });
     }
-    // Less than half of what a tick changes the speed by: no tick is planned that changes it. As
-    // fast as it begins it goes on; at rest it stays, and perhaps where nobody knows how it begins.
+    // Below half of the speed change of a tick no tick accelerates: the vector continues at its
+    // initial speed, and at rest it stays there, as it may with an unknown initial speed.
     let begin_mm_s = speeds.start_mm_s;
     if begin_mm_s < CREEPS_MM_S || may_creep {
         return Err(TrajectoryError::SlowRapid {
@@ -213,13 +222,13 @@ fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, Traject
     })
 }
 
-/// A vector of half that length or less does not move the arm (note N16); the rest is for rounding.
+/// A vector of half this length or less does not move the arm (note N16); the rest is for rounding.
 const NO_LENGTH_MM: f64 = 0.0002;
-/// So far a vector may go back before it goes on: less than a tick's way at 40 mm/s.
+/// The distance that a vector may move back first: less than the travel of a tick at 40 mm/s.
 const BACK_MM: f32 = 0.5;
-/// An end that may be so much off is known.
+/// The deviation up to which an end counts as known.
 const SURE_MM: f64 = 0.05;
-/// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
+/// The acceleration factor of laser mode with the laser off on a stock arm (note N48).
 const RAPID_FACTOR: f64 = 100.0;
 
 #[cfg(test)]
@@ -231,8 +240,9 @@ mod tests {
 
     #[test]
     fn a_vector_that_creeps_behind_what_others_may_have_left_is_refused_where_nobody_knows_that() {
-        // Laser mode without the laser: a tick is worth 200 mm/s, and half of that is more than the peak of
-        // 1.4 mm (118 mm/s) less rounding: no tick accelerates, and 1.4 mm at -0.15 mm/s take -467 ticks.
+        // Laser mode without the laser: a tick changes 200 mm/s, and half of that exceeds the peak
+        // of 1.4 mm (118 mm/s) less rounding: no tick accelerates, and 1.4 mm at -0.15 mm/s take
+        // -467 ticks.
         let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
         model.left = LeftSpeed::known(0.8);
@@ -254,7 +264,7 @@ mod tests {
         let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
         model.left = LeftSpeed::known(40.0);
-        // Below 100 mm/s no tick changes the speed: it goes at the 10 mm/s that it may begin with.
+        // Below 100 mm/s no tick changes the speed: it stays at the possible initial 10 mm/s.
         let mut vector = WriteVector {
             mode: WriteMode::Laser,
             end_speed_mm_s: 10.0,
@@ -267,8 +277,8 @@ mod tests {
             matches!(refused, Err(TrajectoryError::SlowRapid { .. })),
             "{refused:?}"
         );
-        // At 145 mm/s2 a tick is worth 2.9 mm/s, and 1 mm/s is not half of that: no tick accelerates, and behind
-        // a little less than rest the arm goes back.
+        // At 145 mm/s2 a tick changes 2.9 mm/s, and 1 mm/s is less than half of that: no tick
+        // accelerates, and with slightly negative speed the arm moves back.
         model.settings.write_acceleration_mm_s2 = 145.0;
         vector.mode = WriteMode::Writing;
         (vector.y_mm, vector.max_speed_mm_s, vector.end_speed_mm_s) = (-0.4, 1.0, 0.0);
@@ -281,8 +291,9 @@ mod tests {
 
     #[test]
     fn a_vector_behind_which_the_next_one_would_go_far_back_is_refused() {
-        // Laser mode without the laser: one tick slower is 200 mm/s less. Begun at 57.5 mm/s, 26.76 mm take 25
-        // ticks and that one, which ends near -141 mm/s; from there to rest at 100 mm/s2 are 99 mm.
+        // Laser mode without the laser: one slower tick is 200 mm/s less. Begun at 57.5 mm/s, 26.76
+        // mm take 25 ticks and that one, which ends near -141 mm/s; from there to rest at 100 mm/s2
+        // are 99 mm.
         let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
         model.left = LeftSpeed::known(57.5);
@@ -305,8 +316,8 @@ mod tests {
 
     #[test]
     fn a_vector_whose_ticks_add_up_to_less_than_none_is_refused() {
-        // Begun at -0.9 mm/s no tick accelerates to 1 mm/s, for a tick is worth 4 mm/s; 0.3 mm at -0.9
-        // mm/s take -16 ticks.
+        // Begun at -0.9 mm/s no tick accelerates to 1 mm/s, because a tick changes 4 mm/s; 0.3 mm
+        // at -0.9 mm/s take -16 ticks.
         let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
         let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
         model.settings.write_acceleration_mm_s2 = 200.0;

@@ -1,4 +1,4 @@
-//! Moves and their profiles (limits, continuity, ends), and the motion model.
+//! Tests of moves and their profiles (limits, continuity, ends), and of the motion model.
 
 mod model;
 mod moves;

@@ -1,4 +1,4 @@
-//! Where commands lead, against closed formulas.
+//! Trajectories of commands, compared with closed formulas.
 
 use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_motion::{ArmPlace, JogAxis, Model, Trajectory, TrajectoryError};
@@ -61,7 +61,7 @@ fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
     );
 }
 
-/// A stock arm takes itself to be where its single precision brings it: 24 bits of 300 mm.
+/// The single-precision accuracy of a stock arm's position: 24 bits of 300 mm.
 const SINGLE_MM: f64 = 1e-4;
 
 fn motion_s(trajectory: &Trajectory) -> f64 {
@@ -135,7 +135,7 @@ fn percentages_scale_speeds_and_accelerations() {
 fn a_vector_begins_with_its_start_speed_or_with_what_the_last_one_left() {
     let first = vector(0.0, 20.0, 40.0, 40.0);
     let second = vector(0.0, 20.0, 40.0, 40.0);
-    // From rest to 40 mm/s within 8 mm at 100 mm/s2, then 12 mm on.
+    // From rest to 40 mm/s within 8 mm at 100 mm/s2, then 12 mm at that speed.
     let from_rest_s = 0.4 + 12.0 / 40.0;
     for (dialect, expected_s) in [(DOCUMENT, from_rest_s), (STOCK, 20.0 / 40.0)] {
         let model = model(dialect);
@@ -166,7 +166,7 @@ fn a_jump_rises_above_the_higher_end_or_lifts_at_each_end_as_the_dialect_has_it(
     };
     close("document", highest(DOCUMENT), 60.0 + 20.0, 0.01);
     close("stock", highest(STOCK), 60.0 + 10.0, 0.1);
-    // Where the document has risen to 80 a stock arm has lifted by 10.
+    // Where the document rises to 80, a stock arm lifts by 10.
     let stock = trajectory(&model(STOCK), target);
     let lifted_s = (0..=1000)
         .map(|n| motion_s(&stock) * f64::from(n) / 1000.0)
@@ -225,8 +225,8 @@ fn a_line_without_length_is_refused_for_an_arm_that_would_lose_its_pose() {
 
 #[test]
 fn a_line_behind_one_that_ends_at_a_limit_is_refused_for_an_arm_that_would_jump() {
-    // The rear arm at -5 degrees exactly: rounding makes the last tick one beyond the limit, and what
-    // the line has gone is kept for the next one (note N46).
+    // The rear arm at exactly -5 degrees: rounding moves the last tick beyond the limit, and the
+    // state of the line is kept for the next one (note N46).
     let to_limit = MoveJoints::to([10.0, -5.0, 35.0, 0.0]).with_mode(MovingMode::MovL);
     let back = to(MovingMode::MovL, 220.0, 0.0, 20.0);
     let there = after(&model(STOCK), to_limit);
@@ -264,7 +264,8 @@ fn an_end_beyond_a_limit_is_refused_where_the_way_leaves_it() {
     let TrajectoryError::Unreachable(beyond) = error else {
         panic!("{error}");
     };
-    // A tick's way at 40 mm/s, which at that reach opens the elbow by less than half a degree.
+    // The travel of a tick at 40 mm/s, which opens the elbow by less than half a degree at that
+    // reach.
     assert!((0.0..0.8).contains(&beyond.excess()), "{error}");
     assert!(error.to_string().starts_with("on its way"), "{error}");
 }
@@ -335,7 +336,7 @@ fn laser_mode_of_a_stock_arm_holds_its_height_and_leaves_the_laser_on() {
         end.distance(Position::new(220.0, 40.0, 20.0)).0 < SINGLE_MM,
         "{end:?}"
     );
-    // The height counts in the length: 50 mm at 50 mm/s, and half a second of ramp.
+    // The height counts towards the length: 50 mm at 50 mm/s, and half a second of ramp.
     close("duration", motion_s(&stock), 50.0 / 50.0 + 0.5, 1e-9);
     assert!(after(&model(STOCK), burn).laser);
 
@@ -355,7 +356,8 @@ fn a_rapid_vector_that_a_stock_arm_cuts_short_is_refused() {
         mode: WriteMode::Laser,
         ..vector(0.0, 40.0, 0.0, 50.0)
     };
-    // 100 mm/s2 a hundredfold change the speed by 200 mm/s a tick; half of that rounds to one tick.
+    // 100 mm/s2 a hundredfold change the speed by 200 mm/s per tick; half of that rounds to one
+    // tick.
     let error = refusal(&model(STOCK), slow);
     assert_eq!(
         error,
@@ -382,7 +384,7 @@ fn a_laser_vector_goes_on_without_the_laser_as_fast_as_it_burned() {
     };
     let burned = after(&model(STOCK), burn);
     let trajectory = trajectory(&burned, run_out);
-    // 2 mm at about 10 mm/s: whole ticks of the burn make it a little more or less.
+    // 2 mm at about 10 mm/s: whole ticks of the burn make it slightly more or less.
     close("time", trajectory.motion_s().expect("it ends"), 0.2, 0.02);
     let end = trajectory.end().expect("known").pose.position;
     close(
@@ -547,7 +549,7 @@ fn command() -> impl Strategy<Value = Command> {
 }
 
 proptest! {
-    /// A trajectory begins where the arm stands and ends where the model goes on.
+    /// A trajectory begins at the arm's position and ends at the position of the model after it.
     #[test]
     fn trajectories_lead_from_the_model_to_the_model_after(
         stock in any::<bool>(),

@@ -1,4 +1,4 @@
-//! The ways to move: exact ends, shapes, and limits on sampled speeds and accelerations.
+//! Tests of motions: exact ends, shapes, and limits on sampled speeds and accelerations.
 
 use dobot_arm::{Degrees, Joints, Millimeters, Pose, Position, Tool, forward};
 use dobot_motion::{JointMove, Jump, LineMove, PlanError, Speeds, Stroke, StrokeSpeeds};
@@ -18,7 +18,7 @@ proptest! {
         let [start, way] = [angles(&from), angles(&between(from, to))];
         for t_s in samples(duration_s) {
             let gone = angles(&between(from, movement.joints_at(t_s)));
-            // The share of the way is the same for all: no cross product of two of them.
+            // All joints cover the same share: each cross product of two of them is zero.
             for n in 1..4 {
                 prop_assert!((gone[n] * way[0] - gone[0] * way[n]).abs() < 1e-9, "{start:?}");
             }
@@ -49,8 +49,9 @@ proptest! {
             .map(|way| fastest_s(way, speeds.joint_deg_s, speeds.joint_deg_s2))
             .into_iter()
             .fold(fastest_s(servo, speeds.servo_deg_s, speeds.servo_deg_s2), f64::max);
-        // It may take longer than the slowest where one joint limits the speed, another the
-        // acceleration; never longer than the ramps of the one and the cruise of the other.
+        // The move may take longer than the slowest joint if one joint limits the speed and another
+        // the acceleration, but never longer than the ramps of the one plus the cruise of the
+        // other.
         prop_assert!(movement.duration_s() >= alone_s - 1e-9);
         prop_assert!(movement.duration_s() <= 2.0 * alone_s + 1e-9);
     }
@@ -292,7 +293,8 @@ fn bad_numbers_are_refused_by_name() {
     assert!(matches!(error, Err(PlanError::NotFinite { .. })));
 }
 
-/// Samples the way: its mean speed over a step and the change of it are within the limits.
+/// Samples the motion and checks that the mean speed over a step and its change are within the
+/// limits.
 fn stays_within(
     place: impl Fn(f64) -> [f64; 3],
     duration_s: f64,
@@ -317,7 +319,7 @@ fn stays_within(
     Ok(())
 }
 
-/// How long it takes from rest to rest.
+/// Returns the duration from rest to rest.
 fn fastest_s(way: f64, speed: f64, acceleration: f64) -> f64 {
     if speed * speed < way * acceleration {
         way / speed + speed / acceleration
@@ -386,5 +388,5 @@ const STROKE: StrokeSpeeds = StrokeSpeeds {
 };
 const STEPS: u32 = 97;
 
-/// Of a coordinate of some hundred millimetres or degrees.
+/// The rounding of a coordinate of some hundred millimetres or degrees.
 const ROUNDING: f64 = 1e-11;

@@ -1,4 +1,4 @@
-//! Profiles and ramps: limits, continuity, ends, and the integral of the speed.
+//! Tests of profiles and ramps: limits, continuity, ends, and the integral of the speed.
 
 use dobot_motion::{PlanError, Profile, Ramp};
 use proptest::prelude::*;
@@ -42,8 +42,8 @@ proptest! {
             let [before, here] = [t_s - step_s, t_s].map(|t_s| profile.speed_at(t_s));
             sum += 0.5 * (before + here) * step_s;
             let off = (sum - profile.distance_at(t_s)).abs();
-            // The rule is exact but where a step holds a corner of the trapezoid: there a bend of
-            // 2 a at most cuts off a triangle of a step's square times a quarter of it.
+            // The rule is exact except where a step contains a corner of the trapezoid: there a
+            // bend of at most 2 a cuts off a triangle of a quarter of the squared step times it.
             let corners = asked.acceleration * step_s * step_s;
             prop_assert!(off <= corners + slack(&profile), "{off} off at {t_s} s, {profile:?}");
         }
@@ -112,7 +112,7 @@ fn a_hundred_millimetres_at_fifty_take_half_a_second_longer_than_without_ramps()
 
 #[test]
 fn too_short_to_brake_starts_with_the_highest_speed_that_can() {
-    // 30 down to 10 mm/s at 100 mm/s2 needs 4 mm; with 1.5 mm it is 20 mm/s that can.
+    // 30 down to 10 mm/s at 100 mm/s2 needs 4 mm; within 1.5 mm only 20 mm/s can be braked.
     let profile = Profile::new(1.5, 30.0, 10.0, 50.0, 100.0).expect("the limits are positive");
     assert_eq!(profile.start_speed(), 20.0);
     assert_eq!(profile.end_speed(), 10.0);
@@ -182,7 +182,7 @@ fn a_reversed_jog_runs_through_rest() {
     assert!((ramp.distance_at(1.6) + 15.0).abs() < 1e-12);
 }
 
-/// What a profile was asked for.
+/// The input of a profile.
 #[derive(Clone, Copy, Debug)]
 struct ProfileLimits {
     distance: f64,
@@ -241,7 +241,7 @@ fn samples(duration_s: f64) -> impl Iterator<Item = f64> {
     (0..=STEPS).map(move |n| duration_s * f64::from(n) / f64::from(STEPS))
 }
 
-/// What rounding may do to a distance.
+/// The rounding error of a distance.
 fn slack(profile: &Profile) -> f64 {
     1e-9 * (1.0 + profile.distance())
 }

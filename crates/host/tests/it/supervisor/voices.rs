@@ -93,8 +93,8 @@ fn what_the_words_mean_is_judged_as_the_motion_that_it_is() {
     let (mut it, anna) = lab(Personality::Firmware11);
     for (text, why) in [
         ("down seventy", "table allows"),
-        ("hello", "none of ahead, back"),
-        ("up", "none of ahead, back"),
+        ("hello", "allowed are ahead, back"),
+        ("up", "allowed are ahead, back"),
     ] {
         let refusal = say(&mut it, anna, true, text).unwrap_err().to_string();
         assert!(refusal.contains(why), "{text}: {refusal}");
