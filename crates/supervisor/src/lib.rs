@@ -1,8 +1,9 @@
 //! The rules for people and arm, as an engine: leases, stop, interlock, trust, jogging and jobs.
 //!
-//! Every command to an arm passes the [`Supervisor`]. Events go in through `handle_*`, outputs come out through `poll_*`, and
-//! time is an argument. It needs no runtime, no file and no clock, which the dependencies of this crate prove. `dobot-host`
-//! drives it with a port and a journal, or in virtual time.
+//! Every command to an arm passes the [`Supervisor`]. Events go in through `handle_*`, outputs come
+//! out through `poll_*`, and time is an argument. The engine needs no runtime, file or clock, as
+//! this crate's dependencies show. `dobot-host` drives it with a port and a journal, or in virtual
+//! time.
 //!
 //! ```
 //! use dobot_safety::Policy;

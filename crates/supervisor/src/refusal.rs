@@ -1,4 +1,4 @@
-//! Why the station does not do what a client asks.
+//! Refusals of requests.
 
 use std::borrow::Cow;
 
@@ -7,153 +7,153 @@ use dobot_api::{JobPhase, Problem, Role};
 use dobot_safety::Violation;
 use dobot_session::SendError;
 
-/// Why the station does not do what a client asks. Nothing has changed then.
+/// Why the station refuses a request. Nothing has changed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// The client's role is not enough.
+    /// The client's role is not sufficient.
     #[error("this takes the role {needed}; this client has {found}")]
     Role {
-        /// What it takes.
+        /// The role required.
         needed: Role,
-        /// What the client has.
+        /// The client's role.
         found: Role,
     },
     /// The client does not have control.
     #[error("{}", match holder { Some(Holder { name, .. }) => format!("{name} has control of the arm"), None => "nobody has control of the arm; this client has to take it first".to_owned() })]
     NoLease {
-        /// Who has it.
+        /// The lease holder, if any.
         holder: Option<Holder>,
     },
-    /// An administrator keeps the arm.
+    /// An administrator has locked the arm.
     #[error("the arm was locked by {by}{}", message.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
     Locked {
         /// Who locked it.
         by: String,
-        /// Why.
+        /// The reason.
         message: Option<String>,
     },
-    /// It is the time of somebody else at the arm.
+    /// The arm is in another student's time slot.
     #[error("it is the time of {student}{}, for another {}; the arm is free in {}", group.as_ref().map(|it| format!(" ({it})")).unwrap_or_default(), span(*left_s), span(*free_in_s))]
     Slot {
-        /// Whose time it is.
+        /// The student.
         student: String,
-        /// The group of that one.
+        /// The student's group.
         group: Option<String>,
-        /// How much of it is left, in seconds.
+        /// The remaining time of the slot, in seconds.
         left_s: f64,
-        /// In how many seconds the arm is everyone's, if nobody changes the time slots.
+        /// The time until the arm is free, in seconds, if the time slots do not change.
         free_in_s: f64,
     },
-    /// The time slots cannot be so.
+    /// The time slots are invalid.
     #[error("{0}")]
     BadSlots(String),
-    /// Nobody of that number asked for control.
+    /// No client with this number has asked for control.
     #[error("client {0} does not ask for control")]
     NotAsking(u64),
-    /// The arm is stopped until a person resets that.
+    /// The arm is stopped until a person clears the stop.
     #[error("{} {by}{}", if *of_fleet { "stopped: fleet, by" } else { "the arm was stopped by" },
         reason.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
     Stopped {
         /// Who stopped it.
         by: String,
-        /// Why.
+        /// The reason.
         reason: Option<String>,
-        /// Whether the whole fleet was stopped.
+        /// Whether it is a fleet-wide stop.
         of_fleet: bool,
     },
-    /// The arm has not come to rest yet after a stop.
+    /// The arm is not at rest yet.
     #[error("the arm still moves; it rests within {within_s:.1} s")]
     StillMoving {
-        /// How long that takes at the most.
+        /// The longest time until it is at rest, in seconds.
         within_s: f64,
     },
-    /// The station let go of a button that is still pressed.
+    /// The station released a button that is still pressed.
     #[error("the button was let go: {0}")]
     LetGo(String),
     /// There is no link to send it over, and the arm may be moving or burning.
     #[error("{0} was NOT DELIVERED: there is no link to the arm")]
     NotDelivered(&'static str),
-    /// No watchdog watches over the arm.
+    /// No watchdog guards the arm.
     #[error("no watchdog watches over the arm: {0}")]
     Unguarded(String),
-    /// There is no arm to talk to.
+    /// There is no arm to send to.
     #[error("there is no link to an arm: {0}")]
     NoLink(String),
-    /// The session does not send it.
+    /// The session refused to send it.
     #[error(transparent)]
     Send(SendError),
-    /// The policy does not allow it.
+    /// The policy forbids it.
     #[error(transparent)]
     Policy(Box<Violation>),
     /// The laser is not armed.
     #[error("the laser is disarmed")]
     LaserDisarmed,
-    /// A number is not allowed.
+    /// A number is out of range.
     #[error("{name} is {found}; allowed is {allowed}")]
     OutOfRange {
-        /// Which number.
+        /// The name of the number.
         name: &'static str,
-        /// What was given.
+        /// The value given.
         found: f64,
-        /// What is allowed.
+        /// The values allowed.
         allowed: String,
     },
-    /// Too much waits already.
+    /// Too many commands are waiting.
     #[error("{waiting} commands wait already, and more than {most} may not")]
     TooMany {
-        /// How many wait.
+        /// The number waiting.
         waiting: usize,
-        /// How many may.
+        /// The maximum.
         most: usize,
     },
-    /// A job has the arm.
+    /// A job is using the arm.
     #[error("job {0} has the arm")]
     JobRunning(u64),
-    /// The arm is finding out its dialect.
+    /// The dialect of the arm is being detected.
     #[error("the arm makes the motions that tell its dialect")]
     Detecting,
-    /// The motions that tell the dialect did not tell it.
+    /// The motions of the detection did not determine the dialect.
     #[error("the dialect was not found: {0}")]
     NotFound(String),
     /// The job waits for a person.
     #[error("job {job} waits for a person: {message}")]
     NeedsPerson {
-        /// Its number.
+        /// The job number.
         job: u64,
         /// What the person has to do.
         message: String,
     },
-    /// No job runs.
+    /// No job is running.
     #[error("no job is running")]
     NoJobRuns,
     /// There is no such job.
     #[error("there is no job {0}")]
     NoSuchJob(u64),
-    /// A job is not in a phase that allows this.
+    /// The job's phase does not allow this.
     #[error("job {job} is {found}; this takes one that is {allowed}", found = format!("{found:?}").to_lowercase())]
     JobPhase {
-        /// Its number.
+        /// The job number.
         job: u64,
-        /// How far it is.
+        /// The job's phase.
         found: JobPhase,
-        /// How far it would have to be.
+        /// The phases allowed.
         allowed: &'static str,
     },
-    /// A job has no vectors whose speed or height could be changed.
+    /// The job has no vectors whose speed or height could be changed.
     #[error("job {0} has no write vectors: its speed and height are those of its targets")]
     NoVectors(u64),
-    /// A job cannot be done as it is.
+    /// The job cannot run as it is.
     #[error("command {index} of the job: {why}")]
     BadJob {
-        /// Which command, from 0.
+        /// The index of the command, from 0.
         index: usize,
         /// What is wrong with it.
         why: String,
-        /// The key of the rule of the policy that says so, where one does.
+        /// The key of the policy rule, if a rule forbids it.
         rule: Option<String>,
     },
-    /// Another job was asked for with the same key.
+    /// The idempotency key was already used for another job.
     #[error("the key {key:?} was that of a request for job {job}, which is another one")]
     KeyReused {
         /// The key.
@@ -161,7 +161,7 @@ pub enum Refusal {
         /// The other job.
         job: u64,
     },
-    /// A job cannot be gone on with as things are.
+    /// The job cannot be resumed in the current situation.
     #[error("the job cannot be gone on with: {0}")]
     CannotResume(String),
     /// The journal cannot be written.
@@ -170,34 +170,34 @@ pub enum Refusal {
     /// The request cannot be understood.
     #[error("the request cannot be understood: {0}")]
     Malformed(String),
-    /// The station ends.
+    /// The station is shutting down.
     #[error("the station is shutting down")]
     Ending,
 }
 
-/// Who has control.
+/// The lease holder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Holder {
-    /// What it calls itself.
+    /// The holder's name.
     pub name: String,
-    /// Whether it is a program on the raw port, which cannot be asked.
+    /// Whether it is a program on the raw port, which cannot answer requests.
     pub is_program: bool,
 }
 
 impl Refusal {
-    /// The kind of refusal: the last part of the problem type's address.
+    /// Returns the kind of refusal: the last part of the problem type's URL.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         self.row().0.name
     }
 
-    /// What to do about it.
+    /// Returns a hint on how to fix it.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         self.row().1.map(Cow::into_owned)
     }
 
-    /// The kind of each refusal, and what to do about it where its text does not say that.
+    /// Returns the problem type and, unless the text itself says what to do, a hint.
     fn row(&self) -> (ProblemKind, Option<Cow<'static, str>>) {
         let (kind, hint) = match self {
             Self::Role { needed, .. } => {
@@ -286,7 +286,7 @@ impl Refusal {
                 "make room on the disk, or check the folder's permissions",
             ),
             Self::Ending => (problem_kinds::ENDING, "`dobot up` starts it again"),
-            // Both say what is allowed.
+            // Both texts state what is allowed.
             Self::OutOfRange { .. } => return (problem_kinds::OUT_OF_RANGE, None),
             Self::Malformed(_) => return (problem_kinds::MALFORMED, None),
             Self::BadSlots(_) => return (problem_kinds::BAD_SLOTS, None),
@@ -305,7 +305,7 @@ fn lease_hint(holder: Option<&Holder>) -> &'static str {
     }
 }
 
-/// A time as a person says it, in minutes and seconds.
+/// Formats a time in minutes and seconds.
 pub(crate) fn span(s: f64) -> String {
     let s = s.ceil();
     let (minutes, rest) = ((s / 60.0).floor(), s % 60.0);
@@ -331,7 +331,7 @@ impl From<Violation> for Refusal {
     }
 }
 
-/// What helps against a command that the session does not send.
+/// Returns the hint for a command that the session refused.
 const fn send_hint(error: &SendError) -> Option<&'static str> {
     match error {
         SendError::Undecided { .. } => Some(

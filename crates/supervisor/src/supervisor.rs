@@ -1,4 +1,4 @@
-//! The supervisor of the arm: every rule for people and arm, as an engine.
+//! The supervisor of the arm: all rules for people and arm, as an engine.
 
 mod amend;
 mod arm;
@@ -53,18 +53,17 @@ pub use self::plan::{JobPlan, draws_below_mm};
 pub use self::run::{Effect, StartedJob};
 pub use self::stop_latch::StoppedBy;
 
-/// The supervisor of the arm, as an engine: it owns no port, no file and no clock.
+/// The supervisor of the arm, as an engine: it owns no port, file or clock.
 ///
-/// Things happen to it (`handle_*`), it wants things (`poll_*`). Its time counts from the start of
-/// the station and never goes back. Every byte that reaches the arm passes here, and with it every
-/// rule: who has control, what the policy allows, that a stop holds, that the laser is off unless a
-/// person has armed it.
+/// Events go in (`handle_*`), outputs come out (`poll_*`). Its time counts from the start of the
+/// station and never decreases. Every byte to the arm passes here and is subject to every rule:
+/// control, the policy, stops, and a laser that stays off unless a person has armed it.
 ///
-/// Each rule is a part with a state of its own, which no other part sees. The supervisor orders them: it
-/// asks one what another has to know, and does what they want of each other.
+/// Each rule is a component with private state. The supervisor coordinates them: it passes facts
+/// from one to another and carries out their effects.
 #[derive(Debug)]
 pub struct Supervisor {
-    /// Who is there, and who has control.
+    /// The clients and the lease.
     leases: Leases,
     link: Link,
     arm: Arm,
@@ -74,19 +73,19 @@ pub struct Supervisor {
     commands: Commands,
     detecting: Detecting,
     run: Option<Run>,
-    /// The job for which a person has done what it waits for.
+    /// The job whose pause a person has confirmed.
     confirmed_job: Option<u64>,
-    /// Why nobody would stop the arm if the station were killed.
+    /// Why no watchdog would stop the arm if the station were killed.
     unguarded: Option<String>,
-    /// What is missing of the kept jobs.
+    /// What is missing of the stored jobs.
     jobs_missing: Option<String>,
     journal_requests: JournalRequests,
     outgoing: OutgoingEvents,
 }
 
 impl Supervisor {
-    /// A supervisor that has no arm yet. It trusts the pose of one whose port it has opened only when a
-    /// person has confirmed it, that of a virtual one from the start.
+    /// Creates a supervisor without an arm. It trusts the pose of a real arm only after a person
+    /// has confirmed it, and that of a virtual arm from the start.
     #[must_use]
     pub fn new(policy: Policy, dialect: Option<Dialect>) -> Self {
         Self {
@@ -107,42 +106,42 @@ impl Supervisor {
         }
     }
 
-    /// Takes that something of the station goes wrong, in one line.
+    /// Handles a fault of the station, described in one line.
     pub fn handle_trouble(&mut self, now: Duration, text: String) {
         self.handle_time(now);
         self.notify(News::Trouble, text);
     }
 
-    /// Takes that kept jobs are missing, in one line: all who watch are told, now and with each state.
+    /// Handles missing stored jobs, described in one line; reported now and in each state.
     pub fn handle_jobs_missing(&mut self, now: Duration, text: String) {
         self.handle_trouble(now, text.clone());
         self.jobs_missing = Some(text);
     }
 
-    /// Lets the laser burn without having been armed: that of a virtual arm harms nobody.
+    /// Lets the laser burn without being armed; for virtual arms only.
     pub fn free_laser(&mut self) {
         self.arm.session_mut().free_laser();
     }
 
-    /// The pose is not to be trusted until a person confirms it, and why.
+    /// Marks the pose as not trusted until a person confirms it.
     pub fn distrust(&mut self, reason: &str) {
         self.arm.session_mut().distrust(reason);
         self.outgoing.note_change();
     }
 
-    /// The dialect that the arm speaks, if that is known.
+    /// Returns the arm's dialect, if known.
     #[must_use]
     pub fn dialect(&self) -> Option<Dialect> {
         self.arm.session().dialect().copied()
     }
 
-    /// How the dialect was found, if the arm was asked for it.
+    /// Returns how the dialect was detected, if it was.
     #[must_use]
     pub const fn finding(&self) -> Option<&Finding> {
         self.detecting.finding()
     }
 
-    /// Takes which dialect the arm is known to speak, unless somebody has said it already.
+    /// Sets the arm's known dialect, unless one has been set already.
     pub fn handle_known_dialect(&mut self, dialect: Dialect) {
         if self.arm.session().dialect().is_none() {
             self.arm.session_mut().set_dialect(dialect);
@@ -150,8 +149,8 @@ impl Supervisor {
         }
     }
 
-    /// Takes how the arm at an address differs from the drawing of it, before it is given anything. Another arm may have
-    /// been plugged in there, so people are told which one it is taken to be.
+    /// Sets the known calibration of the arm at an address, before any command. Another arm may
+    /// have been plugged in there, so a notice names the arm that is assumed.
     pub fn handle_known_calibration(&mut self, address: &str, known: &Calibrations) {
         self.arm.set_calibration(known.arm());
         self.outgoing.note_change();
@@ -164,41 +163,42 @@ impl Supervisor {
         }
     }
 
-    /// How the arm differs from what it says now: its zeros are right once it was told its angles.
+    /// Returns the current calibration: its zeros are 0 once the arm was given its true angles.
     #[must_use]
     pub fn calibration(&self) -> Calibration {
         self.arm.calibration()
     }
 
-    /// Takes the passing of time.
+    /// Advances the time.
     pub fn handle_time(&mut self, now: Duration) {
-        // What the arm has told so far comes first: all others judge by it.
+        // The arm first: all other components depend on what it has reported.
         self.arm.handle_time(now);
         self.follow_session();
-        // Whose time is over moves the arm no more, whatever of his still waits.
+        // A client whose time slot is over must not move the arm, even with waiting commands.
         self.watch_slots();
-        // A client that fell silent is heard before its press that waits: no arm moves for it any more.
+        // Check for a silent client before its waiting press, so that no arm moves for it.
         self.watch_dead_man();
         self.watch_press();
-        // Behind both, for the one begins a halt, and the other ends one.
+        // After both, because the one starts a stop sequence and the other ends one.
         let (is_linked, unknown) = (self.link.is_there(), self.unknown_motion());
         self.stop_sequence.repeat(&mut self.arm, is_linked, unknown);
         self.journal_requests.handle_time(self.arm.now());
         self.watch_delivery();
-        // The job last: nothing of it is given before all that may hinder it was heard.
+        // The job last: none of its commands is sent before everything that may prevent it is
+        // known.
         self.feed();
     }
 
-    /// Takes a status: each part sees it, in this order. None of them gives the arm a command of a job;
-    /// that comes behind all events.
+    /// Handles a status: every component sees it, in this order. None of them sends a command of a
+    /// job; that happens after all events.
     fn handle_status(&mut self, status: Status) {
-        // The link first: the first packet to an arm that is heard again switches the laser off.
-        // Whatever was before: a crash, another program, a cable that was out.
+        // The link first: the first packet to an arm that reappears switches the laser off,
+        // whatever happened before (a crash, another program, an unplugged cable).
         if self.link.handle_status() {
             self.notify(News::LinkUp, "the arm tells its state".into());
         }
         if self.link.take_pending_laser_off() {
-            // What was said last may have got lost with the link.
+            // The last packets may have been lost with the link.
             self.arm.send_urgent(LASER_OFF);
             self.stop_sequence.release_again(&self.arm);
             if self.stop_latch.handle_delivered() {
@@ -208,25 +208,25 @@ impl Supervisor {
                 );
             }
         }
-        // From here on it is known where the arm is, and whether it rests.
+        // From here on it is known where the arm is and whether it is at rest.
         self.outgoing.pass_on(status);
         self.arm.handle_status(status);
-        // A button that leads to where the arm may not be is let go of before anything else is decided,
-        // and before the halt, for it begins one.
+        // Release a button that leads to a forbidden position before anything else is decided, and
+        // before the stop sequence, because the release starts one.
         if let Some((client, refusal)) = self.jogging.handle_status(&self.arm) {
             self.withdraw(refusal.clone());
             self.notify_refused(client, &refusal);
         }
         let rests = self.arm.is_at_rest();
         self.stop_sequence.handle_status(rests);
-        // The stop before the job: that the arm rests is told before what it means for the job.
+        // The stop before the job: report rest before its consequences for the job.
         if self.stop_latch.handle_status(rests) {
             self.notify(News::AtRest, "the arm is at rest".into());
             self.release_fleet_stop();
         }
         self.judge_grip(&status);
         self.with_run(Run::handle_status);
-        // The detection last: it sets the dialect, which a job that has the arm would forbid.
+        // The detection last: it sets the dialect, which a job using the arm would forbid.
         self.watch_detection(&status);
     }
 
@@ -243,13 +243,13 @@ impl Supervisor {
         }
     }
 
-    /// Keeps the session and the journal supplied with what the job needs next.
+    /// Supplies session and journal with the job's next commands.
     fn feed(&mut self) {
         let may_lift = !self.stop_latch.holds() && self.link.is_there();
         self.with_run(|run, arm| run.feed(arm, may_lift));
     }
 
-    /// Has the job do something, if there is one, and what it wants.
+    /// Runs an action on the current job, if any, and applies its effects.
     fn with_run<W: IntoIterator<Item = JobEffect>>(
         &mut self,
         act: impl FnOnce(&mut Run, &mut Arm) -> W,
@@ -273,7 +273,7 @@ impl Supervisor {
         }
     }
 
-    /// All that is known now.
+    /// Returns the current state.
     #[must_use]
     pub fn state(&self) -> State {
         State {
@@ -311,32 +311,32 @@ impl Supervisor {
         }
     }
 
-    /// The next thing that happened, for all who watch.
+    /// Returns the next notice for observers.
     pub fn poll_notice(&mut self) -> Option<Notice> {
         self.outgoing.poll_notice()
     }
 
-    /// The next status of the arm, as it came.
+    /// Returns the next status of the arm, as received.
     pub fn poll_status(&mut self) -> Option<Status> {
         self.outgoing.poll_status()
     }
 
-    /// The answer to a request that took its time.
+    /// Returns the next answer to a request that took time.
     pub fn poll_answer(&mut self) -> Option<(ClientId, Result<Reply, Refusal>)> {
         self.outgoing.poll_answer()
     }
 
-    /// What the journal is to keep, in order.
+    /// Returns the next effect for the journal, in order.
     pub fn poll_effect(&mut self) -> Option<Effect> {
         self.journal_requests.poll_effect()
     }
 
-    /// Whether something changed since this was asked last.
+    /// Returns whether something has changed since the last call.
     pub fn poll_changed(&mut self) -> bool {
         self.outgoing.poll_changed()
     }
 
-    /// When [`Supervisor::handle_time`] wants to be called next, at the latest.
+    /// Returns the latest time at which to call [`Supervisor::handle_time`] next.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         [
@@ -355,48 +355,49 @@ impl Supervisor {
         .unwrap_or(Duration::MAX)
     }
 
-    /// The packet to send now, if there is one.
+    /// Returns the packet to send now, if any.
     pub fn poll_bytes(&mut self) -> Option<Packet> {
         self.arm.poll_bytes()
     }
 
-    /// Whether something urgent waits for the line.
+    /// Returns whether an urgent packet waits for the line.
     #[must_use]
     pub fn is_urgent(&self) -> bool {
         self.arm.is_urgent()
     }
 
-    /// Whether the arm was seen at rest for a while, after all that it was sent.
+    /// Returns whether the arm has been seen at rest for a while after everything it was sent.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
         self.arm.is_at_rest()
     }
 
-    /// Whether the statuses may be passed on to a raw program, for which each one is a permit: not
-    /// while what it sent already waits here.
+    /// Returns whether statuses may be passed on to a raw program, which treats each as a permit:
+    /// not while its packets are still waiting here.
     #[must_use]
     pub fn permits_raw(&self) -> bool {
         self.arm.session().waiting() < RAW_WAITING
     }
 
-    /// The rules.
+    /// Returns the policy.
     #[must_use]
     pub const fn policy(&self) -> &Policy {
         self.arm.policy()
     }
 
-    /// The conversation with the arm.
+    /// Returns the session with the arm.
     #[must_use]
     pub const fn session(&self) -> &Session {
         self.arm.session()
     }
 
-    /// By when the arm is at rest if nothing more is sent; a button that is held is let go now.
+    /// Returns the time until the arm is at rest if nothing more is sent and a held button is
+    /// released now.
     fn rests_within(&self) -> Duration {
         self.arm.rests_within(self.unknown_motion())
     }
 
-    /// How long the arm may be at what the session does not know of.
+    /// Returns how long a motion unknown to the session may still take.
     fn unknown_motion(&self) -> Duration {
         let unseen = self.run.as_ref().map_or(0.0, Run::unseen_s);
         seconds(unseen).max(self.detecting.motion(self.arm.now()))
@@ -406,12 +407,12 @@ impl Supervisor {
         self.outgoing.notify(self.arm.now(), news, text);
     }
 
-    /// The model from which a job is planned: the arm as it will be after all that it was given.
+    /// Returns the model for planning a job: the arm as it will be after everything it was given.
     ///
     /// # Errors
     ///
-    /// [`Refusal::NoLink`] while no arm has told anything, [`Refusal::Send`] while nobody knows its
-    /// dialect.
+    /// [`Refusal::NoLink`] while no status has arrived, [`Refusal::Send`] while the dialect is
+    /// unknown.
     pub fn planning_model(&self) -> Result<Model, Refusal> {
         if self.arm.session().dialect().is_none() {
             let field = "a job";
@@ -425,17 +426,17 @@ impl Supervisor {
         }
     }
 
-    /// All time slots, from now on.
+    /// Returns the current and upcoming time slots.
     #[must_use]
     pub fn slots(&self) -> Vec<TimeSlot> {
         self.leases.slots(self.arm.now())
     }
 
-    /// Takes the time slots that the station before this one had.
+    /// Restores the time slots of the previous station process.
     ///
     /// # Errors
     ///
-    /// [`Refusal::BadSlots`]; there are none then.
+    /// [`Refusal::BadSlots`]; then there are no slots.
     pub fn handle_kept_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
         self.handle_time(now);
         self.leases.set_slots(self.arm.now(), slots)?;
@@ -444,7 +445,7 @@ impl Supervisor {
         Ok(())
     }
 
-    /// What a client calls itself.
+    /// Returns a client's name.
     #[must_use]
     pub fn client_name(&self, client: ClientId) -> String {
         self.leases.name(client)
@@ -457,10 +458,10 @@ fn still_moving(within: Duration) -> Refusal {
     }
 }
 
-/// A number of seconds that the policy has checked.
+/// Converts a number of seconds that the policy has checked.
 fn seconds(seconds: f64) -> Duration {
     Duration::try_from_secs_f64(seconds).unwrap_or_default()
 }
 
-/// More of a raw program's packets do not wait here: it gets no permit.
+/// A raw program gets no permit while this many of its packets wait.
 const RAW_WAITING: usize = 2;

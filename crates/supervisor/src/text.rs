@@ -1,13 +1,13 @@
-//! Texts from clients, which people read in terminals and on pages.
+//! Texts from clients, shown in terminals and on pages.
 
-/// A text in one line that shows as what it is, up to so many characters: without control characters, and
-/// without those that turn the direction of what follows, or are not seen.
+/// Makes a text safe to show on one line, with at most this many characters: removes control
+/// characters, characters that change the text direction, and invisible ones.
 #[must_use]
 pub fn plain(text: &str, most: usize) -> String {
     text.chars().filter(|it| is_plain(*it)).take(most).collect()
 }
 
-/// Whether a character shows as what it is.
+/// Returns whether a character is safe to show.
 #[must_use]
 pub fn is_plain(character: char) -> bool {
     let turns = matches!(character, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');

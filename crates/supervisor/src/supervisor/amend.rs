@@ -1,5 +1,6 @@
-//! What a stock arm takes of old programs harmlessly, though a table or the policy does not allow it: sent
-//! with what does the same, or with the ceiling, instead of being refused as a whole.
+//! Packets of old programs that a table or the policy does not allow, but that a stock arm accepts
+//! harmlessly. They are sent with equivalent values, or reduced to the ceiling, instead of being
+//! refused as a whole.
 
 use dobot_motion::{Model, Speeds};
 use dobot_safety::Policy;
@@ -8,7 +9,8 @@ use dobot_wire::{
     MoveTo, Packet, PlaybackAdjustment, WriteVector, single,
 };
 
-/// A packet as it may be sent, and what was changed, in one line; `None` where nothing was.
+/// Returns the packet to send and a one-line description of the change, or `None` if nothing
+/// changed.
 pub(super) fn amended(packet: &Packet, model: &Model, policy: &Policy) -> Option<(Packet, String)> {
     let Packet::Frame(frame) = packet else {
         return None;
@@ -20,7 +22,7 @@ pub(super) fn amended(packet: &Packet, model: &Model, policy: &Policy) -> Option
     (!told.is_empty()).then(|| (sent.into(), format!("state {state}: {}", told.join("; "))))
 }
 
-/// The packet with what is above a ceiling brought down to it.
+/// Reduces values above a ceiling to the ceiling.
 fn below_ceilings(frame: &Frame, model: &Model, policy: &Policy, told: &mut Vec<String>) -> Frame {
     let mut sent = *frame;
     for (n, name, most) in ceilings(frame, model, policy) {
@@ -35,12 +37,12 @@ fn below_ceilings(frame: &Frame, model: &Model, policy: &Policy, told: &mut Vec<
     sent
 }
 
-/// The packet with what no table allows, and a stock arm takes harmlessly, replaced by what does the same.
+/// Replaces values that no table allows, but a stock arm accepts harmlessly, with equivalent ones.
 fn as_a_stock_arm_takes_it(frame: &Frame, model: &Model, told: &mut Vec<String>) -> Frame {
     let in_force = in_force(frame, model);
     let mut sent = *frame;
     let mut changes = Vec::new();
-    // Each turn replaces one float.
+    // Each iteration replaces one float.
     for _ in frame.floats() {
         let Err(error) = Command::parse(&sent.into(), &model.dialect) else {
             told.append(&mut changes);
@@ -63,14 +65,14 @@ fn as_a_stock_arm_takes_it(frame: &Frame, model: &Model, told: &mut Vec<String>)
         changes.push(format!("{error}; a stock arm {effect}, and {what} is sent"));
         sent = stand_in;
     }
-    // What is refused all the same is refused as it came.
+    // A packet that is refused anyway is refused as it came.
     *frame
 }
 
-/// The value that one of two frames has in the place where they differ.
+/// Returns the value of one of two frames at the float where they differ.
 fn changed(from: &Frame, to: &Frame) -> String {
     let pairs = from.floats().iter().zip(to.floats());
-    // What a packet does not use may be NaN.
+    // Unused floats may be NaN.
     let mut others = pairs.filter(|(from, to)| from.to_bits() != to.to_bits());
     others
         .next()
@@ -78,7 +80,7 @@ fn changed(from: &Frame, to: &Frame) -> String {
         .unwrap_or_default()
 }
 
-/// What is in force of what a packet sets: each at its float.
+/// Returns the values in force for the settings in a packet, each at its float.
 fn in_force(frame: &Frame, model: &Model) -> Frame {
     let settings = &model.settings;
     let state = frame.float(1);
@@ -95,8 +97,7 @@ fn in_force(frame: &Frame, model: &Model) -> Frame {
     }
 }
 
-/// The floats of a packet that have a ceiling: their number, their name, and the most that the policy
-/// allows.
+/// Returns the floats of a packet that have a ceiling: number, name and the policy's maximum.
 fn ceilings(frame: &Frame, model: &Model, policy: &Policy) -> Vec<(usize, &'static str, f32)> {
     let (settings, dialect) = (&model.settings, &model.dialect);
     let speeds = Speeds {
@@ -116,7 +117,7 @@ fn ceilings(frame: &Frame, model: &Model, policy: &Policy) -> Vec<(usize, &'stat
         [JointJog::STATE | LinearJog::STATE, _] => {
             vec![(8, "StarVel", single(policy.speed.jog_percent))]
         }
-        // Slower, a laser burns deeper than it was meant to.
+        // A slower laser burns deeper than intended.
         [WriteVector::STATE, _] if frame.float(7) == 0.0 => {
             vec![(10, "MaxVel", single(policy.speed.writing_mm_s))]
         }
@@ -144,7 +145,7 @@ fn ceilings(frame: &Frame, model: &Model, policy: &Policy) -> Vec<(usize, &'stat
     }
 }
 
-/// The percentages with which targets are as fast as the policy allows.
+/// Returns the percentages at which targets are as fast as the policy allows.
 fn percentages(playback: &Speeds, ceilings: &Speeds) -> PlaybackAdjustment {
     let percent = |ways: [(f64, f64); 3]| {
         let shares = ways.map(|(most, full)| most / full * 100.0);

@@ -1,4 +1,4 @@
-//! The arm as the supervisor has it: the conversation with it, what it may do, and where it was seen.
+//! The supervisor's view of the arm: its session, its policy and where it was seen.
 
 use std::iter;
 use std::time::Duration;
@@ -15,7 +15,7 @@ use super::seconds;
 use super::urgent::UrgentQueue;
 use crate::refusal::Refusal;
 
-/// The arm, at a time that never goes back. Whatever is sent to it goes this way.
+/// The arm at the current time, which never decreases. Everything sent to it passes here.
 #[derive(Debug)]
 pub(super) struct Arm {
     session: Session,
@@ -23,11 +23,11 @@ pub(super) struct Arm {
     now: Duration,
     line: UrgentQueue,
     last: Option<Status>,
-    /// How it differs from the drawing of it when it has just been switched on.
+    /// The calibration that applies after power-up.
     calibration: Calibration,
-    /// How far base, rear arm and forearm turned last, each when it did, in degrees.
+    /// The last turn of base, rear arm and forearm, each when it last moved, in degrees.
     turned_deg: [f64; 3],
-    /// How many statuses in a row told the same place.
+    /// The number of consecutive statuses with the same position.
     still: u32,
 }
 
@@ -52,7 +52,7 @@ impl Arm {
         &self.session
     }
 
-    /// The conversation itself, for the supervisor: the parts only ask it.
+    /// Returns the session for the supervisor; components use the read-only getter.
     pub(super) const fn session_mut(&mut self) -> &mut Session {
         &mut self.session
     }
@@ -72,14 +72,14 @@ impl Arm {
     }
 
     pub(super) fn set_calibration(&mut self, calibration: Calibration) {
-        // One that holds already may have been told its angles since.
+        // The arm may have been given its angles since this calibration was set.
         if calibration != self.calibration {
             self.calibration = calibration;
             self.session.set_calibration(calibration);
         }
     }
 
-    /// How it differs from what it says now.
+    /// Returns the calibration that applies now.
     pub(super) fn calibration(&self) -> Calibration {
         let model = self.session.model();
         model.map_or(self.calibration, |it| it.calibration)
@@ -95,13 +95,13 @@ impl Arm {
             .then_some(CalibratedView { zeros_told })
     }
 
-    /// The status with the true places and angles in place of what the arm says.
+    /// Returns the status with calibrated positions and angles.
     pub(super) fn true_status(&self, told: &Status) -> Status {
         let Some(model) = self.session.model().filter(|_| self.is_calibrated()) else {
             return *told;
         };
         let mut place = ArmPlace::of_status(told);
-        // A slack joint that was turned back last stands further than its motor says.
+        // A joint with backlash that last turned back stands further than its motor reports.
         let arm = &model.calibration;
         place.joints = arm.joints_at(&place.joints, self.turned_deg);
         let place = model.calibrated_place(&place);
@@ -112,7 +112,7 @@ impl Arm {
         }
     }
 
-    /// The status of the arm when all that it was given is over, with its true places and angles; `None` before the first
+    /// Returns the calibrated status after everything the arm was given; `None` before the first
     /// status.
     pub(super) fn end_status(&self) -> Option<Status> {
         if self.is_idle() {
@@ -126,12 +126,12 @@ impl Arm {
         })
     }
 
-    /// The limits and keep-outs that it is near to at a true place.
+    /// Returns the limits and keep-outs close to a calibrated position.
     pub(super) fn near(&self, place: &ArmPlace) -> NearView {
         near(&self.policy, place, self.tool())
     }
 
-    /// The limits and keep-outs that it would be near to with its tool there.
+    /// Returns the limits and keep-outs that would be close with the tool at a pose.
     pub(super) fn near_at(&self, pose: Pose) -> Result<NearView, Refusal> {
         let place = ArmPlace::at_pose(pose, self.tool()).map_err(|error| {
             Refusal::from(Violation::of_trajectory(&TrajectoryError::Unreachable(
@@ -145,7 +145,7 @@ impl Arm {
         self.session.model().map_or(Tool::default(), |it| it.tool)
     }
 
-    /// What the arm has to be told for a command that speaks of true places.
+    /// Converts a command with calibrated positions to a raw command.
     pub(super) fn raw_command(&self, command: &Command) -> Result<Command, Refusal> {
         let Some(model) = self.session.model() else {
             return Ok(*command);
@@ -157,17 +157,17 @@ impl Arm {
         })
     }
 
-    /// The status that came last.
+    /// Returns the last status.
     pub(super) const fn last(&self) -> Option<Status> {
         self.last
     }
 
-    /// How many statuses in a row told the same place.
+    /// Returns the number of consecutive statuses with the same position.
     pub(super) const fn still(&self) -> u32 {
         self.still
     }
 
-    /// Takes what time it is, without doing what is due.
+    /// Sets the time without doing what is due.
     pub(super) fn set_time(&mut self, now: Duration) {
         self.now = self.now.max(now);
     }
@@ -206,23 +206,23 @@ impl Arm {
         }
     }
 
-    /// Nothing tells any more that it rests.
+    /// Forgets that the arm was seen at rest.
     pub(super) const fn lose_sight(&mut self) {
         self.still = 0;
     }
 
-    /// Whether it was seen at rest for a while, after all that it was sent.
+    /// Returns whether the arm has been seen at rest for a while after everything it was sent.
     pub(super) fn is_at_rest(&self) -> bool {
         self.still >= AT_REST && self.session.in_flight() == 0
     }
 
-    /// Whether nothing waits and nothing is under way, as far as the session has told.
+    /// Returns whether no command waits or is in flight, as far as the session has reported.
     pub(super) fn is_idle(&self) -> bool {
         self.session.in_flight() == 0 && self.session.waiting() == 0
     }
 
-    /// By when it is at rest if nothing more is sent, where what the session does not know of takes so
-    /// long; a button that is held is let go now.
+    /// Returns the time until the arm is at rest if nothing more is sent and a held button is
+    /// released now. `unknown` is the duration of motion that the session does not know of.
     pub(super) fn rests_within(&self, unknown: Duration) -> Duration {
         let within = self.session.rests_within();
         if within < Duration::MAX {
@@ -236,7 +236,7 @@ impl Arm {
         seconds(run_down_s) + HEARD_WITHIN
     }
 
-    /// Whether it is where it says.
+    /// Checks that the pose is trusted.
     pub(super) fn check_trust(&self) -> Result<(), Refusal> {
         if self.session.is_trusted() {
             return Ok(());
@@ -244,7 +244,7 @@ impl Arm {
         Err(Refusal::Send(SendError::Untrusted))
     }
 
-    /// Sends a command when its turn comes, if its whole way is allowed.
+    /// Queues a command if its whole path is allowed.
     pub(super) fn send(&mut self, command: &Command) -> Result<CommandId, Refusal> {
         self.check_way(command)?;
         Ok(self.session.send(*command)?)
@@ -258,7 +258,7 @@ impl Arm {
         Ok(())
     }
 
-    /// Where a command would lead if it were sent now, if its whole way is allowed.
+    /// Returns the path a command would take if sent now, if all of it is allowed.
     pub(super) fn foresee(&self, command: &Command) -> Result<PathPreview, Refusal> {
         self.session.check(command)?;
         let Some(model) = self.session.model() else {
@@ -268,7 +268,7 @@ impl Arm {
         Ok(path_preview(model, &trajectory)?)
     }
 
-    /// Sends a command at once, whatever waits.
+    /// Sends a command before all waiting ones.
     pub(super) fn send_urgent(&mut self, command: Command) {
         if let Ok(packet) = self.session.emit_now(&command) {
             self.session.note_urgent(&command);
@@ -276,8 +276,8 @@ impl Arm {
         }
     }
 
-    /// Sends a packet of a detection. What it configures is believed from now on: a detection that
-    /// ends early leaves the arm with it.
+    /// Sends a packet of a detection. Its settings count as applied: a detection that ends early
+    /// leaves the arm with them.
     pub(super) fn send_question(&mut self, packet: Packet) {
         let dialect = self.session.dialect().unwrap_or(&Dialect::SPECIFICATION);
         let command = Command::parse(&packet, dialect);
@@ -287,27 +287,28 @@ impl Arm {
         self.line.push(packet);
     }
 
-    /// Sends this before all else, without waiting for the line: what was urgent before is forgotten.
+    /// Sends a command before everything else without waiting for the line; drops earlier urgent
+    /// packets.
     pub(super) fn send_first(&mut self, command: Command) {
         self.line.clear();
         self.send_urgent(command);
         self.line.hurry();
     }
 
-    /// Sends a command at once, without waiting for the line.
+    /// Sends an urgent command without waiting for the line.
     pub(super) fn send_at_once(&mut self, command: Command) {
         self.send_urgent(command);
         self.line.hurry();
     }
 
-    /// What the session has for the line becomes urgent, in its order.
+    /// Makes the session's pending packets urgent, in order.
     pub(super) fn hasten(&mut self) {
         while let Some(packet) = self.session.poll_bytes() {
             self.line.push(packet);
         }
     }
 
-    /// Releases the button that was sent last; says whether there was one.
+    /// Releases the button sent last; returns whether there was one.
     pub(super) fn release_urgently(&mut self) -> bool {
         let release = self.session.release();
         if let Some(release) = release {
@@ -324,13 +325,13 @@ impl Arm {
         !self.line.is_empty()
     }
 
-    /// When the line is free again, while something waits for that.
+    /// Returns when the line is free again, while something waits for it.
     pub(super) fn line_wakeup(&self) -> Option<Duration> {
         self.line.wakeup(self.now)
     }
 }
 
-/// A way as those see it who ask where a command would lead.
+/// Builds a path preview.
 fn path_preview(model: &Model, trajectory: &Trajectory) -> Result<PathPreview, Violation> {
     let place_at = |t_s| {
         let place = trajectory.place_at(t_s);
@@ -357,11 +358,11 @@ fn path_preview(model: &Model, trajectory: &Trajectory) -> Result<PathPreview, V
     })
 }
 
-/// A joint that turned by less may not have turned, in degrees.
+/// A joint that turned by less than this, in degrees, may not have turned.
 const TURNS_DEG: f32 = 0.005;
-/// So many statuses in a row that tell the same: the arm is at rest.
+/// After this many equal statuses in a row the arm is at rest.
 const AT_REST: u32 = 3;
-/// Laser off, a gap, the release, said twice, on the line and in a tick of the arm.
+/// The time for laser off, a gap and the release, sent twice, on the line and in a tick of the arm.
 const HEARD_WITHIN: Duration = Duration::from_millis(700);
-/// In how many parts of equal time a way is shown.
+/// The number of equal time intervals in a path preview.
 const PATH_PARTS: u32 = 48;

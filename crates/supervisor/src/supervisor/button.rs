@@ -1,4 +1,4 @@
-//! The button that a client holds: what its press, its end and its silence mean for the arm.
+//! Jog buttons held by clients: press, release and silence.
 
 use dobot_api::{ClientId, Jog, News, Reply};
 
@@ -7,7 +7,7 @@ use super::{Supervisor, seconds};
 use crate::refusal::Refusal;
 
 impl Supervisor {
-    /// Presses a jog button, or holds it.
+    /// Presses or holds a jog button.
     pub(super) fn jog(
         &mut self,
         client: ClientId,
@@ -54,7 +54,7 @@ impl Supervisor {
         Ok(Reply::Done)
     }
 
-    /// Whether nothing hinders the arm from being moved by hand.
+    /// Checks that nothing prevents moving the arm by hand.
     pub(super) fn check_free(&self) -> Result<(), Refusal> {
         self.link.check()?;
         self.stop_latch.check()?;
@@ -66,7 +66,7 @@ impl Supervisor {
         }
     }
 
-    /// A press that waited acts, as soon as the arm rests.
+    /// Starts a waiting press as soon as the arm is at rest.
     pub(super) fn watch_press(&mut self) {
         let waits = self.jogging.waits();
         let Some((client, jog)) = waits.filter(|_| !self.arm.session().is_moving()) else {
@@ -99,8 +99,8 @@ impl Supervisor {
         }
     }
 
-    /// Lets go of the button, if one is pressed: its client did. Who pressed it so shortly that the arm was never told,
-    /// is told that.
+    /// Releases the client's button, if one is pressed. If the press was too short for the arm to
+    /// receive it, a notice says so.
     pub(super) fn release_button(&mut self) {
         let Some(ended) = self.jogging.release() else {
             return;
@@ -110,14 +110,14 @@ impl Supervisor {
         }
     }
 
-    /// The station lets go of the button, and its client has to press it anew; says whether the arm
-    /// moved by it.
+    /// Revokes the button, so that the client has to press it again; returns whether the arm had
+    /// been given the press.
     pub(super) fn withdraw(&mut self, why: Refusal) -> bool {
         let ended = self.jogging.revoke(why);
         ended.is_some_and(|it| self.end_press(it) || it.command.is_some())
     }
 
-    /// Says whether the arm was told of the press that ends.
+    /// Ends a press; returns whether the arm had been given it.
     fn end_press(&mut self, ended: EndedPress) -> bool {
         let Some(command) = ended.command else {
             return false;

@@ -1,4 +1,4 @@
-//! Single commands of clients: how an arm understands them, and which are not over.
+//! Single commands of clients: translation for the arm and tracking until they are over.
 
 use std::collections::HashMap;
 use std::time::Duration;
@@ -14,14 +14,14 @@ use super::arm::Arm;
 use super::still_moving;
 use crate::refusal::Refusal;
 
-/// Commands of clients that are not over, and who sent them.
+/// Commands of clients that are not over, and their senders.
 #[derive(Debug, Default)]
 pub(super) struct Commands {
     pending: HashMap<CommandId, ClientId>,
 }
 
 impl Commands {
-    /// Takes a command that a client may send: it is sent if its whole way is allowed.
+    /// Handles a command of an authorized client: sends it if its whole path is allowed.
     pub(super) fn handle_command(
         &mut self,
         arm: &mut Arm,
@@ -50,7 +50,7 @@ impl Commands {
         Ok(id)
     }
 
-    /// Takes that a command is over, or forgotten; says whether it was one of a client.
+    /// Handles a finished or dropped command; returns whether it was a client's.
     pub(super) fn handle_over(&mut self, id: CommandId) -> bool {
         self.pending.remove(&id).is_some()
     }
@@ -59,20 +59,20 @@ impl Commands {
         self.pending.values().any(|it| *it == client)
     }
 
-    /// Those that are not over.
+    /// Returns the commands that are not over.
     pub(super) fn ids(&self) -> impl Iterator<Item = CommandId> {
         self.pending.keys().copied()
     }
 }
 
-/// Whether it is known where a motion would begin: not behind a jog, or a motion that ended
-/// elsewhere, until the arm was seen at rest.
+/// Returns whether the start of a motion is known: after a jog, or a motion that ended elsewhere,
+/// only once the arm was seen at rest.
 fn knows_place(arm: &Arm) -> bool {
     arm.session().model().is_none_or(Model::knows_place)
 }
 
-/// A command as this arm understands it: what is said to a stock arm, which does not hear voice or
-/// hears other numbers, is carried out as the motion or the button that the words mean (note N50).
+/// Translates a command for this arm: a voice order to a stock arm, which has no voice recognition
+/// or uses other numbers, becomes the motion or the button that the words mean (note N50).
 pub(super) fn understood(
     arm: &Arm,
     command: &Command,
@@ -86,7 +86,7 @@ pub(super) fn understood(
         return Err(Refusal::Send(SendError::Undecided { field }));
     };
     if dialect.hears_voice && !arm.session().is_bluetooth() {
-        // From the first byte of a text on, a motion under way would rest and lose its place.
+        // From the first byte of a text on, a running motion would stop and lose its position.
         let rests = arm.is_at_rest() && arm.is_idle() && !arm.session().is_moving();
         return if rests {
             Ok(*command)
@@ -101,8 +101,8 @@ pub(super) fn understood(
     Ok(spoken(order, model))
 }
 
-/// A button by which the arm moves has to be held, and its release is of its kind, however they are
-/// pressed.
+/// Returns the button of a command that moves the arm while held, or of its release, in whichever
+/// form it is sent.
 pub(super) fn button(command: &Command) -> Option<Jog> {
     let switches = matches!(
         Button::of(command),
@@ -115,8 +115,9 @@ pub(super) fn button(command: &Command) -> Option<Jog> {
     }
 }
 
-/// The targets to send before a straight line that takes longer than `queue.line_s`, so that each piece is short enough. Pump and
-/// gripper stay as they are until the last piece. Every piece is allowed by the policy.
+/// Returns the targets to send before a straight line that takes longer than `queue.line_s`, so
+/// that each piece is short enough. Pump and gripper keep their state until the last piece. Every
+/// piece is allowed by the policy.
 fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
     let (Command::MoveTo(target), Some(begin)) = (command, arm.session().model()) else {
         return Ok(Vec::new());
@@ -125,7 +126,7 @@ fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
         return Ok(Vec::new());
     }
     let policy = arm.policy();
-    // A line that leads nowhere is refused when it is sent.
+    // A line without a trajectory is refused when it is sent.
     let takes_s = begin.trajectory(command).ok().and_then(|it| it.motion_s());
     let is_enough =
         |pieces: &u16| takes_s.is_none_or(|it| it <= f64::from(*pieces) * policy.queue.line_s);
@@ -157,7 +158,7 @@ fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
     Ok(before_last)
 }
 
-/// Whether the way of a command begins where the arm is.
+/// Returns whether the path of a command starts where the arm is.
 const fn leads_somewhere(command: &Command) -> bool {
     match command {
         Command::WriteVector(it) => !it.stop,
@@ -170,8 +171,8 @@ const fn leads_somewhere(command: &Command) -> bool {
     }
 }
 
-/// What an order means, as a command that every arm hears: a straight line at the speed that is set
-/// for lines, with pump and gripper as they are, or the pump's button.
+/// Translates an order to a command for every arm: a straight line at the current line speed with
+/// pump and gripper unchanged, or the pump's button.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "a packet carries single precision"
@@ -200,5 +201,5 @@ fn spoken(order: VoiceOrder, model: &Model) -> Command {
 
 /// The maximum number of pieces of a line. A very slow line has longer pieces instead.
 const MOST_PIECES: u16 = 32;
-/// A client that has so much waiting had better send a job.
+/// A client with more waiting commands should send a job.
 const MOST_WAITING: usize = 64;

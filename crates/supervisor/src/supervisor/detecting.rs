@@ -1,4 +1,4 @@
-//! Finding out which dialect the arm speaks, while nobody else moves it.
+//! Detection of the arm's dialect, while no client moves it.
 
 use std::time::Duration;
 
@@ -12,16 +12,16 @@ use super::arm::Arm;
 use super::still_moving;
 use crate::refusal::Refusal;
 
-/// The detection that is under way, if one is, and what the last one found.
+/// The running detection, if any, and the finding of the last one.
 #[derive(Debug, Default)]
 pub(super) struct Detecting {
     running: Option<RunningDetection>,
     finding: Option<Finding>,
-    /// By when the arm is through with the last packet of a detection, even of one that ended early.
+    /// When the arm has finished the last packet of a detection, even of one that ended early.
     busy_until: Duration,
 }
 
-/// A detection, and who asked for it.
+/// A running detection and its requester.
 #[derive(Debug)]
 struct RunningDetection {
     client: ClientId,
@@ -29,7 +29,7 @@ struct RunningDetection {
 }
 
 impl Detecting {
-    /// Begins, where the arm rests.
+    /// Starts a detection; the arm must be at rest.
     pub(super) fn begin(
         &mut self,
         client: ClientId,
@@ -60,13 +60,13 @@ impl Detecting {
         }
     }
 
-    /// How long the arm may still be at what it was asked: what it has, it does, whatever becomes of the
-    /// detection.
+    /// Returns how long the arm may still take for the packets of a detection: it finishes them
+    /// even if the detection ends.
     pub(super) const fn motion(&self, now: Duration) -> Duration {
         self.busy_until.saturating_sub(now)
     }
 
-    /// With each status: what is to be sent now.
+    /// Handles a status; returns the next packet to send.
     pub(super) fn handle_status(&mut self, now: Duration, status: &Status) -> Option<Packet> {
         let RunningDetection { detection, .. } = self.running.as_mut()?;
         detection.handle_status(now, status);
@@ -75,13 +75,13 @@ impl Detecting {
         Some(packet)
     }
 
-    /// What came of it, and who asked for it, once it is over.
+    /// Returns the outcome and its requester once the detection is over.
     pub(super) fn poll_outcome(&mut self) -> Option<(ClientId, Result<Finding, Refusal>)> {
         let RunningDetection { client, detection } = self.running.as_mut()?;
         let (client, outcome) = (*client, detection.poll_outcome()?);
         self.running = None;
         if outcome.is_ok() {
-            // Its last packets configure, and the arm rested before.
+            // Its last packets only configure the arm, which was at rest before.
             self.busy_until = Duration::ZERO;
         }
         let found = outcome.map_err(|error| Refusal::NotFound(error.to_string()));
@@ -89,21 +89,21 @@ impl Detecting {
         Some((client, found))
     }
 
-    /// Ends a detection that cannot go on; says whose it was.
+    /// Aborts the detection; returns its requester.
     pub(super) fn end(&mut self) -> Option<ClientId> {
         self.running.take().map(|it| it.client)
     }
 
-    /// How the dialect was found, if the arm was asked for it.
+    /// Returns how the dialect was detected, if it was.
     pub(super) const fn finding(&self) -> Option<&Finding> {
         self.finding.as_ref()
     }
 
-    /// Somebody says the dialect.
+    /// Drops the finding because the dialect was set by hand.
     pub(super) fn forget_finding(&mut self) {
         self.finding = None;
     }
 }
 
-/// None of the motions takes longer.
+/// No motion of the detection takes longer.
 const MOTION: Duration = Duration::from_secs(5);

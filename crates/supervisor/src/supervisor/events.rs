@@ -1,4 +1,4 @@
-//! What happens to the arm, its link and its journal, and what the supervisor has its parts do about it.
+//! Events of the arm, its link and its journal, and the supervisor's reactions.
 
 use std::time::Duration;
 
@@ -16,8 +16,8 @@ use crate::plain;
 use crate::refusal::Refusal;
 
 impl Supervisor {
-    /// Takes that the port is open: statuses may come. Each opening resets a real arm, whatever was
-    /// confirmed before (note N35).
+    /// Handles an opened port: statuses may arrive. Each opening resets a real arm, so an earlier
+    /// confirmation does not hold (note N35).
     pub fn handle_link_up(&mut self, now: Duration, address: &str) {
         self.handle_time(now);
         if !matches!(address.parse(), Ok(Address::Virtual)) {
@@ -28,7 +28,7 @@ impl Supervisor {
         self.outgoing.note_change();
     }
 
-    /// Takes that the port is gone, or could not be opened, and why.
+    /// Handles a port that is gone or could not be opened.
     pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: Option<String>) {
         self.handle_time(now);
         let lost = self.link.handle_down(phase, problem);
@@ -39,18 +39,18 @@ impl Supervisor {
         }
     }
 
-    /// Takes bytes from the arm.
+    /// Handles bytes from the arm.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         self.handle_time(now);
         self.arm.handle_bytes(bytes);
         self.follow_session();
-        // The status that shows the arm at rest has the permit for the press that waits for it.
+        // The status that shows the arm at rest is also the permit for the waiting press.
         self.watch_press();
         self.feed();
     }
 
-    /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
-    /// as after a fault. Its watchdog may have said it, too.
+    /// Handles a stall of the station of this length: reactions due meanwhile happen now, as after
+    /// a fault. The watchdog may have acted as well.
     pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
         self.arm.set_time(now);
         self.arm.session_mut().handle_stall(now);
@@ -64,7 +64,8 @@ impl Supervisor {
         self.disarm_laser(&why);
     }
 
-    /// Takes whether a watchdog watches over the arm, or why none does: then nothing is jogged, and nothing burns.
+    /// Handles the state of the watchdog: present, or gone and why. Without one, jogging and
+    /// burning are refused.
     pub fn handle_watchdog(&mut self, now: Duration, gone: Option<String>) {
         self.arm.set_time(now);
         if let Some(why) = &gone
@@ -78,29 +79,29 @@ impl Supervisor {
         self.unguarded = gone;
     }
 
-    /// Whether a watchdog watches over the arm, or none is needed.
+    /// Checks that a watchdog guards the arm or none is needed.
     pub(super) fn check_guarded(&self) -> Result<(), Refusal> {
         let gone = self.unguarded.clone().map(Refusal::Unguarded);
         gone.map_or(Ok(()), Err)
     }
 
-    /// Whether what was just told to the arm leaves this computer.
+    /// Checks that what was just sent to the arm leaves this computer.
     pub(super) fn check_delivered(&self, what: &'static str) -> Result<Reply, Refusal> {
-        // An arm that was never met does nothing.
+        // An arm that was never connected does nothing.
         if self.link.is_there() || self.arm.last().is_none() {
             return Ok(Reply::Done);
         }
         Err(Refusal::NotDelivered(what))
     }
 
-    /// People are told every second that a stop was not delivered.
+    /// Reports every second that a stop was not delivered.
     pub(super) fn watch_delivery(&mut self) {
         if self.stop_latch.is_due(self.arm.now()) {
             self.notify(News::Trouble, NOT_DELIVERED.to_owned());
         }
     }
 
-    /// Takes the stops that held when the station ended: they hold until a person resets them.
+    /// Restores the stops that held when the station ended: they hold until a person clears them.
     pub fn handle_kept_stops(
         &mut self,
         now: Duration,
@@ -112,8 +113,8 @@ impl Supervisor {
         self.outgoing.note_change();
     }
 
-    /// Takes that somebody stops the whole fleet at this station, which goes by the number `origin`: this arm is stopped,
-    /// and the others are to be told of the stop that is returned. `now_ms` is the time in milliseconds since
+    /// Handles a fleet-wide stop made at this station with the id `origin`: stops this arm and
+    /// returns the stop to send to the others. `now_ms` is the time in milliseconds since
     /// 1970-01-01T00:00:00Z.
     pub fn handle_fleet_stop(
         &mut self,
@@ -133,8 +134,9 @@ impl Supervisor {
         (stop, reply)
     }
 
-    /// Takes which stops of the fleet another station knows of: a new one stops this arm too. An arm that no stop holds any
-    /// more is let go as soon as it rests. `None` where no stop holds it then.
+    /// Handles the fleet-wide stops that another station knows: a new one stops this arm as well.
+    /// An arm that no stop holds any more is released as soon as it is at rest. Returns `None` if
+    /// no stop holds it then.
     pub fn handle_fleet_stops(&mut self, now: Duration, stops: &[FleetWideStop]) -> Option<Reply> {
         self.handle_time(now);
         let reply = if self.stop_latch.adopt(stops) {
@@ -150,8 +152,8 @@ impl Supervisor {
         self.stop_latch.holds().then_some(reply)
     }
 
-    /// Takes that somebody lets the whole fleet move again: this arm as soon as it rests, unless it was stopped by itself
-    /// too. The others are to be told of the stops that are returned.
+    /// Handles the reset of all fleet-wide stops: this arm is released as soon as it is at rest,
+    /// unless it has a stop of its own. Returns the stops to send to the others.
     pub fn handle_fleet_reset(&mut self, now: Duration, by: &str) -> Vec<FleetWideStop> {
         self.handle_time(now);
         self.stop_latch.reset_fleet(&plain(by, REASON_LEN));
@@ -160,18 +162,18 @@ impl Supervisor {
         self.stop_latch.fleet_stops()
     }
 
-    /// Whether a stop holds the arm.
+    /// Returns whether a stop holds the arm.
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
         self.stop_latch.holds()
     }
 
-    /// The stops to keep on the disk, if they have changed: the one of this arm, and those of the fleet.
+    /// Returns the stops to save, if they have changed: this arm's own and those of the fleet.
     pub fn poll_kept_stops(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
         self.stop_latch.poll_kept()
     }
 
-    /// Lets the arm go whose stop of the fleet was reset elsewhere.
+    /// Releases the arm after its fleet-wide stop was reset elsewhere.
     pub(super) fn release_fleet_stop(&mut self) {
         if self.stop_latch.release(self.arm.last().is_some()) {
             self.stop_sequence.forget();
@@ -180,7 +182,7 @@ impl Supervisor {
         }
     }
 
-    /// Takes that the station ends: nothing more is sent, and the laser goes off first.
+    /// Handles the end of the station: the laser goes off first, and nothing more is sent.
     pub fn handle_end(&mut self, now: Duration) {
         self.handle_time(now);
         self.stop_sequence.begin(&mut self.arm);
@@ -190,8 +192,8 @@ impl Supervisor {
         self.end_detection("the station ended");
     }
 
-    /// Takes what came of an [`Effect`]: it is on the disk, or why it is not. No more of a job is
-    /// sent then until somebody goes on with it.
+    /// Handles the result of an [`Effect`]: it is on the disk, or why it is not. Then the job sends
+    /// no more until it is resumed.
     pub fn handle_written(&mut self, now: Duration, effect: &Effect, outcome: Result<(), String>) {
         self.handle_time(now);
         match outcome {
@@ -226,7 +228,7 @@ impl Supervisor {
         }
     }
 
-    /// Takes what happened in the session.
+    /// Handles the events of the session.
     pub(super) fn follow_session(&mut self) {
         while let Some(event) = self.arm.session_mut().poll_event() {
             self.outgoing.note_change();
@@ -253,7 +255,7 @@ impl Supervisor {
         }
     }
 
-    /// Switches the laser off and keeps it off; a job that burns is paused.
+    /// Disarms the laser: it goes off and stays off; a burning job is paused.
     pub(super) fn disarm_laser(&mut self, why: &str) {
         let (was_armed, forgotten) = self.arm.disarm_laser();
         for id in forgotten {
@@ -264,7 +266,7 @@ impl Supervisor {
         }
     }
 
-    /// The laser is disarmed: it goes off, and a job that burns is paused.
+    /// Handles a disarmed laser: it goes off, and a burning job is paused.
     fn laser_disarmed(&mut self, why: &str) {
         self.arm.part_from_laser();
         self.interrupt_burning(why);
@@ -312,7 +314,7 @@ impl Supervisor {
         }
     }
 
-    /// Forgets the commands that have not been sent; says which they were.
+    /// Drops the commands that have not been sent; returns their ids.
     pub(super) fn drop_waiting(&mut self, why: &str) -> Vec<CommandId> {
         let forgotten = self.arm.session_mut().discard_waiting();
         for id in &forgotten {
@@ -321,7 +323,7 @@ impl Supervisor {
         forgotten
     }
 
-    /// The commands that are not over, of clients and of the job.
+    /// Returns the in-flight and waiting commands of clients and the job.
     fn in_flight(&self) -> Vec<CommandId> {
         let of_clients = self.commands.ids();
         let of_job = self.run.iter().flat_map(Run::in_flight);
@@ -330,7 +332,7 @@ impl Supervisor {
         ids
     }
 
-    /// Ends a detection that cannot go on.
+    /// Aborts a detection.
     pub(super) fn end_detection(&mut self, why: &str) {
         if let Some(client) = self.detecting.end() {
             let refusal = Refusal::NotFound(why.to_owned());
@@ -338,7 +340,7 @@ impl Supervisor {
         }
     }
 
-    /// An arm that stands still without a word looks dead.
+    /// Reports a pause, because an arm that stands still without a notice looks dead.
     fn notify_pause(&mut self, command: CommandId, lasts: Duration, by_default: bool) {
         let (command, lasts_s) = (command.0, lasts.as_secs_f64());
         let whose = if by_default {
@@ -357,11 +359,11 @@ impl Supervisor {
         self.lose_link();
     }
 
-    /// What was not sent is forgotten; what the arm has, it does.
+    /// Handles the loss of the link: unsent commands are dropped; the arm finishes those it has.
     fn lose_link(&mut self) {
         self.arm.lose_sight();
         self.arm.part_from_laser();
-        // Statuses may be lost on a line that still carries packets.
+        // A line that loses statuses may still carry packets.
         self.arm.release_urgently();
         self.jogging
             .revoke(Refusal::LetGo("the link to the arm was lost".into()));
@@ -376,9 +378,9 @@ impl Supervisor {
         self.jogging
             .revoke(Refusal::LetGo("the arm was reset".into()));
         self.arm.part_from_laser();
-        // Nothing is sent again before a person has looked where the arm stands.
+        // Nothing is sent again before a person has checked where the arm stands.
         self.interrupt_run("the arm was reset");
-        // The session has forgotten what was under way, too.
+        // The session has also dropped its in-flight commands.
         for id in self.in_flight() {
             self.command_over(id, Some("the arm was reset".into()));
         }
@@ -390,7 +392,7 @@ impl Supervisor {
     }
 }
 
-/// What a failed event says.
+/// Returns the text of a failure event.
 fn failure(event: Event) -> String {
     event
         .or_failed()

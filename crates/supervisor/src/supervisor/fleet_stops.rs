@@ -1,4 +1,4 @@
-//! The stops of the whole fleet, as this station knows them.
+//! Fleet-wide stops, as known to this station.
 
 use std::collections::BTreeMap;
 
@@ -7,41 +7,41 @@ use serde::{Deserialize, Serialize};
 
 use crate::plain;
 
-/// The stops of the whole fleet, by origin: of each the newest one.
+/// The newest fleet-wide stop of each origin.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FleetStops(BTreeMap<String, KeptFleetStop>);
 
-/// A stop of the whole fleet, and whether this arm was let go from it.
+/// A fleet-wide stop, and whether this arm was released from it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct KeptFleetStop {
     /// The stop.
     pub stop: FleetWideStop,
-    /// Whether a person at this station has reset it for this arm alone.
+    /// Whether a person at this station has cleared it for this arm alone.
     #[serde(default)]
     pub is_reset_here: bool,
 }
 
-/// What a stop changes that another station knows.
+/// The effect of a stop received from another station.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Adopted {
-    /// Nothing: it is known.
+    /// No effect: already known.
     Known,
     /// It stops this arm.
     Stops,
-    /// It does not hold any more.
+    /// It no longer holds.
     Reset,
 }
 
 impl FleetStops {
-    /// Those of before this start.
+    /// Restores the stops saved earlier.
     pub(super) fn of(kept: Vec<KeptFleetStop>) -> Self {
         let by_origin = |it: KeptFleetStop| (it.stop.origin.clone(), it);
         Self(kept.into_iter().map(by_origin).collect())
     }
 
-    /// A person stops the fleet at the station with the number `origin`. The time by its clock makes the count new even where
-    /// the file of before was lost.
+    /// Makes a fleet-wide stop at the station with the id `origin`. The count includes the time of
+    /// its clock, so it is new even if the saved stops were lost.
     pub(super) fn make(
         &mut self,
         origin: &str,
@@ -61,7 +61,7 @@ impl FleetStops {
         stop
     }
 
-    /// Takes what another station knows. A reset of the same stop is newer than the stop.
+    /// Adopts a stop from another station. A reset of the same stop is newer than the stop.
     pub(super) fn adopt(&mut self, other: &FleetWideStop) -> Adopted {
         let known = self.0.get(&other.origin);
         let age = |it: &FleetWideStop| (it.count, !it.holds());
@@ -87,21 +87,22 @@ impl FleetStops {
         }
     }
 
-    /// A person lets the whole fleet move again.
+    /// Resets all stops for the whole fleet.
     pub(super) fn reset(&mut self, by: &str) {
         for kept in self.0.values_mut().filter(|it| it.stop.holds()) {
             kept.stop.reset_by = Some(by.to_owned());
         }
     }
 
-    /// A person at this station lets this arm move again.
+    /// Clears all stops for this arm alone.
     pub(super) fn reset_here(&mut self) {
         for kept in self.0.values_mut() {
             kept.is_reset_here = true;
         }
     }
 
-    /// The one that holds this arm; of several the newest, as far as the clocks of their stations agree.
+    /// Returns the stop that holds this arm; if there are several, the newest by their stations'
+    /// clocks.
     pub(super) fn holding(&self) -> Option<&FleetWideStop> {
         let holding = self.0.values();
         let holding = holding.filter(|it| it.stop.holds() && !it.is_reset_here);
@@ -125,7 +126,8 @@ impl FleetStops {
         self.0.insert(origin, kept);
     }
 
-    /// Whether there is room for one of this origin. A stop that holds is never forgotten for another one.
+    /// Returns whether there is room for a stop of this origin. A stop that holds is never dropped
+    /// for another one.
     fn has_room(&mut self, origin: &str) -> bool {
         if origin.len() > LONGEST {
             return false;
@@ -139,11 +141,11 @@ impl FleetStops {
     }
 }
 
-/// As many stations as a fleet has at the most.
+/// The maximum number of stations in a fleet.
 const MOST: usize = 2000;
-/// The largest whole number that every reader of JSON keeps.
+/// The largest integer that every JSON reader preserves.
 const MOST_COUNT: u64 = 1 << 53;
-/// How many characters of a text are kept, and how many bytes an origin may have.
+/// The maximum characters kept of a text, and the maximum bytes of an origin.
 const LONGEST: usize = 200;
 
 #[cfg(test)]
@@ -167,7 +169,7 @@ mod tests {
         }
     }
 
-    /// What a station knows after these messages.
+    /// Returns what a station knows after these messages.
     fn after(messages: &[FleetWideStop]) -> FleetStops {
         let mut stops = FleetStops::default();
         for message in messages {
@@ -193,7 +195,8 @@ mod tests {
 
     #[test]
     fn a_reset_ends_only_the_stops_that_its_station_knew() {
-        // Two stops at once, in two halves of a network: one half is reset before it hears of the other.
+        // Two stops at the same time, in two halves of a network: one half is reset before it
+        // receives the other's stop.
         let mut one = after(&[stop("a", 5)]);
         one.reset("Ms Weber");
         assert_eq!(one.adopt(&stop("b", 4)), Adopted::Stops);

@@ -1,4 +1,4 @@
-//! What the supervisor has the job do, for a person or because something happened.
+//! Operations on the job, requested by a person or caused by an event.
 
 use std::time::Duration;
 
@@ -12,11 +12,11 @@ use super::run::{Run, StartedJob, check_height};
 use crate::refusal::Refusal;
 
 impl Supervisor {
-    /// Begins a job, or goes on with a paused one.
+    /// Starts a job or resumes a paused one.
     ///
     /// # Errors
     ///
-    /// [`Refusal`]; nothing has moved then.
+    /// [`Refusal`]; nothing has moved.
     pub fn handle_start(
         &mut self,
         now: Duration,
@@ -58,7 +58,7 @@ impl Supervisor {
         Ok(self.job_reply())
     }
 
-    /// A person has done what the job waits for.
+    /// Confirms that a person has done what the job waits for.
     pub(super) fn confirm_job(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
         self.leases.check(client)?;
         self.confirmed_job = Some(job);
@@ -68,8 +68,8 @@ impl Supervisor {
         Ok(Reply::Done)
     }
 
-    /// Takes a job that was at work when the station ended without saying so: the laser goes off,
-    /// and where the arm comes to rest tells how far the job got.
+    /// Restores a job that was running when the station ended unexpectedly: the laser goes off, and
+    /// the position where the arm comes to rest shows how far the job got.
     pub fn handle_recovered(&mut self, now: Duration, started: StartedJob, window: Window) {
         self.handle_time(now);
         self.arm.session_mut().distrust(Run::RESTARTED);
@@ -77,13 +77,13 @@ impl Supervisor {
         self.outgoing.note_change();
     }
 
-    /// Whether a job may be started as far as its own last motion goes: one that was paused a
-    /// moment ago still does what the arm has got, and lifts the tool; one that a killed station left
-    /// shows how far it got where the arm comes to rest.
+    /// Checks that the last motion of a job is over, so that it may start: a job paused a moment
+    /// ago still finishes its in-flight commands and lifts the tool; the progress of a job left by
+    /// a killed station follows from where the arm comes to rest.
     ///
     /// # Errors
     ///
-    /// [`Refusal::StillMoving`]; [`Refusal::NoLink`] where nothing tells that the arm rests.
+    /// [`Refusal::StillMoving`]; [`Refusal::NoLink`] if the arm cannot be seen at rest.
     pub fn check_rests(&self, job: u64) -> Result<(), Refusal> {
         let run = self.run.as_ref().filter(|it| it.job() == job);
         if run.is_some_and(Run::is_coming_to_rest) {
@@ -93,26 +93,26 @@ impl Supervisor {
         Ok(())
     }
 
-    /// The job that is at work or paused.
+    /// Returns the running or paused job.
     #[must_use]
     pub fn job(&self) -> Option<JobView> {
         self.run.as_ref().map(Run::view)
     }
 
-    /// How many commands of that job are over, counted over all cycles, and how far it is.
+    /// Returns that job's number of completed commands, counted over all cycles, and its phase.
     #[must_use]
     pub fn job_progress(&self) -> Option<(usize, JobPhase)> {
         self.run.as_ref().map(Run::progress)
     }
 
-    /// Below which height of the tool a pen draws now, in millimetres and the arm's own words; `None` where no job lifts
-    /// one.
+    /// Returns the tool height below which a pen draws now, in millimetres and raw coordinates;
+    /// `None` if no job lifts a pen.
     #[must_use]
     pub fn pen_draws_below_mm(&self) -> Option<f64> {
         self.run.as_ref()?.draws_below_mm()
     }
 
-    /// Whether a job is at its commands, and not on the way to where it goes on.
+    /// Returns whether a job is executing its commands, as opposed to approaching its start.
     #[must_use]
     pub fn has_active_job(&self) -> bool {
         self.run.as_ref().is_some_and(Run::is_running)
@@ -127,14 +127,14 @@ impl Supervisor {
         self.pause_for(&why)
     }
 
-    /// Pauses the job that runs, if one does, with why for those who find it so.
+    /// Pauses the running job, if any, for this reason.
     pub(super) fn pause_for(&mut self, why: &str) -> Result<Reply, Refusal> {
         let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) else {
             return Err(Refusal::NoJobRuns);
         };
         let at_work = run.is_at_work();
         self.part_from_burning();
-        // One that is coming to rest already need not be told again, nor lifted twice.
+        // A job that is coming to rest need not be interrupted or lifted again.
         if at_work {
             self.come_to_rest(JobPhase::Paused, why);
         }
@@ -161,7 +161,7 @@ impl Supervisor {
         Ok(reply)
     }
 
-    /// Why the job that the arm is at is not forgotten.
+    /// Returns the refusal to remove the current job.
     pub(super) fn not_forgotten(&self, job: u64) -> Refusal {
         let found = self.job().filter(|it| it.job == job);
         found.map_or(Refusal::NoSuchJob(job), |it| Refusal::JobPhase {
@@ -171,7 +171,7 @@ impl Supervisor {
         })
     }
 
-    /// Draws the vectors that are not sent yet at another speed.
+    /// Changes the speed of the vectors not sent yet.
     pub(super) fn set_job_speed(
         &mut self,
         client: ClientId,
@@ -187,8 +187,8 @@ impl Supervisor {
         Ok(self.job_reply())
     }
 
-    /// Draws what is not sent yet higher or lower: bit by bit while it runs, at once where it is
-    /// paused, for there the tool comes from above.
+    /// Changes the height of the commands not sent yet: gradually while the job runs, immediately
+    /// while it is paused, because then the tool comes from above.
     pub(super) fn set_job_height(
         &mut self,
         client: ClientId,
@@ -205,7 +205,7 @@ impl Supervisor {
         Ok(self.job_reply())
     }
 
-    /// Whether there is a job whose vectors can be changed now.
+    /// Checks that there is a job whose vectors can be changed now.
     fn check_adjustable(&self) -> Result<(), Refusal> {
         let run = self.run.as_ref().ok_or(Refusal::NoJobRuns)?;
         if run.is_coming_to_rest() {
@@ -214,34 +214,34 @@ impl Supervisor {
         run.check_adjustable()
     }
 
-    /// What was given and not sent is given again.
+    /// Takes unsent commands back, to send them again.
     fn take_back(&mut self) {
         if self.run.as_ref().is_some_and(Run::is_running) {
             self.drop_waiting("it is sent at another speed or height");
         }
     }
 
-    /// Laser off, at once, where it may be on. An arm that draws with a pen hears it when it rests:
-    /// the packet would come in the middle of a stroke, and stop it for a moment.
+    /// Switches the laser off immediately if it may be on. An arm that draws with a pen gets the
+    /// packet at rest: in the middle of a stroke it would stop the arm for a moment.
     fn part_from_burning(&mut self) {
         if self.arm.laser_view().on || self.run.as_ref().is_none_or(Run::burns) {
             self.arm.part_from_laser();
         }
     }
 
-    /// The job goes no further: it comes to rest on its way, and the tool is lifted.
+    /// Ends the motion of the job: it comes to rest along its path, and the tool is lifted.
     fn come_to_rest(&mut self, then: JobPhase, why: &str) {
         self.drop_waiting(why);
         self.with_run(|run, _| Some(run.come_to_rest(then, why)));
         self.feed();
     }
 
-    /// The job goes no further: what is under way comes to its end, then it is paused.
+    /// Interrupts the job: the in-flight commands finish, then it is paused.
     pub(super) fn interrupt_run(&mut self, why: &str) {
         self.with_run(|run, _| run.interrupt(why));
     }
 
-    /// A job that burns goes no further.
+    /// Interrupts a burning job.
     pub(super) fn interrupt_burning(&mut self, why: &str) {
         let burns = |it: &Run| it.burns() && it.is_at_work();
         if self.run.as_ref().is_some_and(burns) {
@@ -250,7 +250,7 @@ impl Supervisor {
         }
     }
 
-    /// Takes that a command is over: of the job, or on the way to it.
+    /// Handles a finished command of the job or its approach.
     pub(super) fn run_command_over(&mut self, id: CommandId, failed: Option<&str>) {
         let now = self.arm.now();
         let Some(run) = &mut self.run else {
@@ -264,14 +264,14 @@ impl Supervisor {
         }
     }
 
-    /// The job has failed to do something: what waits is not sent, and it tries again or is paused.
+    /// Handles a failure of the job: waiting commands are dropped, and it retries or is paused.
     fn fail_run(&mut self, why: &str) {
         self.arm.part_from_laser();
         self.drop_waiting(why);
         self.with_run(|run, _| run.fail(why));
     }
 
-    /// With each status: is the grip seen that was waited for?
+    /// Checks with each status whether the awaited grip is visible.
     pub(super) fn judge_grip(&mut self, status: &Status) {
         let now = self.arm.now();
         let lost = self.run.as_mut().and_then(|it| it.judge_grip(now, status));
@@ -280,7 +280,7 @@ impl Supervisor {
         }
     }
 
-    /// What was lost on the way is sent again.
+    /// Sends lost commands again.
     pub(super) fn try_again(&mut self) {
         let Some(run) = self.run.take() else {
             return;

@@ -1,4 +1,4 @@
-//! Jogging is hold-to-run: a button that nobody holds any more is let go.
+//! Hold-to-run jogging: a button that is no longer held is released.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use super::arm::Arm;
 use super::still_moving;
 use crate::refusal::Refusal;
 
-/// The button that a client presses, if one does.
+/// The button that a client holds, if any.
 #[derive(Debug, Default)]
 pub(super) struct Jogging {
     held: Option<Held>,
@@ -20,69 +20,70 @@ pub(super) struct Jogging {
 struct Held {
     client: ClientId,
     jog: Jog,
-    /// When it was said last.
+    /// When the last hold request came.
     last_hold: Duration,
-    /// How long its client may be silent.
+    /// The longest allowed silence of its client.
     timeout: Duration,
     phase: JogPhase,
 }
 
-/// A button, and who presses it.
+/// A button and the client that presses it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Press {
     pub(super) client: ClientId,
     pub(super) jog: Jog,
-    /// How long its client may be silent.
+    /// The longest allowed silence of its client.
     pub(super) timeout: Duration,
 }
 
-/// What is done about a button that is still held.
+/// The outcome of a repeated hold request.
 #[derive(Debug)]
 pub(super) enum HoldOutcome {
-    /// Nothing.
+    /// No change.
     Unchanged,
-    /// The arm is to move at another speed.
+    /// The speed has changed.
     SpeedChanged,
 }
 
-/// A button that was pressed and is not any more.
+/// A press that has ended.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EndedPress {
     pub(super) client: ClientId,
-    /// What moves the arm by it, sent or to be sent; `None` where it still waited for the arm to rest.
+    /// The motion command of the press, sent or waiting; `None` if the press still waited for the
+    /// arm to rest.
     pub(super) command: Option<CommandId>,
 }
 
-/// Who fell silent while a button was held.
+/// The party that fell silent while a button was held.
 #[derive(Debug)]
 pub(super) struct JogSilence {
-    /// The client; else the arm.
+    /// The client; `None` for the arm.
     pub(super) client: Option<ClientId>,
     pub(super) lasts: Duration,
 }
 
-/// What a press does.
+/// The state of a press.
 #[derive(Clone, Debug)]
 enum JogPhase {
-    /// Nothing yet: the arm still runs down from what was before.
+    /// Waiting for the arm to come to rest after the previous motion.
     Waiting,
     /// The arm moves.
     Moving {
         command: CommandId,
-        /// When a status showed last where the arm is.
+        /// When the last status arrived.
         seen: Duration,
     },
-    /// Nothing any more: it was refused, or let go by the station. A new press is needed, be it of the
-    /// same button, so that no arm moves again because a client wakes up or a limit moves away.
+    /// Refused, or revoked by the station. A new press is required, even of the same button, so
+    /// that the arm does not move again because a client resumes or a limit moves away.
     Ended {
         why: Refusal,
-        /// Those who watch know it.
+        /// Whether a notice has been published.
         reported: bool,
     },
 }
 
 impl Held {
-    /// When it is let go of: its client or the arm has fallen silent.
+    /// Returns when the button is released because its client or the arm is silent.
     fn times_out_at(&self) -> Option<Duration> {
         let silent = self.last_hold + self.timeout;
         match self.phase {
@@ -92,7 +93,7 @@ impl Held {
         }
     }
 
-    /// The press that ends with it, if it is not over already.
+    /// Returns the press that ends now, unless it has ended already.
     const fn ended(&self) -> Option<EndedPress> {
         let command = match self.phase {
             JogPhase::Waiting => None,
@@ -107,7 +108,7 @@ impl Held {
 }
 
 impl Jogging {
-    /// Takes that a client holds a button; `None` when it is another than the one that is held.
+    /// Handles a client that holds a button; `None` if it is not the button held.
     pub(super) fn handle_hold(
         &mut self,
         now: Duration,
@@ -126,8 +127,9 @@ impl Jogging {
         })
     }
 
-    /// Takes that a client presses a button, where nothing but its end hinders the motion before. Where
-    /// the arm runs down from that, for so long at the most, the press waits. Says whether the arm moves.
+    /// Handles a new press if nothing but the end of the previous motion (`free`) prevents it.
+    /// While the arm comes to rest, within `rests_within`, the press waits. Returns whether the arm
+    /// moves.
     pub(super) fn handle_press(
         &mut self,
         arm: &mut Arm,
@@ -151,26 +153,26 @@ impl Jogging {
         refused.map_or(Ok(acts), Err)
     }
 
-    /// The press that waits for the arm to rest.
+    /// Returns the press that waits for the arm to come to rest.
     pub(super) fn waits(&self) -> Option<(ClientId, Jog)> {
         let held = self.held.as_ref();
         let waits = held.filter(|it| matches!(it.phase, JogPhase::Waiting));
         waits.map(|it| (it.client, it.jog))
     }
 
-    /// Takes that the press that waited moves the arm now.
+    /// Marks the waiting press as moving the arm.
     pub(super) fn handle_moves(&mut self, now: Duration, command: CommandId) {
         if let Some(held) = &mut self.held {
             held.phase = JogPhase::Moving { command, seen: now };
         }
     }
 
-    /// Lets go of the button, if one is pressed: its client did. Gives the press that ends.
+    /// Releases the button for its client; returns the press that ends.
     pub(super) fn release(&mut self) -> Option<EndedPress> {
         self.held.take().and_then(|it| it.ended())
     }
 
-    /// Lets go of the button, and its client has to press it anew. Gives the press that ends.
+    /// Revokes the button: its client has to press it again. Returns the press that ends.
     pub(super) fn revoke(&mut self, why: Refusal) -> Option<EndedPress> {
         let held = self.held.as_mut()?;
         let ended = held.ended()?;
@@ -181,8 +183,8 @@ impl Jogging {
         Some(ended)
     }
 
-    /// Whether those who watch know already why a button does nothing, which is said as often as its
-    /// client says it; from now on they do.
+    /// Returns whether this refusal, which repeats with each hold request, was already reported,
+    /// and marks it as reported.
     pub(super) fn was_reported(&mut self, client: ClientId, refusal: &Refusal) -> bool {
         match &mut self.held {
             Some(Held {
@@ -194,12 +196,12 @@ impl Jogging {
         }
     }
 
-    /// When the button is let go of: its client or the arm has fallen silent.
+    /// Returns when the button is released because its client or the arm is silent.
     pub(super) fn times_out_at(&self) -> Option<Duration> {
         self.held.as_ref().and_then(Held::times_out_at)
     }
 
-    /// Who has fallen silent, so that the button has to be let go of.
+    /// Returns the party whose silence requires the release of the button.
     pub(super) fn expired(&self, now: Duration) -> Option<JogSilence> {
         let held = self.held.as_ref()?;
         held.times_out_at().filter(|it| *it <= now)?;
@@ -210,8 +212,8 @@ impl Jogging {
         })
     }
 
-    /// With each status: where the arm would come to before it could be stopped has to be allowed.
-    /// Says what hinders whose button.
+    /// Checks with each status that the farthest position before the arm could be stopped is
+    /// allowed. Returns the client and the refusal if not.
     pub(super) fn handle_status(&mut self, arm: &Arm) -> Option<(ClientId, Refusal)> {
         let (held, model) = (self.held.as_mut()?, arm.session().seen_model()?);
         let JogPhase::Moving { seen, .. } = &mut held.phase else {
@@ -226,26 +228,26 @@ impl Jogging {
     }
 }
 
-/// What a new press does, if it may.
+/// Starts a press, if allowed.
 fn begin(arm: &mut Arm, jog: Jog, rests_within: Duration) -> Result<JogPhase, Refusal> {
     if !arm.session().is_moving() {
         let command = act(arm, jog)?;
         let seen = arm.now();
         return Ok(JogPhase::Moving { command, seen });
     }
-    // Whoever presses while the arm is at something longer means that, and not what follows it.
+    // A press during a longer motion was not meant for what follows it.
     if arm.session().waiting() == 0 && rests_within <= LONGEST_RUN_DOWN {
         return Ok(JogPhase::Waiting);
     }
     Err(still_moving(rests_within))
 }
 
-/// Moves the arm by a button, if the way is allowed.
+/// Starts a jog, if its path is allowed.
 pub(super) fn act(arm: &mut Arm, jog: Jog) -> Result<CommandId, Refusal> {
     arm.send(&jog.command())
 }
 
-/// Whether it is the release of a button.
+/// Returns whether this is a button release.
 pub(super) const fn is_released(jog: Jog) -> bool {
     match jog {
         Jog::Joint(it) => matches!(it.axis, JointJogAxis::Released),
@@ -253,7 +255,7 @@ pub(super) const fn is_released(jog: Jog) -> bool {
     }
 }
 
-/// Whether two presses are of one button, perhaps with two speeds.
+/// Returns whether two presses are of the same button, possibly at two speeds.
 fn is_same_button(one: Jog, other: Jog) -> bool {
     match (one, other) {
         (Jog::Joint(one), Jog::Joint(other)) => one.axis == other.axis,
@@ -262,7 +264,7 @@ fn is_same_button(one: Jog, other: Jog) -> bool {
     }
 }
 
-/// Whether the button has to be held: switches have not.
+/// Returns whether the button has to be held; switches do not.
 pub(super) fn moves(jog: Jog) -> bool {
     match jog {
         Jog::Joint(it) => it.axis.moves(),
@@ -270,10 +272,10 @@ pub(super) fn moves(jog: Jog) -> bool {
     }
 }
 
-/// The longest from one status to the next, by when this is looked at again: one may get lost.
+/// The longest time between two statuses, allowing for a lost one.
 const BLIND: Duration = Duration::from_millis(200);
-/// So long a press waits for the arm to run down: a jog of the servo at 10 degrees/s2, as the vendor's
-/// program sets it, takes 1.6 s.
+/// The longest wait of a press for the arm to come to rest: a servo jog at 10 degrees/s2, as set by
+/// the vendor's program, takes 1.6 s.
 const LONGEST_RUN_DOWN: Duration = Duration::from_secs(3);
-/// A status and a packet on the line, and a bit.
+/// A status and a packet on the line, with some margin.
 const LINE_S: f64 = 0.12;

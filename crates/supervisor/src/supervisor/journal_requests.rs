@@ -1,4 +1,4 @@
-//! What the journal is to keep, and what it did and did not take.
+//! Requests to the journal and the outcome of the writes.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -6,16 +6,16 @@ use std::time::Duration;
 use super::run::Effect;
 use crate::refusal::Refusal;
 
-/// What goes to the journal.
+/// The requests to the journal.
 #[derive(Debug, Default)]
 pub(super) struct JournalRequests {
     effects: VecDeque<Effect>,
-    /// The last phase of a job that was to be kept.
+    /// The last requested phase of a job.
     kept: Option<Effect>,
     unsaved: Option<Unsaved>,
 }
 
-/// A phase of a job that the journal did not take: it is asked again until it does.
+/// A phase of a job that the journal failed to write; the request is repeated.
 #[derive(Debug)]
 struct Unsaved {
     effect: Effect,
@@ -28,7 +28,7 @@ impl JournalRequests {
         self.effects.push_back(effect);
     }
 
-    /// Has the journal keep in which phase a job is; what was to be kept before counts no more.
+    /// Requests to write the phase of a job; replaces an earlier failed request.
     pub(super) fn keep_phase(&mut self, effect: Effect) {
         if let Some(unsaved) = &mut self.unsaved {
             unsaved.effect = effect.clone();
@@ -37,12 +37,12 @@ impl JournalRequests {
         self.ask(effect);
     }
 
-    /// Takes that the journal has this; says whether it had refused it before.
+    /// Handles a completed write; returns whether it had failed before.
     pub(super) fn handle_written(&mut self, effect: &Effect) -> bool {
         self.unsaved.take_if(|it| it.effect == *effect).is_some()
     }
 
-    /// Takes that the journal does not take this; says whether that is news.
+    /// Handles a failed write; returns whether this is news.
     pub(super) fn handle_not_written(&mut self, now: Duration, effect: &Effect, why: &str) -> bool {
         let is_news = self.unsaved.is_none();
         if self.kept.as_ref() == Some(effect) {
@@ -55,7 +55,7 @@ impl JournalRequests {
         is_news
     }
 
-    /// Asks the journal again for what it did not take.
+    /// Repeats the failed request when due.
     pub(super) fn handle_time(&mut self, now: Duration) {
         if let Some(unsaved) = &mut self.unsaved
             && unsaved.next <= now
@@ -65,12 +65,12 @@ impl JournalRequests {
         }
     }
 
-    /// When it asks again.
+    /// Returns when the failed request is repeated.
     pub(super) fn next(&self) -> Option<Duration> {
         self.unsaved.as_ref().map(|it| it.next)
     }
 
-    /// Whether the journal has taken everything: what it does not know it cannot bring back.
+    /// Checks that nothing is unwritten: the journal cannot restore what it does not have.
     pub(super) fn check(&self) -> Result<(), Refusal> {
         match &self.unsaved {
             None => Ok(()),
@@ -83,5 +83,5 @@ impl JournalRequests {
     }
 }
 
-/// Making room takes a person longer.
+/// A person takes longer than this to free disk space.
 const AGAIN: Duration = Duration::from_secs(1);

@@ -1,5 +1,5 @@
-//! The laser's interlock: off, unless a person has armed it, for a while. The session has its state;
-//! here is for how long it may be armed, and when the laser is told off.
+//! The laser interlock: off unless a person has armed it for a while. The session holds the state;
+//! this module limits the time and sends laser-off packets.
 
 use std::time::Duration;
 
@@ -12,7 +12,7 @@ use super::seconds;
 use crate::refusal::Refusal;
 
 impl Arm {
-    /// Lets the laser burn for so long, if the policy allows it.
+    /// Arms the laser for this time, if the policy allows it.
     pub(super) fn arm_laser(&mut self, for_s: f64) -> Result<(), Refusal> {
         let most_s = self.policy().laser.arm_for_s;
         let allowed = if !self.policy().laser.allowed {
@@ -31,14 +31,14 @@ impl Arm {
         })
     }
 
-    /// Keeps the laser off; says whether it was armed or on, and which commands are forgotten.
+    /// Disarms the laser; returns whether it was armed or on, and the commands dropped.
     pub(super) fn disarm_laser(&mut self) -> (bool, Vec<CommandId>) {
         let was_armed = self.session().laser_armed_until().is_some();
         let forgotten = self.session_mut().disarm_laser();
         (was_armed || self.session().is_laser_on(), forgotten)
     }
 
-    /// Whether a person has armed the laser.
+    /// Checks that the laser is armed.
     pub(super) const fn check_laser_armed(&self) -> Result<(), Refusal> {
         match self.session().laser_armed_until() {
             Some(_) => Ok(()),
@@ -46,9 +46,9 @@ impl Arm {
         }
     }
 
-    /// Laser off, at once. Said again only after a while, unless something that burns was sent, and
-    /// only to an arm that has nothing else to do first: whoever asks for nonsense many times must not
-    /// fill its queue.
+    /// Sends laser off urgently. It is repeated only after a while, unless a burning command was
+    /// sent, and only to an arm with nothing else to do first: repeated bad requests must not fill
+    /// its queue.
     pub(super) fn part_from_laser(&mut self) {
         let lately = |off: Duration| self.now().saturating_sub(off) < LATELY;
         let waits = self.session().in_flight() > 0;

@@ -1,4 +1,4 @@
-//! Who is connected, and which one of them has control.
+//! The connected clients and the lease.
 
 use std::collections::HashMap;
 use std::time::Duration;
@@ -9,31 +9,31 @@ use super::slots::{Slots, Turn};
 use crate::plain;
 use crate::refusal::{Holder, Refusal};
 
-/// The clients, and the lease that one of them has.
+/// The clients and the lease.
 #[derive(Debug)]
 pub(super) struct Leases {
     clients: HashMap<ClientId, LeaseClient>,
     next_client: u64,
     lease: Option<Lease>,
-    /// The lock that keeps control for administrators.
+    /// The lock that reserves control for administrators.
     lock: Option<Lock>,
     slots: Slots,
 }
 
-/// A client that is connected.
+/// A connected client.
 #[derive(Debug)]
 struct LeaseClient {
     name: String,
-    /// By which name time slots know it.
+    /// The person for time slots.
     person: String,
     role: Role,
-    /// It speaks the arm's own protocol, which has no words for leases.
+    /// Whether it speaks the arm's own protocol, which has no lease requests.
     is_program: bool,
-    /// What was changed last of what it sent.
+    /// The last modification of its packets.
     amended: Option<String>,
 }
 
-/// Who has control.
+/// The lease.
 #[derive(Debug)]
 struct Lease {
     client: ClientId,
@@ -49,17 +49,17 @@ struct Lock {
     at: Duration,
 }
 
-/// Control is over for whoever had it, and the arm comes to rest.
+/// Control that was lost; the arm comes to rest.
 #[derive(Debug)]
 pub(super) struct TimeOver {
     pub(super) why: String,
     pub(super) changes: Vec<Change>,
 }
 
-/// What became of the lease, in order.
+/// A change of the lease.
 #[derive(Debug)]
 pub(super) enum Change {
-    /// This client has control no more.
+    /// The client lost control.
     Ended {
         client: ClientId,
         why: String,
@@ -79,7 +79,7 @@ impl Leases {
         }
     }
 
-    /// Takes that a client came, and by which name time slots know it.
+    /// Adds a client, with the person it counts as for time slots.
     pub(super) fn handle_client(&mut self, name: &str, role: Role, person: &str) -> ClientId {
         let client = ClientId(self.next_client);
         self.next_client += 1;
@@ -96,7 +96,7 @@ impl Leases {
         client
     }
 
-    /// Takes that a client left, wanted or not.
+    /// Removes a client that disconnected, on purpose or not.
     pub(super) fn handle_left(&mut self, client: ClientId) -> Vec<Change> {
         let changes = if self.has(client) {
             self.end("the client that had control is gone")
@@ -130,7 +130,7 @@ impl Leases {
         Ok(self.end("control was given back"))
     }
 
-    /// Keeps control for administrators: whoever else has it loses it.
+    /// Locks control for administrators: any other holder loses it.
     pub(super) fn lock(
         &mut self,
         now: Duration,
@@ -151,7 +151,7 @@ impl Leases {
         }
     }
 
-    /// Lets everyone take control again; says whether there was a lock.
+    /// Removes the lock; returns whether there was one.
     pub(super) fn unlock(&mut self) -> bool {
         self.lock.take().is_some()
     }
@@ -164,17 +164,17 @@ impl Leases {
         })
     }
 
-    /// Puts other time slots in place of those that there are.
+    /// Replaces the time slots.
     ///
     /// # Errors
     ///
-    /// [`Refusal::BadSlots`]; the old ones hold on then.
+    /// [`Refusal::BadSlots`]; the old slots stay.
     pub(super) fn set_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
         self.slots.set(now, slots)
     }
 
-    /// Takes the passing of time: what has become of time slots, and of control with them. Whose time it is not any more, or not
-    /// yet, loses control; it is no news where one slot of a student follows another one.
+    /// Advances the time: returns the changes of time slots and of control. A holder outside its
+    /// slot loses control; consecutive slots of one student cause no notice.
     pub(super) fn handle_time(&mut self, now: Duration) -> (Vec<Turn>, Option<TimeOver>) {
         let before = self.slots.student().map(str::to_owned);
         let turns: Vec<_> = std::iter::from_fn(|| self.slots.poll_turn(now)).collect();
@@ -199,12 +199,12 @@ impl Leases {
         (turns, Some(TimeOver { why, changes }))
     }
 
-    /// When it wants to know the time next.
+    /// Returns when the next change is due.
     pub(super) fn wakeup(&self) -> Option<Duration> {
         self.slots.wakeup()
     }
 
-    /// All time slots, from now on.
+    /// Returns the current and upcoming time slots.
     pub(super) fn slots(&self, now: Duration) -> Vec<TimeSlot> {
         self.slots.upcoming(now)
     }
@@ -213,7 +213,7 @@ impl Leases {
         self.slots.view()
     }
 
-    /// Whether lock and time slots let a client have control.
+    /// Checks that lock and time slots allow a client to have control.
     fn check_allowed(&self, client: ClientId) -> Result<(), Refusal> {
         if self.is_admin(client) {
             return Ok(());
@@ -235,13 +235,13 @@ impl Leases {
         }
     }
 
-    /// Whether a slot of this client is under way.
+    /// Returns whether this client's slot is the current one.
     fn has_time(&self, client: ClientId) -> bool {
         let student = self.slots.student();
         student.is_some_and(|it| is_same_person(it, self.person(client)))
     }
 
-    /// By which name time slots know a client.
+    /// Returns the person a client counts as for time slots.
     fn person(&self, client: ClientId) -> &str {
         self.clients.get(&client).map_or("", |it| &it.person)
     }
@@ -286,7 +286,7 @@ impl Leases {
         changes
     }
 
-    /// Takes that a client sends the arm's own packets. The first one takes the lease if nobody has it.
+    /// Handles raw packets of a client. The first one takes the lease if it is free.
     pub(super) fn handle_program(&mut self, now: Duration, client: ClientId) -> Option<Change> {
         if let Some(known) = self.clients.get_mut(&client) {
             known.is_program = true;
@@ -295,7 +295,7 @@ impl Leases {
         may_have.then(|| self.assign(now, client))
     }
 
-    /// Takes what is changed of what a client sends; says whether that is news.
+    /// Records a modification of a client's packets; returns whether it is new.
     pub(super) fn handle_amended(&mut self, client: ClientId, text: &str) -> bool {
         let known = self.clients.get_mut(&client);
         let Some(known) = known.filter(|it| it.amended.as_deref() != Some(text)) else {
@@ -313,7 +313,7 @@ impl Leases {
         self.lease.is_some()
     }
 
-    /// Whether a client has control.
+    /// Checks that a client has control.
     pub(super) fn check(&self, client: ClientId) -> Result<(), Refusal> {
         if self.has(client) {
             return Ok(());
@@ -326,8 +326,8 @@ impl Leases {
         Err(Refusal::NoLease { holder })
     }
 
-    /// Whether a client may arm the laser: one that has control, or an administrator for a raw program
-    /// that has it, whose protocol has no words for that.
+    /// Checks that a client may arm the laser: it has control, or is an administrator while a raw
+    /// program, whose protocol cannot do this, has control.
     pub(super) fn check_arms_laser(&self, client: ClientId) -> Result<(), Refusal> {
         if self.holder_cannot_answer() && self.is_admin(client) {
             return Ok(());
@@ -335,7 +335,7 @@ impl Leases {
         self.check(client)
     }
 
-    /// Whether a client may ask for what needs this role.
+    /// Checks that a client's role is sufficient.
     pub(super) fn check_role(&self, client: ClientId, needed: Role) -> Result<(), Refusal> {
         let found = self.clients.get(&client).map_or(Role::Watch, |it| it.role);
         if found < needed {
@@ -344,12 +344,12 @@ impl Leases {
         Ok(())
     }
 
-    /// Whether a client speaks the arm's own protocol.
+    /// Returns whether a client speaks the arm's own protocol.
     pub(super) fn is_program(&self, client: ClientId) -> bool {
         self.clients.get(&client).is_some_and(|it| it.is_program)
     }
 
-    /// What a client calls itself.
+    /// Returns a client's name.
     pub(super) fn name(&self, client: ClientId) -> String {
         self.clients
             .get(&client)
@@ -375,7 +375,7 @@ impl Leases {
         })
     }
 
-    /// Whether a raw program has control: nobody can ask it for that.
+    /// Returns whether a raw program has control, which cannot answer requests.
     fn holder_cannot_answer(&self) -> bool {
         let lease = self.lease.as_ref();
         lease.is_some_and(|it| self.is_program(it.client))
@@ -404,5 +404,5 @@ impl Leases {
     }
 }
 
-/// A longer name is cut.
+/// Longer names are cut.
 const NAME_LEN: usize = 60;

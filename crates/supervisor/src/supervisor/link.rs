@@ -1,19 +1,19 @@
-//! The way to the arm: whether there is one, and why not.
+//! The link to the arm and its problems.
 
 use dobot_api::{LinkPhase, LinkView};
 use dobot_session::LinkQuality;
 
 use crate::refusal::Refusal;
 
-/// The link as far as the arm was heard over it.
+/// The link, as seen by the statuses received.
 #[derive(Debug)]
 pub(super) struct Link {
     phase: LinkPhase,
     address: Option<String>,
     problem: Option<String>,
-    /// Why there is none any more, where there was one.
+    /// Why the last link was lost.
     lost: Option<String>,
-    /// The laser has been switched off since the link came up.
+    /// Whether the laser has been switched off since the link came up.
     laser_off_sent: bool,
 }
 
@@ -31,7 +31,7 @@ impl Default for Link {
 }
 
 impl Link {
-    /// Takes that the port is open: statuses may come.
+    /// Handles an opened port: statuses may arrive.
     pub(super) fn handle_up(&mut self, address: &str) {
         *self = Self {
             phase: LinkPhase::Listening,
@@ -40,7 +40,7 @@ impl Link {
         };
     }
 
-    /// Takes that the port is gone, or could not be opened, and why; says whether there was one.
+    /// Handles a port that is gone or could not be opened; returns whether there was a link.
     pub(super) fn handle_down(&mut self, phase: LinkPhase, problem: Option<String>) -> bool {
         let is_lost = self.is_there();
         self.phase = phase;
@@ -49,7 +49,7 @@ impl Link {
             self.lost = problem;
             self.problem.clone_from(&self.lost);
         } else {
-            // That it is not found again tells less than why it was lost.
+            // Why the link was lost is more useful than why it is not found again.
             self.problem = match (&self.lost, problem) {
                 (Some(lost), Some(since)) => Some(format!("{lost}; since then: {since}")),
                 (_, since) => since,
@@ -58,7 +58,7 @@ impl Link {
         is_lost
     }
 
-    /// Takes that nothing comes over it any more.
+    /// Handles a link that has gone silent.
     pub(super) fn handle_silence(&mut self, why: &str) {
         self.phase = LinkPhase::Lost;
         self.laser_off_sent = false;
@@ -68,7 +68,7 @@ impl Link {
         self.lost.clone_from(&self.problem);
     }
 
-    /// With each status: says whether it is up only now.
+    /// Handles a status; returns whether the link has just come up.
     pub(super) fn handle_status(&mut self) -> bool {
         let comes_up = matches!(self.phase, LinkPhase::Listening | LinkPhase::Lost);
         if comes_up {
@@ -78,7 +78,8 @@ impl Link {
         comes_up
     }
 
-    /// Whether the laser has still to be switched off since it came up: by whoever asks.
+    /// Returns whether a laser-off packet is still owed to the arm since the link came up, and
+    /// marks it as sent.
     pub(super) const fn take_pending_laser_off(&mut self) -> bool {
         !std::mem::replace(&mut self.laser_off_sent, true)
     }
@@ -87,7 +88,7 @@ impl Link {
         matches!(self.phase, LinkPhase::Listening | LinkPhase::Up)
     }
 
-    /// Whether the arm can be heard.
+    /// Checks that the arm can be reached.
     pub(super) fn check(&self) -> Result<(), Refusal> {
         if self.phase == LinkPhase::Up {
             return Ok(());
@@ -100,7 +101,7 @@ impl Link {
         Err(Refusal::NoLink(why))
     }
 
-    /// That it was lost, and why, in one line.
+    /// Returns a one-line description of the loss.
     pub(super) fn loss(&self) -> String {
         match &self.problem {
             Some(problem) => format!("the link to the arm was lost: {problem}"),

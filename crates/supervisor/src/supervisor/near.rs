@@ -1,11 +1,11 @@
-//! The limits and keep-outs that a place of the arm is near to.
+//! The limits and keep-outs close to a position of the arm.
 
 use dobot_api::{BoundedQuantity, NearLimit, NearView};
 use dobot_arm::{Joints, Tool};
 use dobot_motion::ArmPlace;
 use dobot_safety::{Bounds, KeepOut, Policy};
 
-/// The limits and keep-outs of a policy that an arm with this tool is near to at a true place.
+/// Returns the policy limits and keep-outs close to a calibrated position of an arm with this tool.
 pub(super) fn near(policy: &Policy, place: &ArmPlace, tool: Tool) -> NearView {
     let Joints {
         base,
@@ -47,7 +47,7 @@ pub(super) fn near(policy: &Policy, place: &ArmPlace, tool: Tool) -> NearView {
     }
 }
 
-/// The bounds of a quantity that its value is near to.
+/// Returns the bounds close to a value.
 fn near_ends(
     (quantity, value, bounds): (BoundedQuantity, f64, Bounds),
     within: f64,
@@ -64,13 +64,13 @@ fn near_ends(
         })
 }
 
-/// From 0 to 1, in hundredths, so that a state stays short; `None` where it is not near.
+/// Returns the closeness from 0 to 1 in hundredths, to keep a state short; `None` if not close.
 fn closeness(room: f64, within: f64) -> Option<f64> {
     let closeness = ((1.0 - room / within).min(1.0) * 100.0).round() / 100.0;
     (closeness > 0.0).then_some(closeness)
 }
 
-/// From a point to a keep-out; 0 within it.
+/// Returns the distance from a point to a keep-out; 0 inside.
 fn distance_mm(keep_out: &KeepOut, [x, y, z]: [f64; 3]) -> f64 {
     match keep_out {
         KeepOut::Box(area) => {
@@ -84,14 +84,14 @@ fn distance_mm(keep_out: &KeepOut, [x, y, z]: [f64; 3]) -> f64 {
     }
 }
 
-/// How far a value is outside of its bounds.
+/// Returns how far a value is outside its bounds.
 fn outside(value: f64, Bounds { min, max }: Bounds) -> f64 {
     (min - value).max(value - max).max(0.0)
 }
 
-/// From here on a limit of a length or a keep-out is near.
+/// The distance at which a length limit or a keep-out is close.
 const NEAR_MM: f64 = 20.0;
-/// From here on a limit of an angle is near.
+/// The distance at which an angle limit is close.
 const NEAR_DEG: f64 = 5.0;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What the supervisor has for those who watch and for those who asked.
+//! Outgoing events for observers and requesters.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -8,21 +8,21 @@ use dobot_wire::Status;
 
 use crate::refusal::Refusal;
 
-/// Notices, statuses and answers until they are fetched.
+/// Notices, statuses and answers until they are polled.
 #[derive(Debug)]
 pub(super) struct OutgoingEvents {
     notices: VecDeque<Notice>,
     notice_count: u64,
-    /// Statuses for raw programs, to which each one is a permit.
+    /// Statuses for raw programs, which treat each one as a permit.
     statuses: VecDeque<Status>,
-    /// Answers that took their time, and whose they are.
+    /// Answers to requests that took time, with the requester.
     answers: VecDeque<(ClientId, Result<Reply, Refusal>)>,
-    /// Something changed that those who watch want to see.
+    /// Whether the state has changed for observers.
     changed: bool,
 }
 
 impl OutgoingEvents {
-    /// What there is at the start counts as changed.
+    /// Starts as changed, so that the first state is published.
     pub(super) const fn new() -> Self {
         Self {
             notices: VecDeque::new(),

@@ -1,4 +1,4 @@
-//! A job looked at from its beginning to its end, before anything moves.
+//! The plan of a job, checked as a whole before anything moves.
 
 mod cycle;
 mod height;
@@ -20,54 +20,54 @@ use self::cycle::Cycle;
 use self::height::Height;
 use crate::Refusal;
 
-/// A job whose whole way has been checked: where each command ends, and how long it takes.
+/// A job whose whole path has been checked, with the end and the duration of each command.
 #[derive(Clone, Debug)]
 pub struct JobPlan {
-    /// As they were submitted.
+    /// The commands as submitted.
     planned: Arc<[Command]>,
-    /// As they are to be drawn: higher or lower.
+    /// The commands to draw, with height changes.
     commands: Arc<[Command]>,
     steps: Arc<[Step]>,
-    /// From this command on they are as submitted, and only the height may be another one.
+    /// From this command on, the commands are as submitted except for their height.
     altered_until: usize,
-    /// What commands are done with, and from which one on.
+    /// The settings in force, each with the first command they apply to.
     settings: Vec<(usize, DrawnWith)>,
     burns: bool,
     lift_mm: f32,
-    /// How low it leads as it was planned, in the arm's own words.
+    /// The lowest planned height, in raw coordinates.
     lowest_mm: f64,
-    /// How the arm differs from the drawing of it.
+    /// The calibration of the arm.
     arm: Calibration,
-    /// Which of them are done again.
+    /// The repeated commands.
     cycle: Option<Cycle>,
 }
 
-/// What commands are done with.
+/// The settings that apply to a command.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DrawnWith {
     pub(super) acceleration_mm_s2: f64,
     pub(super) tool: Tool,
-    /// How fast targets are gone to.
+    /// The speed of targets.
     pub(super) playback: PlaybackAdjustment,
 }
 
 /// One command of a job.
 #[derive(Clone, Copy, Debug)]
 struct Step {
-    /// The arm when it is over.
+    /// The arm after the command.
     end: Status,
-    /// How far above the plan that is, in mm.
+    /// The height above the plan, in mm.
     raised_mm: f64,
-    /// How far above that it is by now: a person has changed the height meanwhile.
+    /// A further height offset from a later change by a person.
     higher_mm: f64,
     moves: bool,
-    /// What it changes of what is held.
+    /// The change of held objects.
     grips: Grips,
-    /// How long it and all before it take, in seconds.
+    /// The time until the end of the command, in seconds.
     until_s: f64,
 }
 
-/// What a command changes of what is held. A switched pump may have been on already.
+/// The change that a command makes to held objects. A switched pump may have been on already.
 #[derive(Clone, Copy, Debug)]
 struct Grips {
     suction: bool,
@@ -81,14 +81,14 @@ impl Grips {
 }
 
 impl JobPlan {
-    /// Looks at every command of a job, from where the arm is, at the heights to which a person has
-    /// changed it. The way to its first target is not judged where the arm was given that already: of the commands
-    /// below `given` some may be done. A cycle is looked at until it repeats itself, and stands here as often as a window of the
-    /// journal may reach.
+    /// Checks every command of a job, starting where the arm is, at the heights that a person has
+    /// set. The path to its first target is not checked if the arm was already given it: some of
+    /// the commands below `given` may be done. A cycle is checked until it repeats itself, and is
+    /// unrolled here as far as a journal window may reach.
     ///
     /// # Errors
     ///
-    /// [`Refusal::BadJob`] with the first command that is not allowed, and why.
+    /// [`Refusal::BadJob`] with the first forbidden command and the reason.
     pub fn new(
         policy: &Policy,
         model: Model,
@@ -153,8 +153,8 @@ impl JobPlan {
         }
     }
 
-    /// Has all from a command on drawn at another height. The ways are not judged again: each is
-    /// before it is sent.
+    /// Changes the height of all commands from one on. The paths are not checked again here: each
+    /// is checked before it is sent.
     pub fn change_height(&mut self, change: &HeightChange) {
         let mut height = Height::planned(self.burns);
         (height.raised_mm, height.offset_mm) = (change.begin_mm, change.offset_mm);
@@ -173,7 +173,7 @@ impl JobPlan {
         }
     }
 
-    /// Looks whether the arm may be as low as it gets from a command on.
+    /// Checks that the arm may be as low as it gets from a command on.
     ///
     /// # Errors
     ///
@@ -200,27 +200,28 @@ impl JobPlan {
             })
     }
 
-    /// How far above the plan the arm is when all before a command is over, in millimetres.
+    /// Returns the height above the plan before a command, in millimetres.
     #[must_use]
     pub fn raised_mm(&self, index: usize) -> f64 {
         let last = index.checked_sub(1).and_then(|it| self.steps.get(it));
         last.map_or(0.0, |it| it.raised_mm + it.higher_mm)
     }
 
-    /// Whether a command or one behind it was changed, so that its speeds may not fit any more.
+    /// Returns whether this command or a later one was changed, so that its speeds may not fit.
     #[must_use]
     pub const fn is_altered(&self, index: usize) -> bool {
         index < self.altered_until
     }
 
-    /// Whether there is a vector.
+    /// Returns whether there is a vector.
     #[must_use]
     pub fn has_vectors(&self) -> bool {
         let vector = |it: &Command| matches!(it, Command::WriteVector(_));
         self.planned.iter().any(vector)
     }
 
-    /// The vectors from a command on that are drawn in one go: up to the first that ends at rest.
+    /// Returns the vectors from a command on that are drawn without a rest: up to the first that
+    /// ends at rest.
     pub fn chain(&self, index: usize) -> impl Iterator<Item = &WriteVector> {
         let mut rests = false;
         self.commands[index.min(self.len())..]
@@ -234,31 +235,31 @@ impl JobPlan {
             })
     }
 
-    /// What a command is done with.
+    /// Returns the settings that apply to a command.
     pub(super) fn drawn_with(&self, index: usize) -> DrawnWith {
         let later = self.settings.partition_point(|it| it.0 <= index);
         self.settings[later.saturating_sub(1)].1
     }
 
-    /// Which commands are done again.
+    /// Returns the repeated commands.
     #[must_use]
     pub(super) const fn cycle(&self) -> Option<&Cycle> {
         self.cycle.as_ref()
     }
 
-    /// Whether a command changes what pump or gripper hold.
+    /// Returns whether a command changes what pump or gripper hold.
     pub(super) fn grips(&self, index: usize) -> bool {
         self.steps.get(index).is_some_and(|it| it.grips.any())
     }
 
-    /// Whether it does so without a motion.
+    /// Returns whether a command does so without a motion.
     pub(super) fn grips_in_place(&self, index: usize) -> bool {
         self.steps
             .get(index)
             .is_some_and(|it| it.grips.any() && !it.moves)
     }
 
-    /// Whether a status shows what a command did with pump and gripper.
+    /// Returns whether a status shows the effect of a command on pump and gripper.
     pub(super) fn shows_grip(&self, index: usize, status: &Status) -> bool {
         self.steps.get(index).is_none_or(|it| {
             let off_deg = (status.gripper_deg - it.end.gripper_deg).abs();
@@ -267,7 +268,7 @@ impl JobPlan {
         })
     }
 
-    /// The fastest that targets are gone to, in percent of the configured speed.
+    /// Returns the highest speed of targets, in percent of the configured speed.
     pub(super) fn fastest_percent(&self) -> f64 {
         let percents = self
             .settings
@@ -276,25 +277,25 @@ impl JobPlan {
         percents.fold(0.0, f64::max)
     }
 
-    /// How many commands there are, those of a cycle as often as they stand here.
+    /// Returns the number of commands, including the unrolled cycles.
     #[must_use]
     pub fn len(&self) -> usize {
         self.commands.len()
     }
 
-    /// Whether there is nothing to do.
+    /// Returns whether there are no commands.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.commands.is_empty()
     }
 
-    /// The commands.
+    /// Returns the commands.
     #[must_use]
     pub fn commands(&self) -> &[Command] {
         &self.commands
     }
 
-    /// Those before a command that set something.
+    /// Returns the settings commands before a command.
     pub(super) fn settings_before(&self, index: usize) -> impl Iterator<Item = &Command> {
         let indices = self.settings.iter().skip(1).map(|it| it.0 - 1);
         indices
@@ -302,34 +303,34 @@ impl JobPlan {
             .map(|it| &self.commands[it])
     }
 
-    /// Whether the laser burns somewhere.
+    /// Returns whether the laser burns anywhere.
     #[must_use]
     pub const fn burns(&self) -> bool {
         self.burns
     }
 
-    /// How far the tool is lifted in a pause, in millimetres.
+    /// Returns the height by which the tool is lifted in a pause, in millimetres.
     #[must_use]
     pub const fn lift_mm(&self) -> f32 {
         self.lift_mm
     }
 
-    /// The same, where it is lifted at all.
+    /// Returns the lift, if it is not 0.
     #[must_use]
     pub fn lift(&self) -> Option<f32> {
         Some(self.lift_mm).filter(|it| *it > 0.0)
     }
 
-    /// Below which height of the tool a pen draws, in millimetres and the arm's own words, where it is drawn so far above
-    /// the plan; `None` where it is not lifted.
+    /// Returns the tool height below which a pen draws, in millimetres and raw coordinates, if
+    /// drawn this far above the plan; `None` if the pen is not lifted.
     #[must_use]
     pub fn draws_below_mm(&self, raised_mm: f64) -> Option<f64> {
         let lift_mm = self.lift()?;
         Some(draws_below_mm(self.lowest_mm + raised_mm, lift_mm.into()))
     }
 
-    /// The arm when all before a command is over; `None` before the first motion, which begins
-    /// wherever the arm is.
+    /// Returns the arm before a command; `None` before the first motion, which starts wherever the
+    /// arm is.
     #[must_use]
     pub fn start(&self, index: usize) -> Option<Status> {
         let before = index.min(self.steps.len());
@@ -338,7 +339,7 @@ impl JobPlan {
         self.steps.get(last).map(Step::now)
     }
 
-    /// Where the tool is then.
+    /// Returns the tool position before a command.
     #[must_use]
     pub fn start_position(&self, index: usize) -> Option<Position> {
         self.start(index).as_ref().map(position)
@@ -349,7 +350,7 @@ impl JobPlan {
         first.unwrap_or(self.steps.len())
     }
 
-    /// How long all of it takes, in seconds; `None` where it goes on until a person ends it.
+    /// Returns the total duration, in seconds; `None` if it repeats until it is ended.
     #[must_use]
     pub fn planned_s(&self) -> Option<f64> {
         let Some(cycle) = &self.cycle else {
@@ -360,7 +361,7 @@ impl JobPlan {
         Some(self.until_s(cycle.end()) + self.cycle_s().unwrap_or(0.0) * more)
     }
 
-    /// How long a cycle takes that follows another one, in seconds; `None` where there is none.
+    /// Returns the duration of a repeated cycle, in seconds; `None` if there is none.
     #[must_use]
     pub fn cycle_s(&self) -> Option<f64> {
         let cycle = self.cycle.as_ref()?;
@@ -368,7 +369,7 @@ impl JobPlan {
         (second <= self.len()).then(|| self.until_s(second) - self.until_s(cycle.end()))
     }
 
-    /// How long the commands of a range take, in seconds.
+    /// Returns the duration of a range of commands, in seconds.
     #[must_use]
     pub fn takes_s(&self, commands: Range<usize>) -> f64 {
         self.until_s(commands.end) - self.until_s(commands.start)
@@ -381,7 +382,7 @@ impl JobPlan {
 }
 
 impl Step {
-    /// The arm when it is over, at the height that holds by now.
+    /// Returns the arm after the command, at the current height.
     fn now(&self) -> Status {
         if self.higher_mm == 0.0 {
             return self.end;
@@ -390,18 +391,18 @@ impl Step {
     }
 }
 
-/// Follows a job from command to command.
+/// Walks through a job command by command.
 struct PlanWalk<'a> {
     policy: &'a Policy,
     model: Model,
     height: Height,
-    /// The command whose way is not judged.
+    /// The command whose path is not checked.
     unjudged: Option<usize>,
     until_s: f64,
 }
 
 impl PlanWalk<'_> {
-    /// From here on another height is wanted; where the arm is brought for that, the last step ends.
+    /// Applies a height change from here on; the last step ends at the new height.
     fn change(&mut self, change: &HeightChange, last: Option<&mut Step>) {
         let higher_mm = change.begin_mm - self.height.raised_mm;
         (self.height.raised_mm, self.height.offset_mm) = (change.begin_mm, change.offset_mm);
@@ -419,7 +420,7 @@ impl PlanWalk<'_> {
             rule: None,
         };
         let trajectory = if self.unjudged == Some(index) {
-            // To stand there already is no reason to refuse what is done.
+            // Already being in a forbidden position is no reason to refuse past commands.
             self.model.place = somewhere(self.model.tool);
             let trajectory = self.model.trajectory(command);
             trajectory.map_err(|error| bad(error.to_string()))?
@@ -467,12 +468,12 @@ const fn is_pump_switch(command: &Command) -> bool {
     matches!(command, Command::JointJog(it) if matches!(it.axis, JointJogAxis::SuctionOn | JointJogAxis::SuctionOff))
 }
 
-/// As near as this a gripper is where it should be, in degrees.
+/// A gripper this close to its target has reached it, in degrees.
 const SAME_GRIP_DEG: f32 = 0.5;
 
-/// The same arm, so much higher; where it cannot be there, the way to there will be refused.
+/// Returns the arm raised by this much; if it cannot be there, the path to it will be refused.
 fn raised(status: &Status, by_mm: f64) -> Status {
-    // What a status says is the same in each dialect.
+    // A status means the same in every dialect.
     let mut model = Model::new(Dialect::SPECIFICATION, status);
     let mut pose = model.place.pose;
     pose.position.z.0 += by_mm;
@@ -485,13 +486,13 @@ fn raised(status: &Status, by_mm: f64) -> Status {
     }
 }
 
-/// A place from which every target can be come to.
+/// A position from which every target can be reached.
 fn somewhere(tool: Tool) -> ArmPlace {
     ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), tool)
 }
 
-/// What is relative needs to know where it begins, wherever the arm was before: the first command
-/// that moves has to say it. Gives its index.
+/// Returns the index of the first motion. It must be a target, because relative motions need a
+/// known start, wherever the arm was before.
 fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
     let calm = |it: &Command| {
         matches!(
@@ -519,7 +520,7 @@ fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
     }
 }
 
-/// After new initial angles nobody knows where the arm is by the places before them.
+/// After new initial angles, the arm's position no longer follows from earlier positions.
 fn no_references(commands: &[Command]) -> Result<(), Refusal> {
     let reference = |it: &Command| {
         matches!(
@@ -537,7 +538,7 @@ fn no_references(commands: &[Command]) -> Result<(), Refusal> {
     }
 }
 
-/// The height below which a pen draws, in mm: half of its lift above its lowest position.
+/// Returns the height below which a pen draws, in mm: half of its lift above its lowest position.
 #[must_use]
 pub const fn draws_below_mm(lowest_mm: f64, lift_mm: f64) -> f64 {
     lowest_mm + lift_mm / 2.0

@@ -1,4 +1,4 @@
-//! What clients ask for, in the words of the station or in the arm's own packets.
+//! Requests of clients, as API requests or as raw packets.
 
 use std::time::Duration;
 
@@ -19,7 +19,7 @@ use crate::plain;
 use crate::refusal::{Refusal, span};
 
 impl Supervisor {
-    /// Takes that a client came; time slots know it by the name `person`.
+    /// Handles a connected client; `person` is its name for time slots.
     pub fn handle_client(
         &mut self,
         now: Duration,
@@ -32,7 +32,7 @@ impl Supervisor {
         self.leases.handle_client(name, role, person)
     }
 
-    /// Takes that a client left, wanted or not: its lease ends, and what it held is let go.
+    /// Handles a disconnected client, on purpose or not: its lease ends and its button is released.
     pub fn handle_left(&mut self, now: Duration, client: ClientId) {
         self.handle_time(now);
         let changes = self.leases.handle_left(client);
@@ -40,11 +40,11 @@ impl Supervisor {
         self.outgoing.note_change();
     }
 
-    /// Takes a packet of a raw program. The first one takes the lease if nobody has it.
+    /// Handles a packet of a raw program. The first one takes the lease if it is free.
     ///
     /// # Errors
     ///
-    /// [`Refusal`]; the packet is not sent then, and all who watch are told.
+    /// [`Refusal`]; the packet is not sent, and a notice is published.
     pub fn handle_raw(
         &mut self,
         now: Duration,
@@ -60,11 +60,13 @@ impl Supervisor {
         taken
     }
 
-    /// Takes a request. `None` when the answer takes its time: [`Supervisor::poll_answer`] has it then.
+    /// Handles a request. Returns `None` if the answer takes time: [`Supervisor::poll_answer`]
+    /// returns it later.
     ///
-    /// Jobs are kept and planned by the caller, since that may take long: he answers [`Request::SubmitJob`],
-    /// [`Request::QueueAgain`], [`Request::MoveJob`] and [`Request::ForgetJob`] of a job that the arm is not at, and turns
-    /// [`Request::StartJob`] and [`Request::StepJob`] into [`Supervisor::handle_start`].
+    /// The caller stores and plans jobs, since that may take long: it answers
+    /// [`Request::SubmitJob`], [`Request::QueueAgain`], [`Request::MoveJob`] and
+    /// [`Request::ForgetJob`] (unless the job is the current one), and turns [`Request::StartJob`]
+    /// and [`Request::StepJob`] into [`Supervisor::handle_start`].
     pub fn handle_request(
         &mut self,
         now: Duration,
@@ -96,7 +98,7 @@ impl Supervisor {
         if let Some(Err(refusal)) = &answer {
             self.notify_refused(client, refusal);
             if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.leases.has(client) {
-                // What its client believes about the arm is wrong.
+                // The client's idea of the arm is wrong.
                 self.arm.part_from_laser();
             }
         }
@@ -105,7 +107,7 @@ impl Supervisor {
         answer
     }
 
-    /// Whether a client may ask for this at all.
+    /// Checks that a client's role allows this request.
     ///
     /// # Errors
     ///
@@ -114,13 +116,13 @@ impl Supervisor {
         self.leases.check_role(client, request.role())
     }
 
-    /// Puts another policy in place of the one that holds. What the arm was given was checked by that one, so it has to
-    /// be over; the laser is disarmed.
+    /// Replaces the policy. Commands sent earlier were checked by the old policy, so they must be
+    /// over; the laser is disarmed.
     ///
     /// # Errors
     ///
-    /// [`Refusal::Role`], [`Refusal::JobRunning`], [`Refusal::Detecting`], [`Refusal::StillMoving`]; the old one holds
-    /// on then.
+    /// [`Refusal::Role`], [`Refusal::JobRunning`], [`Refusal::Detecting`],
+    /// [`Refusal::StillMoving`]; the old policy stays.
     pub fn handle_policy(
         &mut self,
         now: Duration,
@@ -138,7 +140,7 @@ impl Supervisor {
         Ok(())
     }
 
-    /// Whether a client may change by what the arm is judged: nothing may be under way.
+    /// Checks that a client may change policy or calibration: nothing may be in flight.
     fn check_may_change(&self, client: ClientId) -> Result<(), Refusal> {
         self.leases.check_role(client, Role::Admin)?;
         if let Some(job) = self.job().filter(|_| self.has_active_job()) {
@@ -151,12 +153,12 @@ impl Supervisor {
         Ok(())
     }
 
-    /// Takes another calibration of the arm. What the arm was given was meant by the one before, so it has to be over.
+    /// Replaces the calibration. Commands sent earlier used the old one, so they must be over.
     ///
     /// # Errors
     ///
-    /// [`Refusal::Role`], [`Refusal::JobRunning`], [`Refusal::Detecting`], [`Refusal::StillMoving`]; the old one holds
-    /// on then.
+    /// [`Refusal::Role`], [`Refusal::JobRunning`], [`Refusal::Detecting`],
+    /// [`Refusal::StillMoving`]; the old calibration stays.
     pub fn handle_calibration(
         &mut self,
         now: Duration,
@@ -181,8 +183,8 @@ impl Supervisor {
         Ok(())
     }
 
-    /// Tells a calibrated arm its true angles. Its base has to stand straight ahead, for that is what it believes
-    /// then (note N26).
+    /// Gives a calibrated arm its true angles. Its base must point straight ahead, because that is
+    /// what the arm then assumes (note N26).
     fn set_angles(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
         let model = self.arm.session().model().copied();
@@ -206,7 +208,7 @@ impl Supervisor {
         self.command(client, &angles.into())
     }
 
-    /// Where a command would lead if it were sent now.
+    /// Returns the path a command would take if it were sent now.
     fn foresee(&self, command: &Command) -> Result<Reply, Refusal> {
         let command = &self.arm.raw_command(command)?;
         let command = understood(&self.arm, command, self.rests_within())?;
@@ -214,7 +216,7 @@ impl Supervisor {
         Ok(Reply::Way { way })
     }
 
-    /// Begins to ask the arm for its dialect; the answer comes when the arm has made its motions.
+    /// Starts the detection of the dialect; the answer follows when the arm has made its motions.
     fn detect(&mut self, client: ClientId) -> Result<(), Refusal> {
         self.check_may_move(client)?;
         self.arm.check_trust()?;
@@ -301,9 +303,10 @@ impl Supervisor {
         })
     }
 
-    /// Stops: laser off first, buttons let go, nothing more is sent. The arm finishes the command
-    /// that it is at, for its protocol knows no stop; a stop that is said again says it to the arm
-    /// again. `hold` takes the time, how long the arm takes to rest and whether it hears, and says what is to be told.
+    /// Brings the arm to rest: laser off first, buttons released, nothing more is sent. The arm
+    /// finishes its current command, because its protocol has no stop; a repeated stop is sent to
+    /// the arm again. `hold` gets the time, the time until rest and whether the packets are
+    /// delivered, and returns the text to publish.
     pub(super) fn bring_to_rest(
         &mut self,
         why: &str,
@@ -348,7 +351,8 @@ impl Supervisor {
         Ok(Reply::Done)
     }
 
-    /// Keeps the arm for administrators. A job that runs comes to rest; an administrator goes on with it.
+    /// Locks the arm for administrators. A running job comes to rest; an administrator can resume
+    /// it.
     fn lock(&mut self, client: ClientId, message: Option<String>) -> Reply {
         let message = message.map(|it| plain(&it, REASON_LEN));
         let by = self.client_name(client);
@@ -358,7 +362,7 @@ impl Supervisor {
         };
         let ended = self.leases.lock(self.arm.now(), client, message);
         self.follow_lease(ended);
-        // Where none runs there is nothing to pause.
+        // Without a running job there is nothing to pause.
         let _ = self.pause_job(client);
         self.notify(News::Locked, text);
         Reply::Done
@@ -385,13 +389,13 @@ impl Supervisor {
         Reply::Slots { slots }
     }
 
-    /// Has the arm follow its time slots: whose time is over loses it as by a lock. A job that runs comes to rest; whoever has
-    /// control next goes on with it.
+    /// Applies the time slots: a client whose slot is over loses control, as by a lock. A running
+    /// job comes to rest; the next holder can resume it.
     pub(super) fn watch_slots(&mut self) {
         let (turns, over) = self.leases.handle_time(self.arm.now());
         if let Some(TimeOver { why, changes }) = over {
             self.follow_lease(changes);
-            // Where none runs there is nothing to pause.
+            // Without a running job there is nothing to pause.
             let _ = self.pause_for(&why);
         }
         for turn in turns {
@@ -415,7 +419,7 @@ impl Supervisor {
         })
     }
 
-    /// Whether a client may move the arm by hand now.
+    /// Checks that a client may move the arm by hand now.
     pub(super) fn check_may_move(&self, client: ClientId) -> Result<(), Refusal> {
         self.leases.check(client)?;
         self.check_free()
@@ -437,8 +441,8 @@ impl Supervisor {
         }
     }
 
-    /// Nobody moves the arm who has no control: buttons are let go, what waits is forgotten, and
-    /// the laser goes off. A drawing with a pen goes on; it is the station's.
+    /// Without control nothing moves: buttons are released, waiting commands dropped, and the laser
+    /// goes off. A drawing with a pen continues; it belongs to the station.
     fn lease_over(&mut self, client: ClientId, why: &str) {
         self.arm.part_from_laser();
         self.disarm_laser(why);
@@ -461,7 +465,7 @@ impl Supervisor {
         Ok(Reply::Done)
     }
 
-    /// Sends one command, if its whole way is allowed.
+    /// Sends one command, if its whole path is allowed.
     pub(super) fn command(
         &mut self,
         client: ClientId,
@@ -471,7 +475,7 @@ impl Supervisor {
             return self.jog(client, jog, self.arm.policy().jog.dead_man_s);
         }
         self.check_may_move(client)?;
-        // Whoever sends another command does not hold his button any more.
+        // A client that sends another command no longer holds its button.
         self.release_button();
         let within = self.rests_within();
         let id = self
@@ -517,7 +521,7 @@ impl Supervisor {
             Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), hold_timeout_s),
             Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), hold_timeout_s),
             command => {
-                // Another packet than that of the button means that it is not held any more.
+                // Any other packet means that the button is no longer held.
                 self.release_button();
                 self.command(client, &command)
             }
@@ -525,8 +529,8 @@ impl Supervisor {
         .map(|_| ())
     }
 
-    /// The packet with what a stock arm would take harmlessly put right; those who watch are told, once
-    /// for all that follow and are changed alike.
+    /// Replaces values that a stock arm would accept harmlessly; a notice reports a run of equal
+    /// modifications once.
     fn amended(&mut self, client: ClientId, packet: &Packet) -> Packet {
         let model = self
             .arm
@@ -544,12 +548,13 @@ impl Supervisor {
         sent
     }
 
-    /// Tells all who watch that something was refused.
+    /// Publishes a notice of a refusal.
     pub(super) fn notify_refused(&mut self, client: ClientId, refusal: &Refusal) {
         if self.jogging.was_reported(client, refusal) {
             return;
         }
-        // The arm's own protocol has no words for that: whoever reads this is the only one to know.
+        // The arm's own protocol has no refusals: the reader of this notice is the only one to
+        // know.
         let is_program = self.leases.is_program(client);
         let remedy = refusal
             .hint()
@@ -566,7 +571,7 @@ impl Supervisor {
 
     fn confirm_pose(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         self.link.check()?;
-        // Nothing moves until it is confirmed, so nobody has to have control for that.
+        // Nothing moves before the confirmation, so no client needs control for it.
         if !self.arm.session().is_trusted() {
             self.arm.session_mut().confirm_pose();
             let text = format!(
@@ -593,7 +598,7 @@ impl Supervisor {
     }
 }
 
-/// What is told of a time slot.
+/// Returns the notice for a time slot.
 fn slot_notice(turn: Turn) -> (News, String) {
     match turn {
         Turn::Began { student, lasts } => {
@@ -615,11 +620,11 @@ fn slot_notice(turn: Turn) -> (News, String) {
     }
 }
 
-/// What to do about a packet that nothing helps.
+/// The hint for a refused packet without a more specific one.
 const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
 pub(super) const REASON_LEN: usize = 200;
 /// The shortest and the longest step of a button, in mm or degrees.
 const SHORTEST_STEP: f32 = 0.01;
 const LONGEST_STEP: f32 = 100.0;
-/// A base that is as near as this to straight ahead is.
+/// A base this close to straight ahead counts as straight ahead.
 const STRAIGHT_DEG: f64 = 0.1;

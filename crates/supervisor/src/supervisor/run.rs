@@ -1,4 +1,4 @@
-//! The job that the arm is at: one vector after the other, none twice, none left out.
+//! The current job: one vector after the other, none twice, none left out.
 
 mod feed;
 mod observe;
@@ -23,48 +23,48 @@ use self::observe::resend::Retries;
 use self::start::approach::straight;
 pub use self::start::started_job::{Effect, StartedJob};
 
-/// The job that the arm is at, or that is paused.
+/// The running or paused job.
 #[derive(Debug)]
 pub(super) struct Run {
     started: StartedJob,
     phase: Phase,
-    /// The arm when the job was started or gone on with.
+    /// The arm when the job was started or resumed.
     from: Option<Status>,
-    /// The next command to be given to the session.
+    /// The next command to give to the session.
     next: usize,
     permit: Permit,
-    /// As it was found last.
+    /// The last result of [`Run::window_end`].
     reach: Option<Reach>,
     speeds: Speeds,
     /// Given to the session and not over.
     given: VecDeque<SentCommand>,
-    /// What the last command has left that is over.
+    /// The carry-over of the last completed command.
     left: CarriedOver,
     tool: ToolHeight,
-    /// Sets the speed of targets before the next command, since a person has changed it.
+    /// A speed change by a person, sent before the next target.
     target_speed: Option<PlaybackAdjustment>,
-    /// From where it goes on to where it rests.
+    /// The time since the start or resume.
     ran: Option<Ran>,
-    /// Where it comes to rest because it is done step by step.
+    /// Where it comes to rest when run step by step.
     step_end: Option<usize>,
-    /// A grip that is done, and not seen yet.
+    /// A completed grip that no status shows yet.
     unseen: Option<UnseenGrip>,
     retries: Retries,
     cycle_times: CycleTimes,
 }
 
-/// What a job wants of the supervisor.
+/// A job's output for the supervisor.
 #[derive(Debug)]
 pub(super) enum JobEffect {
-    /// The journal is asked to keep this.
+    /// Request this from the journal.
     Ask(Effect),
-    /// The journal is to keep the job's phase, however long that takes.
+    /// Write the phase of the job, repeating until it succeeds.
     Keep(Effect),
-    /// Those who watch are told.
+    /// Publish a notice.
     Notify(News, String),
-    /// Nobody needs the job any more.
+    /// Drop the job.
     Forget,
-    /// What was lost on the way is sent again.
+    /// Send lost commands again.
     TryAgain,
 }
 
@@ -73,39 +73,39 @@ pub(super) enum JobEffect {
 struct SentCommand {
     id: CommandId,
     index: usize,
-    /// What the arm has behind it.
+    /// The carry-over after this command.
     left: CarriedOver,
 }
 
-/// What a command leaves to the next one.
+/// What a command carries over to the next one.
 #[derive(Clone, Copy, Debug, Default)]
 struct CarriedOver {
-    /// The speed that the arm has, or keeps for the next vector, in mm/s: in a stock arm that is a
-    /// bit even where it rests.
+    /// The speed of the arm, or the speed kept for the next vector, in mm/s: on a stock arm
+    /// slightly above 0 even at rest.
     speed_mm_s: f32,
-    /// It goes on.
+    /// Whether the arm moves on.
     moves: bool,
-    /// Nobody knows that speed: another station has sent what went before.
+    /// Whether the speed is unknown, because another station sent the previous commands.
     is_unknown: bool,
 }
 
-/// Where the tool is, seen from where the job goes on.
+/// The tool height relative to the resume point.
 #[derive(Clone, Copy, Debug)]
 enum ToolHeight {
-    /// This lowers it, as soon as something can be sent behind it.
+    /// This command lowers the tool, as soon as a command can follow directly.
     Above(Command),
     Lowering(CommandId, Command),
     Down,
 }
 
-/// How far the journal may be asked to let a job go on of which so many commands are done.
+/// The end of the journal window for a number of completed commands.
 #[derive(Clone, Copy, Debug)]
 struct Reach {
     completed: usize,
     upto: usize,
 }
 
-/// Since when a job runs, and when its last command was over.
+/// When the job started to run and when its last command was over.
 #[derive(Clone, Copy, Debug)]
 struct Ran {
     since: Duration,
@@ -114,26 +114,26 @@ struct Ran {
 
 #[derive(Debug)]
 enum Phase {
-    /// The station was started after a crash: where does the arm rest?
+    /// After a crash: finding out where the arm rests.
     Locating {
         window: Window,
     },
-    /// On the way to where it goes on.
+    /// On the way to the resume point.
     Approaching {
         last: Option<CommandId>,
     },
-    /// Commands below `upto` may be given: there it waits for a person, or ends.
+    /// Commands below `upto` may be given: there it pauses for a person, or ends.
     Running {
         upto: usize,
     },
-    /// The arm does what it has got already, and perhaps a bit more, to come to rest on its way.
+    /// Finishing the in-flight commands, and possibly a few more to come to rest on the path.
     Draining {
         then: JobPhase,
         reason: String,
         upto: usize,
         rests: Rests,
     },
-    /// The tool is lifted for a pause.
+    /// Lifting the tool for a pause.
     Lifting {
         then: JobPhase,
         reason: String,
@@ -143,24 +143,24 @@ enum Phase {
     },
 }
 
-/// How a job comes to rest behind the last command that it gives.
+/// How a job comes to rest after its last command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Rests {
     AsItIs,
-    /// The tool is lifted, as soon as all is given.
+    /// With the tool lifted as soon as all is given.
     Lifted,
-    /// A person is waited for there.
+    /// To wait for a person.
     ForPerson,
-    /// What was lost on the way is sent again from there.
+    /// To send lost commands again from there.
     ToTryAgain,
 }
 
 impl Run {
     pub(super) const RESTARTED: &str = "the station was restarted in the middle of the job";
 
-    /// A job that was at work when the station ended without saying so.
+    /// Restores a job that was running when the station ended unexpectedly.
     pub(super) fn recovered(mut started: StartedJob, window: Window) -> Self {
-        // How long it ran nobody knows any more.
+        // How long it ran is unknown.
         started.behind.ran_s = None;
         let window = started.in_plan(window);
         let kept = started.completed;
@@ -169,7 +169,7 @@ impl Run {
         run
     }
 
-    /// A job of which so many commands are done as the journal has it.
+    /// Creates a run whose journal has this many completed commands.
     fn new(started: StartedJob, kept: usize, phase: Phase, from: Option<Status>) -> Self {
         let completed = started.completed;
         let arm_limits = ArmLimits::of(started.dialect);
@@ -198,12 +198,12 @@ impl Run {
         self.started.job
     }
 
-    /// What was given to the session and is not over.
+    /// Returns the commands given to the session and not over.
     pub(super) fn in_flight(&self) -> impl Iterator<Item = CommandId> {
         self.given.iter().map(|it| it.id)
     }
 
-    /// What the last command leaves that was given.
+    /// Returns the carry-over of the last command given.
     fn left(&self) -> CarriedOver {
         self.given.back().map_or(self.left, |it| it.left)
     }
@@ -212,7 +212,7 @@ impl Run {
         self.left().speed_mm_s
     }
 
-    /// What is left by all that is over, where that was done as planned.
+    /// Returns the carry-over of all completed commands, if they were done as planned.
     fn planned_left(&self) -> CarriedOver {
         let next = self.started.plan.chain(self.started.completed).next();
         CarriedOver {
@@ -222,7 +222,7 @@ impl Run {
         }
     }
 
-    /// What a command leaves that comes next, on what the one before has left.
+    /// Returns the carry-over after the next command.
     fn after(&self, before: CarriedOver, command: &Command) -> CarriedOver {
         let arm_limits = self.speeds.arm_limits_at(&self.started.plan, self.next);
         match command {
@@ -239,12 +239,12 @@ impl Run {
         }
     }
 
-    /// Whether nobody else may move the arm.
+    /// Returns whether no other client may move the arm.
     pub(super) const fn has_the_arm(&self) -> bool {
         !matches!(self.phase, Phase::Paused { .. })
     }
 
-    /// Whether it gives the arm commands, or is about to.
+    /// Returns whether the job sends commands, or is about to.
     pub(super) const fn is_at_work(&self) -> bool {
         matches!(
             self.phase,
@@ -256,7 +256,7 @@ impl Run {
         matches!(self.phase, Phase::Running { .. })
     }
 
-    /// Whether it gives no more commands, and the arm may still move for its sake.
+    /// Returns whether the job sends no more commands but the arm may still move for it.
     pub(super) const fn is_coming_to_rest(&self) -> bool {
         matches!(
             self.phase,
@@ -264,7 +264,7 @@ impl Run {
         )
     }
 
-    /// Below which height of the tool its pen draws, in mm and the arm's own words.
+    /// Returns the tool height below which its pen draws, in mm and raw coordinates.
     pub(super) fn draws_below_mm(&self) -> Option<f64> {
         self.started.plan.draws_below_mm(self.started.height_mm())
     }
@@ -277,7 +277,7 @@ impl Run {
         self.started.plan.lift_mm()
     }
 
-    /// Takes what the journal has, perhaps of this job.
+    /// Handles a completed journal write, possibly of this job.
     pub(super) fn handle_written(&mut self, effect: &Effect) {
         match effect {
             Effect::Give { job, upto, .. } if *job == self.job() => {
@@ -291,14 +291,14 @@ impl Run {
         }
     }
 
-    /// Takes note of how long it ran.
+    /// Adds the time it ran.
     fn note_ran(&mut self) {
         if let (Some(ran), Some(before_s)) = (self.ran.take(), &mut self.started.behind.ran_s) {
             *before_s += ran.last_over.saturating_sub(ran.since).as_secs_f64();
         }
     }
 
-    /// How long it may take until all that a station before this one has sent is over.
+    /// Returns the longest time until everything sent by a previous station is over.
     pub(super) fn unseen_s(&self) -> f64 {
         let Phase::Locating { window } = &self.phase else {
             return 0.0;
@@ -327,7 +327,7 @@ impl Run {
         }
     }
 
-    /// How far it is when nothing is under way.
+    /// Returns the window when nothing is in flight.
     fn certain(&self) -> Window {
         let completed = self.started.completed;
         Window {
@@ -337,7 +337,8 @@ impl Run {
         }
     }
 
-    /// How far the journal may be asked to let the job go on. It changes only with what is done, and with the plan.
+    /// Returns the end of the window to request from the journal. It changes only with the
+    /// completed commands and the plan.
     fn window_end(&mut self, status: &Status) -> usize {
         let completed = self.started.completed;
         if let Some(known) = self.reach.filter(|it| it.completed == completed) {
@@ -356,7 +357,7 @@ impl Run {
         }
     }
 
-    /// The arm as the first command that is not over finds it.
+    /// Returns the arm before the first command that is not over.
     fn start(&self) -> Option<Status> {
         self.started
             .plan
@@ -418,10 +419,10 @@ const fn word(phase: JobPhase) -> &'static str {
     }
 }
 
-/// A stock arm goes in whole ticks, takes a bit for each command, and was perhaps on its way to
-/// where the job goes on.
+/// A stock arm moves in whole ticks, needs some time per command, and may have been on its way to
+/// the resume point.
 const ROUNDING: f64 = 1.02;
 const COMMAND_S: f64 = 0.24;
 const APPROACH_S: f64 = 10.0;
-/// So many commands may be sent at the most before the journal knows that those before are over.
+/// The maximum number of commands sent before the journal knows that earlier ones are over.
 const WINDOW: usize = 32;

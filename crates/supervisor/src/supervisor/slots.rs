@@ -1,4 +1,4 @@
-//! Time slots: whose time it is at the arm.
+//! Time slots: when the arm is reserved for a student.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -8,29 +8,29 @@ use dobot_api::{SlotView, SlotsView, TimeSlot, is_fleet_name, is_same_person};
 use crate::is_plain;
 use crate::refusal::Refusal;
 
-/// The slots that are not over, in their order.
+/// The current and upcoming slots, in order.
 #[derive(Debug, Default)]
 pub(super) struct Slots {
-    /// None overlaps another one: at most the first one is under way.
+    /// None overlap; at most the first one is current.
     all: VecDeque<Slot>,
-    /// When it was looked at last.
+    /// The last time seen.
     now: Duration,
 }
 
-/// A slot, by the supervisor's time.
+/// A slot, in the supervisor's time.
 #[derive(Clone, Debug)]
 struct Slot {
     student: String,
     group: Option<String>,
     from: Duration,
     until: Duration,
-    /// It is under way.
+    /// Whether it is current.
     started: bool,
-    /// Its student was told that it ends soon.
+    /// Whether its student was warned that it ends soon.
     warned: bool,
 }
 
-/// What became of a slot.
+/// A change of a slot.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Turn {
     Began { student: String, lasts: Duration },
@@ -38,26 +38,26 @@ pub(super) enum Turn {
     Ended { student: String },
 }
 
-/// Time that is somebody else's.
+/// A slot of another student.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OthersTime<'a> {
     pub(super) student: &'a str,
     pub(super) group: Option<&'a str>,
-    /// For how long it goes on.
+    /// The remaining time.
     pub(super) left: Duration,
-    /// In how long the arm is free: behind all slots that follow each other without a break.
+    /// The time until the arm is free: after all consecutive slots.
     pub(super) free_in: Duration,
 }
 
 impl Slots {
-    /// Puts others in place of those that there are.
+    /// Replaces the slots.
     ///
     /// # Errors
     ///
-    /// [`Refusal::BadSlots`]; the old ones hold on then.
+    /// [`Refusal::BadSlots`]; the old slots stay.
     pub(super) fn set(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
         let mut all = read(now, slots).map_err(Refusal::BadSlots)?;
-        // Whose time goes on notices nothing of another list.
+        // A slot that continues in the new list causes no notice.
         let student = self.student();
         if let Some(first) = all.first_mut().filter(|it| it.from <= now) {
             first.started = student.is_some_and(|it| is_same_person(it, &first.student));
@@ -66,10 +66,10 @@ impl Slots {
         Ok(())
     }
 
-    /// Takes the passing of time: what has become of a slot, one after the other.
+    /// Advances the time: returns the next change of a slot.
     pub(super) fn poll_turn(&mut self, now: Duration) -> Option<Turn> {
         self.now = now;
-        // One that is over before it could begin was nobody's.
+        // A slot that was over before it could begin had no effect.
         while self
             .all
             .front()
@@ -98,7 +98,7 @@ impl Slots {
         None
     }
 
-    /// When it wants to know the time next.
+    /// Returns when the next change is due.
     pub(super) fn wakeup(&self) -> Option<Duration> {
         let first = self.all.front()?;
         Some(if !first.started {
@@ -110,12 +110,12 @@ impl Slots {
         })
     }
 
-    /// Whose time it is.
+    /// Returns the student of the current slot.
     pub(super) fn student(&self) -> Option<&str> {
         self.current().map(|it| it.student.as_str())
     }
 
-    /// Whose time it is, where it is not that of this person.
+    /// Returns the current slot, if it is not this person's.
     pub(super) fn others_time(&self, person: &str) -> Option<OthersTime<'_>> {
         let it = self.current()?;
         (!is_same_person(&it.student, person)).then(|| OthersTime {
@@ -126,7 +126,7 @@ impl Slots {
         })
     }
 
-    /// All of them, from now on.
+    /// Returns the current and upcoming slots, relative to now.
     pub(super) fn upcoming(&self, now: Duration) -> Vec<TimeSlot> {
         let from_now = |at: Duration| at.saturating_sub(now).as_secs_f64();
         let time_slot = |slot: &Slot| TimeSlot {
@@ -138,7 +138,7 @@ impl Slots {
         self.all.iter().map(time_slot).collect()
     }
 
-    /// What those who watch have to know.
+    /// Returns the slots for observers.
     pub(super) fn view(&self) -> Option<SlotsView> {
         let now = self.current();
         let next = self.all.get(usize::from(now.is_some()));
@@ -153,7 +153,7 @@ impl Slots {
         self.all.front().filter(|it| it.started)
     }
 
-    /// The end of what follows without a break.
+    /// Returns the end of the consecutive slots.
     fn free(&self, until: Duration) -> Duration {
         let later = self.all.iter().skip(1);
         later.fold(
@@ -174,7 +174,7 @@ impl Slot {
     }
 }
 
-/// The slots in their order, or what is wrong with them.
+/// Reads the slots in order, or returns what is wrong with them.
 fn read(now: Duration, slots: &[TimeSlot]) -> Result<Vec<Slot>, String> {
     let (found, most) = (slots.len(), TimeSlot::MOST);
     if found > most {
@@ -238,7 +238,7 @@ fn read_one(now: Duration, slot: &TimeSlot) -> Result<Slot, String> {
     })
 }
 
-/// So long before the end of his time a person is told.
+/// A student is warned this long before the slot ends.
 const WARNING: Duration = Duration::from_secs(60);
 /// A shorter slot is a mistake.
 const SHORTEST_S: f64 = 1.0;
@@ -261,7 +261,7 @@ mod tests {
         Duration::from_secs(s)
     }
 
-    /// What becomes of the slots at these seconds.
+    /// Returns the changes of the slots at these seconds.
     fn turns(slots: &mut Slots, at_s: u64) -> Vec<String> {
         std::iter::from_fn(|| slots.poll_turn(s(at_s)))
             .map(|it| match it {

@@ -1,4 +1,5 @@
-//! Anyone may stop the arm, and it stays stopped until a person resets that.
+//! The stop latch: any client may stop the arm, and it stays stopped until a person clears the
+//! stop.
 
 use std::time::Duration;
 
@@ -13,39 +14,40 @@ use crate::refusal::Refusal;
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StoppedBy {
-    /// Who.
+    /// The name.
     pub by: String,
-    /// Why.
+    /// The reason.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
 }
 
-/// The stop that holds the arm, if one does: its own, one of the whole fleet, or both.
+/// The stop that holds the arm, if any: its own, one of the whole fleet, or both.
 #[derive(Debug, Default)]
 pub(super) struct StopLatch {
-    /// Who stopped this arm alone.
+    /// The stop of this arm alone.
     own: Option<StoppedBy>,
     fleet: FleetStops,
     holding: Option<Holding>,
-    /// Whether what is kept on the disk is older.
+    /// Whether the saved stops are out of date.
     is_changed: bool,
 }
 
-/// How far the arm is that is being stopped.
+/// The progress of a stop.
 #[derive(Debug)]
 struct Holding {
     at: Duration,
     rests_by: Duration,
     at_rest: bool,
     delivered: bool,
-    /// When people are told again that it was not delivered.
+    /// When a missing delivery is reported again.
     again: Duration,
-    /// Who stopped the arm last, for as long as it comes to rest after a reset.
+    /// The last cause, for an arm that still comes to rest after a reset; true for a fleet-wide
+    /// stop.
     last: (StoppedBy, bool),
 }
 
 impl StopLatch {
-    /// Takes that somebody stops this arm; says what is to be told, unless that is known.
+    /// Stops this arm; returns the text to publish, unless it is known.
     pub(super) fn handle_stop(
         &mut self,
         now: Duration,
@@ -60,7 +62,7 @@ impl StopLatch {
         self.hold(now, rests_within, delivered)
     }
 
-    /// Takes that somebody at this station stops the whole fleet.
+    /// Makes a fleet-wide stop.
     pub(super) fn make_fleet_stop(
         &mut self,
         origin: &str,
@@ -71,7 +73,8 @@ impl StopLatch {
         self.fleet.make(origin, by.by, by.reason, now_ms)
     }
 
-    /// Takes what other stations know; says whether one of these stops is to stop the arm. [`StopLatch::hold`] does it.
+    /// Adopts stops known to other stations; returns whether one of them stops the arm.
+    /// [`StopLatch::hold`] then does so.
     pub(super) fn adopt(&mut self, stops: &[FleetWideStop]) -> bool {
         let mut is_stopping = false;
         for stop in stops {
@@ -82,13 +85,13 @@ impl StopLatch {
         is_stopping
     }
 
-    /// Takes that somebody lets the whole fleet move again.
+    /// Resets the fleet-wide stops.
     pub(super) fn reset_fleet(&mut self, by: &str) {
         self.fleet.reset(by);
         self.is_changed = true;
     }
 
-    /// Holds the arm for what stops it now; says what is to be told, unless that is known.
+    /// Holds the arm for its current stop; returns the text to publish, unless it is known.
     pub(super) fn hold(
         &mut self,
         now: Duration,
@@ -112,7 +115,7 @@ impl StopLatch {
         self.check().err().map(|it| it.to_string())
     }
 
-    /// Takes what held before the station was started.
+    /// Restores the stops saved before the station started.
     pub(super) fn handle_kept(
         &mut self,
         now: Duration,
@@ -125,26 +128,27 @@ impl StopLatch {
         self.hold(now, Duration::ZERO, true);
     }
 
-    /// Takes that the packets which stop the arm leave this computer now; says whether people waited for that.
+    /// Handles delivery of the stop packets; returns whether it was outstanding.
     pub(super) fn handle_delivered(&mut self) -> bool {
         let waits = self.holding.as_mut().filter(|it| !it.delivered);
         waits.map(|it| it.delivered = true).is_some()
     }
 
-    /// When people are told again that it was not delivered.
+    /// Returns when a missing delivery is reported again.
     pub(super) fn wakeup(&self) -> Option<Duration> {
         let waits = self.holding.as_ref().filter(|it| !it.delivered);
         waits.map(|it| it.again)
     }
 
-    /// Whether people are told now that it was not delivered.
+    /// Returns whether a missing delivery is to be reported now.
     pub(super) fn is_due(&mut self, now: Duration) -> bool {
         let waits = self.holding.as_mut().filter(|it| !it.delivered);
         let due = waits.filter(|it| it.again <= now);
         due.map(|it| it.again = now + EVERY).is_some()
     }
 
-    /// Lets this arm go, whatever stopped it; says whether there was a stop. The arm has to have been seen at rest.
+    /// Clears the stop of this arm, whatever its cause; returns whether there was one. The arm must
+    /// have been seen at rest.
     pub(super) fn reset(&mut self, now: Duration, is_linked: bool) -> Result<bool, Refusal> {
         if let Some(stop) = self.holding.as_ref().filter(|it| !it.at_rest) {
             if !is_linked {
@@ -160,8 +164,8 @@ impl StopLatch {
         Ok(self.holding.take().is_some())
     }
 
-    /// Lets the arm go once nothing stops it any more; says whether it does so now. An arm that was met has to have been seen
-    /// at rest.
+    /// Releases the arm once no stop holds it; returns whether that happens now. An arm that has
+    /// been connected must have been seen at rest.
     pub(super) fn release(&mut self, was_met: bool) -> bool {
         let is_over = self.cause().is_none();
         let over = self
@@ -173,7 +177,7 @@ impl StopLatch {
         over.is_some()
     }
 
-    /// Whether no stop holds the arm.
+    /// Checks that no stop holds the arm.
     pub(super) fn check(&self) -> Result<(), Refusal> {
         match &self.holding {
             None => Ok(()),
@@ -192,7 +196,7 @@ impl StopLatch {
         self.holding.is_some()
     }
 
-    /// With each status: says whether the arm has come to rest now.
+    /// Handles a status; returns whether the arm has just come to rest.
     pub(super) fn handle_status(&mut self, rests: bool) -> bool {
         let moving = self.holding.as_mut().filter(|it| !it.at_rest && rests);
         moving.map(|it| it.at_rest = true).is_some()
@@ -214,13 +218,14 @@ impl StopLatch {
         self.fleet.all()
     }
 
-    /// What is to be kept on the disk, if that is new.
+    /// Returns the stops to save, if they have changed.
     pub(super) fn poll_kept(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
         let is_changed = std::mem::take(&mut self.is_changed);
         is_changed.then(|| (self.own.clone(), self.fleet.kept()))
     }
 
-    /// What stops the arm, and whether that is the fleet: whoever resets it must know of a stop of the fleet first.
+    /// Returns the cause of the stop, and whether it is the fleet's: a person who clears it must
+    /// know about a fleet-wide stop first.
     fn cause(&self) -> Option<(StoppedBy, bool)> {
         let fleet = self.fleet.holding().map(|it| StoppedBy {
             by: it.by.clone(),
@@ -231,7 +236,7 @@ impl StopLatch {
     }
 }
 
-/// How often people are told that a stop was not delivered.
+/// The interval of reports that a stop was not delivered.
 const EVERY: Duration = Duration::from_secs(1);
 /// Three statuses.
 const SOON: Duration = Duration::from_millis(240);

@@ -1,4 +1,4 @@
-//! The packets that bring an arm to rest, said until it rests: a packet can get lost.
+//! The packets that bring an arm to rest, repeated until it is at rest: a packet can get lost.
 
 use std::time::Duration;
 
@@ -6,7 +6,7 @@ use dobot_motion::LASER_OFF;
 
 use super::arm::Arm;
 
-/// An arm that is being brought to rest, if it is: laser off, button released, and so again.
+/// The sequence that brings an arm to rest: laser off, button release, and repetitions.
 #[derive(Debug, Default)]
 pub(super) struct StopSequence {
     round: Option<Round>,
@@ -16,18 +16,19 @@ pub(super) struct StopSequence {
 struct Round {
     next: Duration,
     laser_is_next: bool,
-    /// Rounds said already.
+    /// Completed rounds.
     rounds: u32,
-    /// Packets that may wait in the arm behind the first release, which runs down.
+    /// Packets that may wait in the arm after the first release, while it slows down.
     behind: u32,
-    /// A status came since the last packet: the arm has room for another.
+    /// Whether a status came since the last packet: the arm has room for another.
     heard: bool,
-    /// The laser was switched off in it: a button that is let go of says nothing of the laser.
+    /// Whether the laser was switched off in this sequence; a button release alone does not do
+    /// that.
     is_dark: bool,
 }
 
 impl Round {
-    /// The laser has just been switched off, and the release is next.
+    /// Starts after a laser-off packet; the release is next.
     const fn first(now: Duration) -> Self {
         Self {
             next: now.saturating_add(GAP),
@@ -39,11 +40,12 @@ impl Round {
         }
     }
 
-    /// What is said behind that, if anything.
+    /// Returns the next round, if any.
     fn after(self, arm: &Arm, unknown: Duration) -> Option<Self> {
         let behind = self.behind + u32::from(self.rounds > 0);
         let again = if behind >= MOST_BEHIND {
-            // With one more an arm that heard all would have no room, and be silent as if it was reset.
+            // One packet more would fill the queue of an arm that received all, and it would fall
+            // silent as after a reset.
             arm.rests_within(unknown).max(AGAIN)
         } else if self.laser_is_next {
             GAP
@@ -62,32 +64,33 @@ impl Round {
 }
 
 impl StopSequence {
-    /// When it has something to say, unless it waits for a status.
+    /// Returns when the next packet is due, unless it waits for a status.
     pub(super) fn next(&self) -> Option<Duration> {
         self.round.filter(|it| it.heard).map(|it| it.next)
     }
 
-    /// There is nothing more to say: the arm is to move again.
+    /// Ends the sequence, because the arm is to move again.
     pub(super) const fn forget(&mut self) {
         self.round = None;
     }
 
-    /// Laser off at once; then the release of the button that was sent last, if one was, until the arm
-    /// rests. While that goes on already, or waits in the arm for its turn, it need not begin anew.
+    /// Sends laser off immediately, then releases the last button, if any, until the arm is at
+    /// rest. A sequence that is already running, or waits in the arm for its turn, is not
+    /// restarted.
     pub(super) fn begin(&mut self, arm: &mut Arm) {
         let waits = arm.session().in_flight() > 0;
         let goes_on = |it: &Round| it.is_dark && (it.rounds == 0 || waits);
         if self.round.as_ref().is_some_and(goes_on) {
             return;
         }
-        // What was urgent before is said again in its turn.
+        // Earlier urgent packets are repeated in their turn.
         arm.send_first(LASER_OFF);
         self.round = Some(Round::first(arm.now()));
     }
 
-    /// Lets go of the button that was sent last; one that was never sent need not be released.
+    /// Releases the button sent last; one that was never sent need not be released.
     pub(super) fn release(&mut self, arm: &mut Arm) {
-        // The release must not pass the button itself, should that still wait for the line.
+        // The release must not overtake the button itself, which may still wait for the line.
         arm.hasten();
         if !arm.release_urgently() {
             return;
@@ -102,16 +105,15 @@ impl StopSequence {
         });
     }
 
-    /// Behind a laser that was just switched off: the release of the button that was sent last may have
-    /// got lost with the link.
+    /// Repeats the release after a laser-off packet: it may have been lost with the link.
     pub(super) fn release_again(&mut self, arm: &Arm) {
         let release = arm.session().release();
         self.round = release.map(|_| Round::first(arm.now()));
     }
 
-    /// Says it again: a stock arm wants a gap between packets, and may have missed one. What is said
-    /// again waits for a status, so that the arm's queue is not filled up with it. How long the arm may
-    /// be at what the session does not know of, is `unknown`.
+    /// Sends the next packet when due: a stock arm needs a gap between packets and may have missed
+    /// one. A repetition waits for a status, so that the arm's queue does not fill up. `unknown` is
+    /// the duration of motion that the session does not know of.
     pub(super) fn repeat(&mut self, arm: &mut Arm, is_linked: bool, unknown: Duration) {
         let due = |it: &Round| it.next <= arm.now() && it.heard;
         let Some(round) = self.round.filter(due) else {
@@ -121,9 +123,9 @@ impl StopSequence {
             self.round = None;
             return;
         }
-        if round.rounds > 0 && arm.session().in_flight() > 0 {
-            // The arm does one thing after the other: what was said waits there for its turn, and
-            // more of the same would only take up its queue.
+        if round.rounds > 0 && arm.session().under_way() > 0 {
+            // The arm executes commands in order: earlier packets wait there for their turn, and
+            // more would only fill its queue.
             let next = arm.now() + AGAIN;
             self.round = Some(Round { next, ..round });
             return;
@@ -136,7 +138,7 @@ impl StopSequence {
         self.round = round.after(arm, unknown);
     }
 
-    /// With each status: at rest there is nothing more to say, once it has been said twice.
+    /// Handles a status: at rest, after two rounds, the sequence is over.
     pub(super) fn handle_status(&mut self, rests: bool) {
         if let Some(round) = &mut self.round {
             round.heard = true;
@@ -145,11 +147,11 @@ impl StopSequence {
     }
 }
 
-/// More than a packet takes on the line, and the 8 ms that a stock arm wants between two (note N26).
+/// Longer than a packet on the line plus the 8 ms that a stock arm needs between two (note N26).
 const GAP: Duration = dobot_wire::PACKET_GAP;
-/// Two statuses may show that it was heard.
+/// Long enough for two statuses to show the effect.
 const AGAIN: Duration = Duration::from_millis(240);
-/// From the fourth packet that waits on a stock arm withholds its statuses (note N27).
+/// From the fourth waiting packet on, a stock arm withholds its statuses (note N27).
 const MOST_BEHIND: u32 = 3;
-/// An arm that has not heard it by then does not hear.
+/// An arm that has not reacted after this many rounds does not receive.
 const ROUNDS: u32 = 3;

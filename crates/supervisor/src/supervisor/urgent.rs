@@ -1,4 +1,4 @@
-//! The line to the arm: one packet after the other, with the gap that a stock arm wants.
+//! The line to the arm: one packet at a time, with the gap that a stock arm needs.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -6,13 +6,13 @@ use std::time::Duration;
 use dobot_session::Session;
 use dobot_wire::Packet;
 
-/// The line, and what is to go over it before all that waits.
+/// The line, and the urgent packets that go before waiting ones.
 #[derive(Debug, Default)]
 pub(super) struct UrgentQueue {
     urgent: VecDeque<Packet>,
-    /// When the packet before is over, and the gap behind it.
+    /// When the previous packet and its gap are over.
     free: Duration,
-    /// The next urgent packet does not wait for that.
+    /// Whether the next urgent packet does not wait for that.
     at_once: bool,
 }
 
@@ -25,7 +25,7 @@ impl UrgentQueue {
         self.urgent.clear();
     }
 
-    /// The next urgent packet does not wait for the line.
+    /// Lets the next urgent packet not wait for the line.
     pub(super) const fn hurry(&mut self) {
         self.at_once = true;
     }
@@ -34,10 +34,10 @@ impl UrgentQueue {
         self.urgent.is_empty()
     }
 
-    /// The packet to send now, if there is one. What is urgent goes before all that waits, but behind
-    /// a command that counts as sent already: what the arm averages depends on the order (note N49).
-    /// Nothing goes while the packet before is still on the line, for a stock arm may lose both. Only
-    /// the first packet of a stop waits for neither: it is said again anyway.
+    /// Returns the packet to send now, if any. Urgent packets go before waiting ones, but after a
+    /// command that counts as sent: the arm's averaging depends on the order (note N49). Nothing is
+    /// sent while the previous packet is on the line, because a stock arm may lose both. Only the
+    /// first packet of a stop waits for neither; it is repeated anyway.
     pub(super) fn poll(&mut self, now: Duration, session: &mut Session) -> Option<Packet> {
         let at_once = std::mem::take(&mut self.at_once);
         if now < self.free && !at_once {
@@ -53,11 +53,11 @@ impl UrgentQueue {
         Some(packet)
     }
 
-    /// When it is free again, while something waits for that.
+    /// Returns when the line is free again, while something waits for it.
     pub(super) fn wakeup(&self, now: Duration) -> Option<Duration> {
         (now < self.free).then_some(self.free)
     }
 }
 
-/// 43.68 ms on the line, the 8 ms that a stock arm wants between two (note N26), and a bit.
+/// 43.68 ms on the line, the 8 ms that a stock arm needs between packets (note N26), and a margin.
 const PACKET_AND_GAP: Duration = dobot_wire::LINE_TIME;

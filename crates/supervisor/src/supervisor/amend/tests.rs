@@ -10,7 +10,7 @@ fn frame(floats: &[f32]) -> Frame {
     floats.fold(Frame::ZERO, |frame, (n, value)| frame.with(n, *value))
 }
 
-/// An arm that stands, with its pump on and its gripper at 20 degrees.
+/// An arm at rest, with its pump on and its gripper at 20 degrees.
 fn model(dialect: Dialect) -> Model {
     let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
     let mut model = Model::standing(dialect, here);
@@ -19,7 +19,7 @@ fn model(dialect: Dialect) -> Model {
     model
 }
 
-/// What becomes of a packet on a stock arm that was just switched on.
+/// Returns the packet sent to a stock arm that was just switched on.
 fn sent(floats: &[f32]) -> Option<(Frame, String)> {
     let packet = frame(floats).into();
     let model = model(Dialect::FIRMWARE_1_1);
@@ -50,7 +50,7 @@ fn the_start_of_the_vendors_demo_for_arduino_sets_what_it_names_and_keeps_the_re
 
 #[test]
 fn speeds_above_the_policy_come_down_to_it_and_the_height_of_a_jump_is_kept() {
-    // As programs of the pyDobot family begin; 50 % of it counts, so twice the ceiling may be set.
+    // As programs of the pyDobot family begin; 50 % of it applies, so twice the ceiling may be set.
     let asked = [
         9.0, 1.0, 200.0, 200.0, 200.0, 200.0, 800.0, 1000.0, 0.0, 50.0,
     ];
@@ -63,7 +63,7 @@ fn speeds_above_the_policy_come_down_to_it_and_the_height_of_a_jump_is_kept() {
         told.contains("float 7 (max linear moving speed) is 800"),
         "{told}"
     );
-    // What comes down once stays as it is.
+    // A reduced packet is not changed again.
     assert_eq!(sent(packet.floats()), None);
 }
 
@@ -142,7 +142,7 @@ fn a_pen_that_is_too_fast_comes_down_to_the_ceiling_and_a_laser_does_not() {
 #[test]
 fn what_is_refused_all_the_same_is_refused_as_it_came() {
     for floats in [
-        // Each has something that would be replaced, and a trap (note N51).
+        // Each has a value that would be replaced, and a trap (note N51).
         [3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 0.5, 3.0, 130.0, 0.0],
         [2.0, 15.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [10.0, 0.0, 0.0, 50.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],

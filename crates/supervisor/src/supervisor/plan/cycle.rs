@@ -1,9 +1,9 @@
-//! The commands of a job that are done again and again.
+//! The repeated commands of a job.
 
 use dobot_api::JobProgram;
 use dobot_wire::Command;
 
-/// The commands at the end of a job that are done again.
+/// The commands at the end of a job that repeat.
 ///
 /// ```text
 ///   once     first time   second     third ...      how a job is done
@@ -12,19 +12,19 @@ use dobot_wire::Command;
 ///                         ^----------^              a job that is here goes back by `len`
 /// ```
 ///
-/// The first cycle begins wherever the commands before it leave the arm, each later one where the cycle
-/// before it does. So a job whose second cycle is over stands where it stood when the first one was: its
-/// places in the plan go back by a cycle, and the journal counts on.
+/// The first cycle starts wherever the preceding commands leave the arm, each later one where the
+/// previous cycle does. So after its second cycle a job is where it was after the first: its
+/// position in the plan moves back by a cycle, and the journal keeps counting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::supervisor) struct Cycle {
     pub(in crate::supervisor) from: usize,
     pub(in crate::supervisor) len: usize,
-    /// How often it is done in all; `None` where that goes on until a person ends it.
+    /// The total number of cycles; `None` if it repeats until it is ended.
     pub(in crate::supervisor) times: Option<u64>,
 }
 
 impl Cycle {
-    /// The cycle of a job with so many commands.
+    /// Returns the cycle of a job with this number of commands.
     pub(super) fn of(program: &JobProgram, commands: usize) -> Option<Self> {
         let repeat = program.repeat?;
         Some(Self {
@@ -34,13 +34,12 @@ impl Cycle {
         })
     }
 
-    /// Where the first cycle ends.
+    /// Returns the end of the first cycle.
     pub(in crate::supervisor) const fn end(&self) -> usize {
         self.from + self.len
     }
 
-    /// The commands with their cycle as often as it takes: twice, and as far beyond as is ever looked
-    /// ahead.
+    /// Unrolls the cycle: twice, plus the farthest look-ahead.
     pub(super) fn unroll(&self, mut commands: Vec<Command>) -> Vec<Command> {
         let most = 2 + AHEAD.div_ceil(self.len);
         let times = usize::try_from(self.times.unwrap_or(u64::MAX)).unwrap_or(usize::MAX);
@@ -51,12 +50,12 @@ impl Cycle {
         commands
     }
 
-    /// By how many cycles a job goes back of which so many commands are over.
+    /// Returns the number of cycles to move back after this many completed commands.
     pub(in crate::supervisor) const fn cycles_back(&self, completed: usize) -> usize {
         (completed.saturating_sub(self.from) / self.len).saturating_sub(1)
     }
 
-    /// Where the job ends, in a plan that has gone back by so many cycles.
+    /// Returns the end of the job in a plan that has moved back by this many cycles.
     pub(in crate::supervisor) fn job_end(&self, cycles_back: usize) -> usize {
         let times = self
             .times
@@ -66,5 +65,5 @@ impl Cycle {
     }
 }
 
-/// No window of the journal, and no command that waits, is farther ahead.
+/// No journal window and no waiting command is farther ahead.
 const AHEAD: usize = 64;

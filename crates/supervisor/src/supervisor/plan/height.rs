@@ -1,24 +1,24 @@
-//! A job drawn higher or lower than planned.
+//! Height changes of a job relative to its plan.
 
 use dobot_wire::{Command, WriteMode, WriteVector, single};
 
-/// Follows how far above its plan a job is drawn, command by command.
+/// Tracks the height of a job above its plan, command by command.
 ///
-/// A change comes a bit with each vector, so that no stroke gets a step; all at once where the pen
-/// goes up or down anyway; not at all where a laser burns, for a stock arm keeps its height there
-/// (note N48). Targets say themselves where they are, and are shifted as a whole.
+/// A change is spread over the vectors so that no stroke has a step; it is applied in full where
+/// the pen goes up or down anyway, and not at all where a laser burns, because a stock arm keeps
+/// its height there (note N48). Targets are absolute and shifted as a whole.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Height {
-    /// How far above the plan the arm is, in mm.
+    /// The current height above the plan, in mm.
     pub(super) raised_mm: f64,
-    /// How far above the plan it is to be, in mm.
+    /// The wanted height above the plan, in mm.
     pub(super) offset_mm: f64,
-    /// Most of a change that a vector takes, as share of its length.
+    /// The largest part of a change per vector, as a share of its length.
     slope: f64,
 }
 
 impl Height {
-    /// As planned.
+    /// Starts at the planned height.
     pub(super) const fn planned(burns: bool) -> Self {
         Self {
             raised_mm: 0.0,
@@ -27,7 +27,7 @@ impl Height {
         }
     }
 
-    /// The next command, at the height where it is to be drawn.
+    /// Applies the current height to the next command.
     pub(super) fn apply(&mut self, command: &Command) -> Command {
         match command {
             Command::WriteVector(it) if takes_height(it) => self.vector(*it).into(),
@@ -58,8 +58,9 @@ impl Height {
         WriteVector { z_mm, ..vector }
     }
 
-    /// Straight up and down the whole change fits in, unless hardly anything were left of the way:
-    /// a vector without length is the end of a stock arm's pose (note N51).
+    /// Returns the largest change for a vector. A vertical vector takes the whole change unless
+    /// hardly any length would be left: a zero-length vector makes a stock arm lose its pose (note
+    /// N51).
     fn most_mm(&self, vector: &WriteVector, missing_mm: f64) -> f64 {
         let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm].map(f64::from);
         let rests = vector.start_speed_mm_s == 0.0 && vector.end_speed_mm_s == 0.0;
@@ -75,11 +76,11 @@ fn takes_height(vector: &WriteVector) -> bool {
     vector.mode == WriteMode::Writing && !vector.laser && !vector.stop
 }
 
-/// A stroke that rises by so much of its length is not seen to.
+/// A slope this small is not visible in a stroke.
 const PEN_SLOPE: f64 = 0.05;
 /// With the laser off nothing is drawn.
 const TRAVEL_SLOPE: f64 = 0.5;
-/// A hundredth of what a status tells.
+/// A hundredth of the resolution of a status.
 const ENOUGH_MM: f64 = 1e-5;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What a job sends next, and how far ahead of the journal it may go.
+//! What a job sends next, and how far ahead of the journal it may be.
 
 pub(crate) mod adjust;
 pub(crate) mod cycles;

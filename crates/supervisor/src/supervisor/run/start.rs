@@ -1,4 +1,4 @@
-//! How a job begins and resumes.
+//! How a job starts and resumes.
 
 pub(crate) mod approach;
 pub(crate) mod started_job;

@@ -1,4 +1,4 @@
-//! What a person changes on a job while it runs: its speed and its height.
+//! Speed and height changes of a running job by a person.
 
 use dobot_journal::HeightChange;
 use dobot_safety::Policy;
@@ -7,13 +7,13 @@ use crate::refusal::Refusal;
 use crate::supervisor::JobPlan;
 use crate::supervisor::run::{Effect, JobEffect, Phase, Run};
 
-/// Whether a job may be drawn so much higher.
+/// Checks that a height offset is allowed.
 pub(in crate::supervisor) fn check_height(offset_mm: f64) -> Result<(), Refusal> {
     check_range("offset_mm", offset_mm, -HEIGHT_MM, HEIGHT_MM, "mm")
 }
 
 impl Run {
-    /// Whether speed and height of a job that is not coming to rest can be changed.
+    /// Checks that the job is not coming to rest and its speed and height can be changed.
     pub(in crate::supervisor) fn check_adjustable(&self) -> Result<(), Refusal> {
         if self.started.doubt.is_some() {
             let why = "nobody knows yet how far it is; start it first".to_owned();
@@ -22,14 +22,14 @@ impl Run {
         Ok(())
     }
 
-    /// Whether a job may be done at this share of its speed.
+    /// Checks that the job may run at this share of its speed.
     pub(in crate::supervisor) fn check_speed(&self, percent: f64) -> Result<(), Refusal> {
         let most = self.started.most_percent().min(FASTEST_PERCENT);
         check_range("percent", percent, SLOWEST_PERCENT, most, "%")
     }
 
-    /// Does what is not given yet at another speed: vectors, and the targets of a program, which an arm goes to
-    /// at 100 % of its configured speed at the most.
+    /// Changes the speed of what is not given yet: vectors, and the targets of a program, which run
+    /// at no more than 100 % of the arm's configured speed.
     pub(in crate::supervisor) fn set_speed(&mut self, percent: f64) -> JobEffect {
         self.started.adjustment.speed_percent = percent;
         self.target_speed = self.started.target_speed(self.next);
@@ -37,7 +37,7 @@ impl Run {
         self.keep_adjustment()
     }
 
-    /// Draws what is not given yet higher or lower.
+    /// Changes the height of what is not given yet.
     pub(in crate::supervisor) fn set_height(
         &mut self,
         offset_mm: f64,
@@ -70,7 +70,7 @@ impl Run {
             .change(&self.started.plan, self.next, speed_mm_s, percent);
     }
 
-    /// The job with all that is not sent yet at another height.
+    /// Returns the plan with everything not sent yet at another height.
     fn at_height(&self, offset_mm: f64) -> (JobPlan, HeightChange) {
         let from = self.next;
         let begin_mm = match self.phase {
@@ -95,8 +95,7 @@ impl Run {
     }
 }
 
-/// Of the changes before the commands that the journal knows to be done only the last one still
-/// matters.
+/// Of the changes before the commands that the journal has as done, only the last one matters.
 fn forget_older(heights: &mut Vec<HeightChange>, kept: usize) {
     let done = heights.partition_point(|it| it.from <= kept);
     heights.drain(..done.saturating_sub(1));

@@ -1,4 +1,4 @@
-//! A job that does its cycle again: its places go back, and each cycle is timed.
+//! Repeated cycles: the position in the plan moves back, and each cycle is timed.
 
 use std::time::Duration;
 
@@ -6,17 +6,17 @@ use dobot_api::ProgramView;
 
 use crate::supervisor::run::{Phase, Run};
 
-/// How long the cycles took that were done in one go.
+/// The durations of uninterrupted cycles.
 #[derive(Debug, Default)]
 pub(crate) struct CycleTimes {
-    /// When the cycle began that is under way, if it did without a pause since.
+    /// When the current cycle began, if it has not been paused since.
     started: Option<Duration>,
     total: Duration,
     count: u32,
 }
 
 impl CycleTimes {
-    /// A cycle is over, and the next one begins.
+    /// Ends a cycle and begins the next one.
     fn handle_over(&mut self, now: Duration) {
         if let Some(started) = self.started.replace(now) {
             self.total += now.saturating_sub(started);
@@ -24,7 +24,7 @@ impl CycleTimes {
         }
     }
 
-    /// The cycle that is under way does not count: the job rests in it.
+    /// Discards the current cycle, because the job rests in it.
     pub(crate) const fn forget(&mut self) {
         self.started = None;
     }
@@ -35,7 +35,7 @@ impl CycleTimes {
 }
 
 impl Run {
-    /// Takes that one more command is over: perhaps a cycle is, and the places in the plan go back.
+    /// Handles a completed command: a cycle may be over, and the position in the plan moves back.
     pub(crate) fn handle_progress(&mut self, now: Duration) {
         let Some(cycle) = self.started.plan.cycle() else {
             return;
@@ -69,7 +69,7 @@ impl Run {
         }
     }
 
-    /// At work, up to where it waits for a person, or ends.
+    /// Returns the running phase, up to the next pause for a person or the end.
     pub(in crate::supervisor::run) fn running(&self) -> Phase {
         let pause = self.started.next_pause().map(|it| it.0);
         let ends = [
@@ -82,7 +82,7 @@ impl Run {
         Phase::Running { upto }
     }
 
-    /// How long the rest takes, in seconds, by the motion model.
+    /// Returns the remaining time, in seconds (motion model).
     pub(crate) fn left_s(&self) -> Option<f64> {
         let (started, plan) = (&self.started, &self.started.plan);
         let cycles = plan.cycle().map_or(0, |it| started.back / it.len);

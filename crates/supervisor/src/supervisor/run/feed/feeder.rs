@@ -1,4 +1,4 @@
-//! Keeping session and journal supplied with what the job needs next.
+//! Supplies session and journal with what the job needs next.
 
 use std::time::Duration;
 
@@ -13,14 +13,14 @@ use crate::supervisor::run::observe::grip_check::{SEEN_WITHIN, UnseenGrip};
 use crate::supervisor::run::{Effect, JobEffect, Phase, Ran, Rests, Run, SentCommand, ToolHeight};
 
 impl Run {
-    /// Takes that a command was not sent, and is forgotten.
+    /// Handles a command that was dropped before it was sent.
     pub(in crate::supervisor) fn handle_forgotten(&mut self, id: CommandId) {
         if let Some(at) = self.given.iter().position(|it| it.id == id) {
             let index = self.given[at].index;
             self.given.truncate(at);
             self.next = self.next.min(index);
         }
-        // The tool is still above.
+        // The tool is still up.
         if let ToolHeight::Lowering(it, command) = self.tool
             && it == id
         {
@@ -28,8 +28,8 @@ impl Run {
         }
     }
 
-    /// Takes that a command is over: of the job, or on the way to it. Says whether the job is concerned
-    /// by one that failed.
+    /// Handles a finished command of the job or its approach. Returns whether a failed one concerns
+    /// the job.
     pub(in crate::supervisor) fn handle_over(
         &mut self,
         id: CommandId,
@@ -56,7 +56,7 @@ impl Run {
         false
     }
 
-    /// Keeps the session and the journal supplied. The tool is lifted only where it may.
+    /// Supplies session and journal. The tool is lifted only if `may_lift`.
     pub(in crate::supervisor) fn feed(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<JobEffect> {
         if matches!(self.phase, Phase::Approaching { last: None }) {
             self.set_out(arm.now());
@@ -90,7 +90,7 @@ impl Run {
             .command(&self.started.plan, self.next, speed_mm_s)
     }
 
-    /// A program that is done at another speed goes to its targets at that.
+    /// Scales a program's targets to its current speed.
     fn scaled(&self, command: Command) -> Command {
         match command {
             Command::PlaybackAdjustment(it) if self.started.kind == JobKind::Program => {
@@ -107,11 +107,11 @@ impl Run {
         Ok(())
     }
 
-    /// The tool goes down only when the job goes on right behind that: a pen that stands on the paper
-    /// makes a blot.
+    /// Lowers the tool only when a command follows directly: a pen that rests on the paper makes a
+    /// blot.
     fn lower(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
         if let ToolHeight::Above(command) = self.tool {
-            // Where that fails, nothing of the job is given behind it.
+            // If that fails, no command of the job follows.
             self.tool = ToolHeight::Down;
             self.tool = ToolHeight::Lowering(arm.send(&command)?, command);
         }
@@ -126,7 +126,7 @@ impl Run {
         Ok(())
     }
 
-    /// All was given up to where the job comes to rest: for a person, or to be lifted.
+    /// Handles the end of the given commands, where the job rests for a person or to be lifted.
     fn reach_limit(&mut self, arm: &mut Arm, may_lift: bool) -> Option<JobEffect> {
         if self.next < self.upto() {
             return None;
@@ -158,7 +158,7 @@ impl Run {
         here.map(|_| self.drain(JobPhase::Paused, "the step is done", Rests::AsItIs))
     }
 
-    /// The journal is asked in time, so that the arm does not wait for the disk.
+    /// Asks the journal early, so that the arm does not wait for the disk.
     fn ask_journal(&mut self, status: Option<Status>) -> Option<JobEffect> {
         if !self.permit.is_low(self.next) {
             return None;
@@ -181,7 +181,7 @@ impl Run {
             .then_some(JobEffect::Ask(effect))
     }
 
-    /// Where the job goes on is reached: the commands follow, up to where it waits for a person.
+    /// Starts the commands once the resume point is reached, up to the next pause for a person.
     fn set_out(&mut self, now: Duration) {
         self.phase = self.running();
         self.ran = Some(Ran {
@@ -194,7 +194,7 @@ impl Run {
         matches!(self.phase, Phase::Approaching { .. })
     }
 
-    /// Whether there are commands to be given.
+    /// Returns whether there are commands to give.
     fn gives(&self) -> bool {
         match self.phase {
             Phase::Running { .. } => true,
@@ -203,7 +203,7 @@ impl Run {
         }
     }
 
-    /// Commands below this one may be given: there the job comes to rest.
+    /// Returns the first command that may not be given: there the job comes to rest.
     const fn upto(&self) -> usize {
         match self.phase {
             Phase::Running { upto } | Phase::Draining { upto, .. } => upto,
@@ -211,7 +211,7 @@ impl Run {
         }
     }
 
-    /// The command at this place of those given is over.
+    /// Handles the end of a given command.
     fn over(&mut self, at: usize, now: Duration, is_done: bool, status: Option<&Status>) {
         let given = self.given.remove(at).expect("it was found there");
         if let Some(ran) = &mut self.ran {
@@ -238,5 +238,5 @@ impl Run {
     }
 }
 
-/// So many commands wait in the session, so that a permit finds one.
+/// This many commands wait in the session, so that a permit always finds one.
 const KEEP_WAITING: usize = 2;

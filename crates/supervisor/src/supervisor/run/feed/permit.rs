@@ -1,22 +1,21 @@
-//! How far a job may go on before the journal has more of it: what it does not know it cannot bring
-//! back.
+//! How far a job may be ahead of the journal: the journal cannot restore what it does not have.
 
 use dobot_journal::Adjustment;
 
-/// What the journal has of a job, and what it has been asked for.
+/// What the journal has of a job, and what was requested.
 #[derive(Debug)]
 pub(crate) struct Permit {
-    /// Commands below this one may be sent: the journal has it.
+    /// Commands below this one may be sent: the journal has the window.
     upto: usize,
-    /// As many commands are done as the journal has it: a station that is started after a crash
-    /// looks for the arm from there on.
+    /// The number of completed commands in the journal, from which a station starts to locate the
+    /// arm after a crash.
     kept: usize,
     asked: Option<PendingRequest>,
-    /// The journal does not have this yet: what it changes is not sent before.
+    /// An adjustment not yet in the journal; the commands it changes are not sent before.
     adjustment: Option<Adjustment>,
 }
 
-/// What the journal does not have yet.
+/// A request that the journal has not completed yet.
 #[derive(Debug)]
 struct PendingRequest {
     upto: usize,
@@ -24,7 +23,7 @@ struct PendingRequest {
 }
 
 impl Permit {
-    /// No command may be sent yet, and so many are done as the journal has it.
+    /// Starts without a permit, with this many completed commands in the journal.
     pub(crate) const fn new(completed: usize, kept: usize) -> Self {
         Self {
             upto: completed,
@@ -34,17 +33,17 @@ impl Permit {
         }
     }
 
-    /// Whether a command may be sent.
+    /// Returns whether a command may be sent.
     pub(crate) const fn allows(&self, index: usize) -> bool {
         index < self.upto && self.adjustment.is_none()
     }
 
-    /// Whether it is time to ask for more, when this command is the next.
+    /// Returns whether to request more, when this command is the next.
     pub(crate) const fn is_low(&self, next: usize) -> bool {
         self.asked.is_none() && self.upto < next + LOW_WATER
     }
 
-    /// Asks to let the job go on up to there; says whether that is more than it has.
+    /// Requests a window up to a command; returns whether that is more than before.
     pub(crate) fn ask(&mut self, upto: usize, completed: usize) -> bool {
         let is_more = upto > self.upto;
         if is_more {
@@ -53,7 +52,7 @@ impl Permit {
         is_more
     }
 
-    /// Takes that the journal has the job go on up to there.
+    /// Handles the journal's window up to a command.
     pub(crate) fn handle_given(&mut self, upto: usize) {
         let Some(asked) = &self.asked else {
             return;
@@ -65,18 +64,18 @@ impl Permit {
         }
     }
 
-    /// Waits until the journal has this.
+    /// Waits until the journal has this adjustment.
     pub(crate) fn wait_for(&mut self, adjustment: Adjustment) {
         self.adjustment = Some(adjustment);
     }
 
-    /// Takes that the journal has what a person changed.
+    /// Handles an adjustment that the journal has written.
     pub(crate) fn handle_adjusted(&mut self, adjustment: &Adjustment) {
         let same = |it: &mut Adjustment| it.heights == adjustment.heights;
         self.adjustment.take_if(same);
     }
 
-    /// Takes that the places in the plan have gone back.
+    /// Moves back in the plan.
     pub(crate) fn go_back(&mut self, back: usize) {
         self.upto -= back;
         self.kept = self.kept.saturating_sub(back);
@@ -86,11 +85,11 @@ impl Permit {
         }
     }
 
-    /// As many commands are done as the journal has it.
+    /// Returns the number of completed commands in the journal.
     pub(crate) const fn kept(&self) -> usize {
         self.kept
     }
 }
 
-/// The journal is asked for more when so few are left.
+/// More is requested when this many are left.
 const LOW_WATER: usize = 12;

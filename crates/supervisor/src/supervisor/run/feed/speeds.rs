@@ -1,4 +1,4 @@
-//! At which speeds the vectors go that are not sent yet.
+//! The speeds of the vectors not sent yet.
 
 use dobot_motion::burns;
 use dobot_plan::{ArmLimits, RespeedStart, respeed, stop_each};
@@ -6,16 +6,16 @@ use dobot_wire::{Command, WriteVector, single};
 
 use crate::supervisor::JobPlan;
 
-/// At which speeds the vectors go that are not sent yet: as planned, or at a share of that, or as
-/// it takes to begin or to come to rest in the middle of a stroke.
+/// The speeds of the vectors not sent yet: as planned, at a share of that, or as needed to start or
+/// to come to rest in the middle of a stroke.
 #[derive(Clone, Debug)]
 pub(crate) struct Speeds {
     share: f64,
     arm_limits: ArmLimits,
-    /// The first vector with a speed of its own.
+    /// The first vector with its own speed.
     first: usize,
     vectors: Vec<WriteVector>,
-    /// Up to here each vector ends at rest.
+    /// Up to here, each vector ends at rest.
     rests_until: usize,
 }
 
@@ -30,15 +30,16 @@ impl Speeds {
         }
     }
 
-    /// Nobody knows with what speed a stock arm begins the rest of this stroke. A vector between two
-    /// rests becomes as long as it should whatever that is, so each of them is one.
+    /// Stops at each vector for the rest of this stroke, because the speed at which a stock arm
+    /// starts it is unknown. A vector between two rests gets the right length whatever that speed
+    /// is.
     pub(crate) fn stop_each(&mut self, plan: &JobPlan, index: usize) {
         if self.arm_limits.has_ticks {
             self.rests_until = index + plan.chain(index).count();
         }
     }
 
-    /// A command as it is to be sent when the one before it ends with so much speed, in mm/s.
+    /// Returns a command as it is to be sent after one that ends at this speed, in mm/s.
     pub(crate) fn command(
         &mut self,
         plan: &JobPlan,
@@ -59,7 +60,7 @@ impl Speeds {
         Some(own.map_or(planned, Command::from))
     }
 
-    /// From here on it is another share, or another way.
+    /// Changes the share or the path from here on.
     pub(crate) fn change(
         &mut self,
         plan: &JobPlan,
@@ -71,7 +72,7 @@ impl Speeds {
         self.go_on(plan, index, speed_mm_s);
     }
 
-    /// Takes that the places in the plan have gone back.
+    /// Moves back in the plan.
     pub(crate) fn go_back(&mut self, back: usize) {
         match self.first.checked_sub(back) {
             Some(first) => self.first = first,
@@ -80,8 +81,8 @@ impl Speeds {
         self.rests_until = self.rests_until.saturating_sub(back);
     }
 
-    /// Comes to rest on the way that goes on, if that is soon and no laser burns there. Gives the
-    /// command before which the arm rests.
+    /// Comes to rest along the path, if that is soon and no laser burns there. Returns the command
+    /// before which the arm rests.
     pub(crate) fn brake(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) -> Option<usize> {
         let speed = f64::from(speed_mm_s);
         let needed_mm =
@@ -102,9 +103,9 @@ impl Speeds {
         Some(index + count)
     }
 
-    /// The arm as it does a vector of the job.
-    pub(crate) fn arm_limits_at(&self, plan: &JobPlan, index: usize) -> ArmLimits {
-        ArmLimits {
+    /// Returns the arm limits for a vector of the job.
+    pub(crate) fn machine_at(&self, plan: &JobPlan, index: usize) -> Machine {
+        Machine {
             acceleration_mm_s2: plan.drawn_with(index).acceleration_mm_s2,
             ..self.arm_limits
         }
@@ -131,7 +132,7 @@ impl Speeds {
     }
 }
 
-/// The arm as a vector finds it. There is a target before each.
+/// Returns the arm state that a vector starts from. A target comes before each.
 fn begin(plan: &JobPlan, index: usize, speed_mm_s: f32) -> RespeedStart {
     RespeedStart {
         speed_mm_s,
@@ -140,8 +141,8 @@ fn begin(plan: &JobPlan, index: usize, speed_mm_s: f32) -> RespeedStart {
     }
 }
 
-/// Whether a command is planned to begin with this speed. Only a vector can begin otherwise, and
-/// between two rests it becomes as long as it should all the same.
+/// Returns whether a command is planned to start at this speed. Only a vector can start otherwise,
+/// and between two rests it gets the right length anyway.
 fn begins_with(planned: &Command, speed_mm_s: f32) -> bool {
     match planned {
         Command::WriteVector(it) if it.end_speed_mm_s > 0.0 || it.start_speed_mm_s > MOVES_MM_S => {
@@ -152,7 +153,7 @@ fn begins_with(planned: &Command, speed_mm_s: f32) -> bool {
     }
 }
 
-/// How many of these vectors it takes until the way is so long.
+/// Returns the number of vectors needed for this distance.
 fn reaching(vectors: &[WriteVector], way_mm: f64) -> usize {
     let mut so_far_mm = 0.0;
     let before = vectors.iter().take_while(|it| {
@@ -193,15 +194,15 @@ fn length_mm(vector: &WriteVector) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
-/// So slow a vector would take minutes; it goes as fast as it may instead, from rest to rest.
+/// A slower vector would take minutes; it runs as fast as allowed instead, from rest to rest.
 const CREEPS_MM_S: f32 = 1.0;
-/// What a stock arm keeps where it rests is less.
+/// The speed that a stock arm keeps at rest is less.
 const MOVES_MM_S: f32 = 4.0;
-/// Speeds that differ by less are the same.
+/// Speeds that differ by less are equal.
 const SAME_MM_S: f32 = 1e-3;
-/// A stock arm cuts vectors into whole ticks, and needs a bit more way for that.
+/// A stock arm rounds vectors to whole ticks and needs some extra distance for that.
 const TO_SPARE: f64 = 1.1;
-/// A way on which it takes longer to come to rest is not gone for that.
+/// If coming to rest along the path takes longer, it is not done.
 const SOON_S: f64 = 1.5;
 
 #[cfg(test)]

@@ -1,8 +1,9 @@
-//! What pump and gripper do is never in doubt: it is seen before anything else is sent.
+//! Checks of pump and gripper: a grip is confirmed by a status before anything else is sent.
 //!
-//! A command that is lost is found out late: the arm does what comes behind it. For a motion that is no harm, since
-//! a target says where it leads. An object that was not taken is missing for good. So a command that changes what
-//! is held is sent when all before it is over, and nothing is sent behind it before a status shows what it did.
+//! A lost command is detected late, after the arm has done what follows. For motions that is
+//! harmless, since a target is absolute, but an object that was not picked up stays missing. So a
+//! command that changes what is held is sent when everything before it is over, and nothing is sent
+//! after it before a status shows its effect.
 
 use std::time::Duration;
 
@@ -10,28 +11,28 @@ use dobot_wire::Status;
 
 use crate::supervisor::run::{Run, SentCommand};
 
-/// A grip that is over as far as anybody can tell, and that no status shows yet.
+/// A grip that is over by the session's estimate, but not shown by a status yet.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnseenGrip {
     pub(crate) command: SentCommand,
-    /// Until then it is waited for.
+    /// The end of the wait.
     pub(crate) until: Duration,
 }
 
 impl Run {
-    /// Whether the next command has to wait for those before it.
+    /// Returns whether the next command has to wait for those before it.
     pub(crate) fn waits_for_grip(&self) -> bool {
         let grips = |index| self.started.plan.grips(index);
         let last = self.given.back().is_some_and(|it| grips(it.index));
         self.unseen.is_some() || last || grips(self.next) && !self.given.is_empty()
     }
 
-    /// Whether a status shows what a command did with pump and gripper.
+    /// Returns whether a status shows the effect of a command on pump and gripper.
     pub(crate) fn shows_grip(&self, index: usize, status: &Status) -> bool {
         !self.started.plan.grips(index) || self.started.plan.shows_grip(index, status)
     }
 
-    /// The grip was seen, or is not waited for any longer: then says why.
+    /// Checks the awaited grip: seen, or overdue and why.
     pub(in crate::supervisor) fn judge_grip(
         &mut self,
         now: Duration,
@@ -51,5 +52,5 @@ impl Run {
     }
 }
 
-/// Statuses come twelve times a second: after so long one would have shown it.
+/// Statuses arrive twelve times per second: within this time one would have shown it.
 pub(crate) const SEEN_WITHIN: Duration = Duration::from_millis(1500);

@@ -1,4 +1,4 @@
-//! What the statuses tell of a job: how far it got, and whether it ends where it should.
+//! Progress of a job by the statuses: how far it got, and whether it ends in the right place.
 
 use std::ops::Range;
 
@@ -13,8 +13,8 @@ use crate::supervisor::arm::Arm;
 use crate::supervisor::run::{Effect, JobEffect, Phase, Run, StartedJob, word};
 
 impl Run {
-    /// So many statuses in a row that tell the same: nothing of a window is under way any more, not
-    /// even a pause.
+    /// The number of equal statuses in a row after which nothing of a window is in flight, not even
+    /// a pause.
     fn rests_after(&self, window: &Window) -> u32 {
         let commands = self.started.plan.commands();
         let upto = window.upto.min(commands.len());
@@ -29,8 +29,8 @@ impl Run {
         SURELY_AT_REST + statuses
     }
 
-    /// What is wrong with the place where the arm rests when all is over. A vector leads from
-    /// wherever the arm is: where one was lost, all behind it are displaced.
+    /// Describes what is wrong with the final position. A vector starts wherever the arm is: if one
+    /// was lost, all after it are displaced.
     fn misses_end(&self, status: &Status) -> Option<String> {
         let end = self.started.plan.start_position(self.started.end())?;
         let off_mm = end.distance(position(status)).0;
@@ -41,7 +41,7 @@ impl Run {
         })
     }
 
-    /// How long it took, and how far the plan was off, in words.
+    /// Describes how long it took and how far the plan was off.
     fn took(&self) -> String {
         let Some(ran_s) = self.started.behind.ran_s else {
             return String::new();
@@ -53,7 +53,7 @@ impl Run {
         format!(", in {ran_s:.1} s{planned}")
     }
 
-    /// With each status: is the job located, drained, lifted, done?
+    /// Checks with each status whether the job is located, drained, lifted or done.
     pub(in crate::supervisor) fn handle_status(&mut self, arm: &mut Arm) -> Vec<JobEffect> {
         match &self.phase {
             Phase::Locating { window } if arm.still() >= self.rests_after(window) => {
@@ -75,8 +75,9 @@ impl Run {
         }
     }
 
-    /// Whether nothing of it is under way any more. The session may be done with commands of which it has not told yet, or
-    /// whose grip was not seen yet: how far the job is, only these say.
+    /// Returns whether nothing of the job is in flight. The session may be done with commands that
+    /// it has not reported yet, or whose grip was not seen yet; the progress counts only those
+    /// reported.
     fn is_idle(&self, arm: &Arm) -> bool {
         arm.is_idle() && self.given.is_empty() && self.unseen.is_none()
     }
@@ -85,7 +86,7 @@ impl Run {
         self.started.completed == self.started.end()
     }
 
-    /// All of the job was seen to be over, and the arm rests: where the job ends?
+    /// Handles the end of all commands with the arm at rest: checks that it is where the job ends.
     fn finish(&mut self, arm: &mut Arm) -> Vec<JobEffect> {
         arm.part_from_laser();
         self.note_ran();
@@ -112,7 +113,7 @@ impl Run {
         ]
     }
 
-    /// The arm rests: which command was the last one that it did?
+    /// Handles an arm at rest: finds the last command that it did.
     fn locate(&mut self, arm: &mut Arm, window: &Window) -> Vec<JobEffect> {
         let Some(status) = arm.last() else {
             return Vec::new();
@@ -138,7 +139,7 @@ impl Run {
     }
 }
 
-/// Which command is the first that was not done, by where the arm rests.
+/// Returns the first command that was not done, from the position where the arm rests.
 pub(crate) fn locate_at(
     started: &StartedJob,
     window: &Window,
@@ -155,7 +156,7 @@ pub(crate) fn locate_at(
     Ok(behind_seen_grips(&started.plan, next..window.upto, status))
 }
 
-/// A grip leaves its trace in the status, not in where the arm rests: those that are seen are done.
+/// A grip shows in the status, not in the position: grips that are seen are done.
 fn behind_seen_grips(plan: &JobPlan, commands: Range<usize>, status: &Status) -> usize {
     let seen = |index: &usize| plan.grips_in_place(*index) && plan.shows_grip(*index, status);
     commands.start + commands.take_while(seen).count()
@@ -169,10 +170,10 @@ const fn pause_s(command: &Command) -> f32 {
     }
 }
 
-/// So many statuses in a row that tell the same: whatever was under way is over.
+/// After this many equal statuses in a row everything in flight is over.
 const SURELY_AT_REST: u32 = 20;
 const STATUSES_PER_S: f32 = 12.5;
 const A_DAY_S: f32 = 86_400.0;
 
-/// As near as this the arm is where it should be.
+/// The arm is in place within this distance.
 pub(crate) const THERE_MM: f64 = 0.3;

@@ -1,4 +1,4 @@
-//! What was lost on the way is sent again: a program goes on by itself where that is safe.
+//! Resending lost commands: a program continues by itself where that is safe.
 
 use dobot_api::JobPhase;
 use dobot_journal::Window;
@@ -8,7 +8,7 @@ use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 use crate::supervisor::run::{JobEffect, Phase, Rests, Run, StartedJob};
 
-/// How often the same command was sent again, one time after the other.
+/// How often the same command was sent again in a row.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Retries {
     /// The command, counted over all cycles.
@@ -17,7 +17,7 @@ pub(crate) struct Retries {
 }
 
 impl Run {
-    /// A command of the job failed, and the job rests for that: to go on by itself where that is safe.
+    /// Handles a failed command: the job comes to rest, to continue by itself if that is safe.
     pub(in crate::supervisor) fn fail(&mut self, why: &str) -> Option<JobEffect> {
         let is_running = matches!(self.phase, Phase::Running { .. });
         if !is_running || !self.may_try_again() {
@@ -45,8 +45,8 @@ impl Run {
         ))
     }
 
-    /// A target says itself where it leads: it may be sent again wherever the arm is. Vectors go on from where
-    /// they were.
+    /// Returns whether commands may be sent again. A target is absolute and may be sent again
+    /// wherever the arm is; vectors are relative.
     fn may_try_again(&self) -> bool {
         let counted = self.started.completed + self.started.back;
         let is_new = self.retries.command != counted;
@@ -56,13 +56,13 @@ impl Run {
         leads_somewhere && (is_new || self.retries.times < MOST_RETRIES)
     }
 
-    /// What was lost cannot be sent again: the job is paused.
+    /// Pauses the job because lost commands cannot be sent again.
     pub(in crate::supervisor) fn give_up(&mut self, why: &str) -> JobEffect {
         self.drain(JobPhase::Paused, why, Rests::AsItIs)
     }
 
-    /// Goes on from where the arm rests: behind what it has done, or where that is unclear, from the first
-    /// command that nobody saw it do.
+    /// Continues from where the arm rests: after what it has done or, if that is unclear, from the
+    /// first command not seen to be done.
     pub(in crate::supervisor) fn try_again(
         &self,
         arm: &mut Arm,
@@ -80,7 +80,7 @@ impl Run {
             Self::begin(started, arm, Some(self))
         })?;
         run.retries = self.retries;
-        // Those who watch know that it goes on.
+        // A notice has said already that it continues.
         let kept = effects
             .into_iter()
             .filter(|it| matches!(it, JobEffect::Keep(_)));
@@ -88,5 +88,5 @@ impl Run {
     }
 }
 
-/// A link on which a command is lost so often in turn is no link.
+/// A link that loses the same command this often is broken.
 const MOST_RETRIES: u32 = 5;

@@ -1,4 +1,4 @@
-//! A job that goes no further: by a person, by trouble, for good or for a while.
+//! Interrupting a job: by a person or a fault, for good or for a while.
 
 use dobot_api::{JobPhase, News};
 use dobot_journal::Window;
@@ -7,10 +7,10 @@ use crate::supervisor::arm::Arm;
 use crate::supervisor::run::{Effect, JobEffect, Phase, Rests, Run, ToolHeight, straight, word};
 
 impl Run {
-    /// Ends a job that gives the arm no commands any more, with what its phase needs for that.
+    /// Ends a job that sends no more commands, as its phase requires.
     pub(in crate::supervisor) fn end(&mut self, why: &str) -> Option<JobEffect> {
         match &mut self.phase {
-            // Nothing moves for its sake: how far the job got, nobody needs to know any more.
+            // Nothing moves for it: its progress no longer matters.
             Phase::Paused { .. } | Phase::Locating { .. } => {
                 Some(self.drain(JobPhase::Stopped, why, Rests::AsItIs))
             }
@@ -23,8 +23,7 @@ impl Run {
         }
     }
 
-    /// The job goes no further: it comes to rest on its way, and the tool is lifted. What was not sent
-    /// is forgotten already.
+    /// Comes to rest along the path and lifts the tool. Unsent commands have been dropped already.
     pub(in crate::supervisor) fn come_to_rest(&mut self, then: JobPhase, why: &str) -> JobEffect {
         let rests = if self.is_down() {
             Rests::Lifted
@@ -36,7 +35,7 @@ impl Run {
         effect
     }
 
-    /// The job goes no further: what is under way comes to its end, then it is paused.
+    /// Interrupts the job: the in-flight commands finish, then it is paused.
     pub(in crate::supervisor) fn interrupt(&mut self, why: &str) -> Option<JobEffect> {
         if self.is_at_work() {
             return Some(self.drain(JobPhase::Paused, why, Rests::AsItIs));
@@ -53,7 +52,7 @@ impl Run {
                 *then = JobPhase::Paused;
                 why.clone_into(reason);
             }
-            // It does not come to the place where it was to wait for a person.
+            // It does not reach the place of its pause.
             if *rests == Rests::ForPerson && self.next < *upto {
                 why.clone_into(reason);
             }
@@ -63,7 +62,7 @@ impl Run {
         None
     }
 
-    /// A job that burns goes no further, and the tool is lifted.
+    /// Interrupts a burning job and lifts the tool.
     pub(in crate::supervisor) fn interrupt_burning(&mut self, why: &str) -> JobEffect {
         self.drain(JobPhase::Paused, why, Rests::Lifted)
     }
@@ -80,13 +79,13 @@ impl Run {
             upto: self.next,
             rests,
         };
-        // The journal keeps it as running until nothing is under way: a crash until then has to find
-        // out how far the job got.
+        // The journal keeps it as running until nothing is in flight: after a crash before that,
+        // its progress has to be found out.
         self.notify(then, reason)
     }
 
-    /// All was given that the job does before it rests: the tool is lifted right behind that, so that
-    /// no pen stands on the paper.
+    /// Lifts the tool right after the last command before the rest, so that no pen rests on the
+    /// paper.
     pub(crate) fn lift(&mut self, arm: &mut Arm, may_lift: bool, then: JobPhase, reason: String) {
         let up = self.lift_mm();
         let command = straight(up.into());
@@ -103,7 +102,7 @@ impl Run {
         };
     }
 
-    /// Nothing of the job is under way any more: how far it got is certain, and kept.
+    /// Handles the end of everything in flight: the progress is certain and is saved.
     pub(crate) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<JobEffect> {
         if let Phase::Draining {
             rests: Rests::ToTryAgain,
@@ -126,7 +125,7 @@ impl Run {
         effects
     }
 
-    /// Gives how far the job is, where that is certain.
+    /// Returns the progress, if it is certain.
     fn come_to_end(&mut self, reason: &str) -> Option<Window> {
         let for_person = match &self.phase {
             Phase::Draining { rests, .. } => *rests == Rests::ForPerson,
@@ -158,8 +157,8 @@ impl Run {
         JobEffect::Notify(News::Job { job, phase }, text)
     }
 
-    /// Comes to rest on the way that it is on, where that goes soon: an arm that has nothing more to
-    /// do stops dead.
+    /// Comes to rest along the current path, if that is soon: an arm without further commands stops
+    /// abruptly.
     fn brake(&mut self) {
         let left = self.left();
         if left.moves
@@ -172,7 +171,7 @@ impl Run {
         }
     }
 
-    /// Whether the tool is where the job goes on: not above that, on its way.
+    /// Returns whether the tool is at the resume point, not above it or on its way.
     const fn is_down(&self) -> bool {
         !matches!(self.phase, Phase::Approaching { .. })
             && !matches!(self.tool, ToolHeight::Above(_))

@@ -1,4 +1,4 @@
-//! Starting a job, or going on with it: from wherever the arm is to where the job goes on.
+//! Starting or resuming a job: from wherever the arm is to the resume point.
 
 use dobot_api::{JobPhase, News};
 use dobot_arm::Position;
@@ -13,7 +13,7 @@ use crate::supervisor::run::observe::progress::{THERE_MM, locate_at};
 use crate::supervisor::run::{CarriedOver, Effect, JobEffect, Phase, Run, StartedJob, ToolHeight};
 
 impl Run {
-    /// Begins a job, or goes on with a paused one: with this one, if it is the same.
+    /// Starts a job, or resumes the paused one if it is the same.
     pub(in crate::supervisor) fn begin(
         started: StartedJob,
         arm: &mut Arm,
@@ -66,8 +66,8 @@ impl Run {
         ]
     }
 
-    /// What the arm keeps for the next vector, before anything is sent for a job: what the pause has
-    /// left, or else what the plan says.
+    /// Returns the carry-over for the next vector before anything is sent for the job: what the
+    /// pause has left, otherwise what the plan says.
     fn left_before(&self, paused: Option<&Self>) -> CarriedOver {
         let paused = paused.filter(|it| it.job() == self.job());
         let left = paused.map(|it| it.left).filter(|it| !it.is_unknown);
@@ -75,7 +75,7 @@ impl Run {
     }
 }
 
-/// A job of which nobody knows how far it got goes on only from where the arm rests.
+/// Locates a job of unknown progress by where the arm rests.
 fn located(mut started: StartedJob, status: Option<Status>) -> Result<StartedJob, Refusal> {
     let (Some(window), Some(status)) = (started.doubt.take(), status) else {
         return Ok(started);
@@ -85,8 +85,8 @@ fn located(mut started: StartedJob, status: Option<Status>) -> Result<StartedJob
     Ok(started)
 }
 
-/// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
-/// and the way there. A tool that is lifted in a pause comes down from above.
+/// Returns the commands that bring the arm to the start or resume point: settings that a reset may
+/// have lost, and the path. A tool that is lifted in pauses comes down from above.
 fn approach(started: &StartedJob, status: Option<Status>) -> JobApproach {
     let mut first = prelude(started.plan.settings_before(started.completed));
     let (Some(planned), Some(status)) = (started.plan.start(started.completed), status) else {
@@ -115,32 +115,32 @@ fn approach(started: &StartedJob, status: Option<Status>) -> JobApproach {
     }
     let mut lower = (below_mm > 0.0).then(|| straight(-below_mm));
     if started.completed == started.end() {
-        // Nothing comes behind it.
+        // Nothing follows it.
         first.extend(lower.take());
     }
     JobApproach { first, lower }
 }
 
-/// The way to where a job begins or goes on.
+/// The path to the start or resume point.
 struct JobApproach {
-    /// What has to be over before the job.
+    /// The commands before the job.
     first: Vec<Command>,
-    /// What lowers the tool, right before the job.
+    /// The command that lowers the tool, right before the job.
     lower: Option<Command>,
 }
 
-/// Straight up or down, slowly, with the laser off.
+/// Moves vertically, slowly, with the laser off.
 pub(crate) fn straight(z_mm: f64) -> Command {
     WriteVector::by(0.0, 0.0, single(z_mm), 20.0).into()
 }
 
-/// Up and down a bit: behind that an arm has forgotten the speed that it had.
+/// A small move up and down, after which an arm has forgotten its speed.
 fn settle() -> [Command; 2] {
     [straight(SETTLE_MM), straight(-SETTLE_MM)]
 }
 
-/// Where a straight line comes next and the one before was perhaps cut short: a MOVJ to where the arm is, without which a
-/// stock arm would begin with a jump (note N46).
+/// Before a straight line whose predecessor may have been cut short: a MOVJ to where the arm is,
+/// without which a stock arm would start with a jump (note N46).
 fn behind_cut_line(started: &StartedJob, status: Option<Status>, arm: &Arm) -> Option<Command> {
     let next = started.plan.commands().get(started.completed)?;
     let trap = Err(SendError::Trap(TrajectoryError::BehindCutLine));
@@ -148,7 +148,7 @@ fn behind_cut_line(started: &StartedJob, status: Option<Status>, arm: &Arm) -> O
     (arm.session().check(next) == trap).then(|| go(position(&here), &here, MovingMode::MovJ))
 }
 
-/// Up, across and down, with the tool turned and holding as planned.
+/// Moves up, across and down, with tool rotation and grip as planned.
 fn hop(to: Position, planned: &Status) -> Command {
     go(to, planned, MovingMode::Jump)
 }
@@ -165,8 +165,8 @@ fn go(to: Position, planned: &Status, mode: MovingMode) -> Command {
     .into()
 }
 
-/// Whether the arm would begin the rest of a stroke with the speed at which it was interrupted,
-/// from a stand: one that does not use the start speed keeps the last end speed (note N48).
+/// Returns whether the arm would start the rest of a stroke from rest with the speed at which it
+/// was interrupted: an arm that does not use the start speed keeps the last end speed (note N48).
 fn may_jump(started: &StartedJob) -> bool {
     let before = started.completed.checked_sub(1);
     let before = before.and_then(|it| started.plan.commands().get(it));
@@ -174,7 +174,7 @@ fn may_jump(started: &StartedJob) -> bool {
     !started.dialect.uses_start_speed && before.is_some_and(moves)
 }
 
-/// An object that the arm held has fallen where its pump is off by now: what comes next would do without it.
+/// Checks that the pump is not off while the program expects a held object, which has then fallen.
 fn check_holds(started: &StartedJob, status: Option<Status>) -> Result<(), Refusal> {
     let planned = started.plan.start(started.completed);
     if planned.is_some_and(|it| it.suction) && status.is_some_and(|it| !it.suction) {
@@ -189,5 +189,5 @@ fn check_holds(started: &StartedJob, status: Option<Status>) -> Result<(), Refus
 }
 
 const SETTLE_MM: f64 = 1.0;
-/// Another height than that by more is seen on the paper.
+/// A larger height difference is visible on the paper.
 const LEVEL_MM: f64 = 0.05;

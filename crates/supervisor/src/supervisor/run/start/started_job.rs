@@ -1,4 +1,4 @@
-//! What a job brings along, and what it leaves in the journal.
+//! A job to start, and its journal entries.
 
 use dobot_api::{JobKind, JobPause, JobPhase, JobProgram};
 use dobot_journal::{Adjustment, Behind, Job, Window};
@@ -6,81 +6,82 @@ use dobot_wire::{Dialect, PlaybackAdjustment, Status, single};
 
 use crate::supervisor::JobPlan;
 
-/// What the journal is to keep.
+/// A request to the journal.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
-    /// Before any command below `upto` is sent, this has to be on the disk:
-    /// [`Supervisor::handle_written`](crate::Supervisor::handle_written) says that it is.
+    /// Must be on the disk before any command below `upto` is sent:
+    /// [`Supervisor::handle_written`](crate::Supervisor::handle_written) confirms it.
     Give {
         /// The job.
         job: u64,
-        /// So many commands are over.
+        /// The number of completed commands.
         completed: usize,
         /// Commands below this one may be sent.
         upto: usize,
-        /// The arm as command `completed` finds it.
+        /// The arm before command `completed`.
         start: Option<Status>,
     },
-    /// The job is in another phase.
+    /// The phase of the job has changed.
     Phase {
         /// The job.
         job: u64,
         /// The phase.
         phase: JobPhase,
-        /// Why.
+        /// The reason.
         reason: Option<String>,
-        /// How far the job is for certain, where that is news.
+        /// The window, if it is certain and has changed.
         window: Option<Window>,
-        /// What it has behind it, besides commands.
+        /// The job's history apart from commands.
         behind: Behind,
     },
-    /// A person has changed the speed or the height of the job. Before a command is sent that is
-    /// changed by it, this has to be on the disk.
+    /// A person has changed the speed or the height of the job. It must be on the disk before a
+    /// command changed by it is sent.
     Adjust {
         /// The job.
         job: u64,
-        /// What holds from now on.
+        /// The new adjustment.
         adjustment: Adjustment,
     },
 }
 
-/// A job that is to be begun, or gone on with.
+/// A job to start or resume.
 #[derive(Clone, Debug)]
 pub struct StartedJob {
-    /// Its number.
+    /// The job number.
     pub job: u64,
-    /// What a person calls it.
+    /// The title.
     pub title: String,
-    /// What kind of job.
+    /// The kind of job.
     pub kind: JobKind,
     /// When it was queued, in milliseconds since 1970-01-01T00:00:00Z.
     pub created_ms: i64,
-    /// What the arm has to speak.
+    /// The required dialect of the arm.
     pub dialect: Dialect,
-    /// Its commands.
+    /// The commands.
     pub plan: JobPlan,
-    /// Where it waits for a person, in order.
+    /// The pauses for a person, in order.
     pub pauses: Vec<JobPause>,
-    /// How it goes through its commands.
+    /// The steps and cycles.
     pub program: JobProgram,
-    /// How many commands it has; those of a cycle count once.
+    /// The number of commands; those of a cycle count once.
     pub commands: usize,
-    /// What a person has changed on it.
+    /// The adjustment by a person.
     pub adjustment: Adjustment,
-    /// By how many commands its places in the plan have gone back, in whole cycles: the journal counts on.
+    /// The number of commands by which its position in the plan has moved back, in whole cycles;
+    /// the journal keeps counting.
     pub back: usize,
-    /// So many of its commands are over, by its places in the plan.
+    /// The number of completed commands, by position in the plan.
     pub completed: usize,
-    /// What else it has behind it.
+    /// The job's history apart from commands.
     pub behind: Behind,
-    /// What may have been done beyond that, where nobody has found out yet.
+    /// Commands that may be done beyond that, if not determined yet.
     pub doubt: Option<Window>,
-    /// It comes to rest behind the next step.
+    /// Whether it comes to rest after the next step.
     pub single_step: bool,
 }
 
 impl StartedJob {
-    /// A job as the journal has it, whose way was looked at.
+    /// Builds a job from its journal entry and its checked plan.
     #[must_use]
     pub fn new(job: &Job, plan: JobPlan) -> Self {
         let back = plan
@@ -106,18 +107,18 @@ impl StartedJob {
         }
     }
 
-    /// Where it waits next for a person: the command, by its place in the plan, and what the person is told.
+    /// Returns the next pause for a person: the command, by position in the plan, and the message.
     pub(crate) fn next_pause(&self) -> Option<(usize, &str)> {
         self.pause(self.behind.pauses)
     }
 
-    /// What a person has to do before it goes on, if it has come to rest for that.
+    /// Returns the message of the pause that the job has reached.
     pub(crate) fn waits_for_person(&self) -> Option<&str> {
         let (before, message) = self.pause(self.behind.pauses.checked_sub(1)?)?;
         (before == self.completed && self.doubt.is_none()).then_some(message)
     }
 
-    /// Where it waits for a person after it has waited so many times, and what the person is told.
+    /// Returns the pause after this many pauses, and its message.
     fn pause(&self, waited: usize) -> Option<(usize, &str)> {
         let (pause, cycles) = match self.plan.cycle() {
             None => (self.pauses.get(waited)?, 0),
@@ -132,13 +133,13 @@ impl StartedJob {
         Some((before, &pause.message))
     }
 
-    /// Where it ends, by its place in the plan.
+    /// Returns the end, by position in the plan.
     pub(crate) fn end(&self) -> usize {
         let cycle = self.plan.cycle();
         cycle.map_or(self.plan.len(), |it| it.job_end(self.back / it.len))
     }
 
-    /// Where the step ends that it is at, by its place in the plan.
+    /// Returns the end of the current step, by position in the plan.
     pub(crate) fn step_end(&self) -> usize {
         let (_, within) = self.program.at(self.completed + self.back, self.commands);
         let steps = &self.program.steps;
@@ -150,7 +151,7 @@ impl StartedJob {
         self.completed + next - within
     }
 
-    /// The same window as the journal counts it.
+    /// Converts a window to the journal's count.
     pub(crate) fn counted(&self, window: Window) -> Window {
         Window {
             completed: window.completed + self.back,
@@ -159,12 +160,12 @@ impl StartedJob {
         }
     }
 
-    /// A window of the journal by its places in the plan.
+    /// Converts a window of the journal to positions in the plan.
     pub(crate) fn in_plan(&self, window: Window) -> Window {
         back_by(window, self.back)
     }
 
-    /// How fast it may be done at the most, in percent of the plan.
+    /// Returns the highest speed, in percent of the plan.
     pub(crate) fn most_percent(&self) -> f64 {
         match self.kind {
             JobKind::Drawing => f64::INFINITY,
@@ -172,13 +173,13 @@ impl StartedJob {
         }
     }
 
-    /// How fast the targets from a command on are gone to, where a person has changed that.
+    /// Returns the speed of the targets from a command on, if a person has changed it.
     pub(crate) fn target_speed(&self, index: usize) -> Option<PlaybackAdjustment> {
         let playback = self.plan.drawn_with(index).playback;
         (self.kind == JobKind::Program).then(|| self.at_speed(playback))
     }
 
-    /// A playback adjustment of a program at the speed that a person has chosen.
+    /// Scales a program's playback adjustment to the chosen speed.
     pub(crate) fn at_speed(&self, planned: PlaybackAdjustment) -> PlaybackAdjustment {
         let percent = f64::from(planned.speed_percent) * self.adjustment.speed_percent / 100.0;
         PlaybackAdjustment {
@@ -187,7 +188,7 @@ impl StartedJob {
         }
     }
 
-    /// Goes back by a cycle, if one is over that may be done again; says by how many commands.
+    /// Moves back by completed cycles that repeat; returns the number of commands.
     pub(crate) fn go_back(&mut self) -> Option<usize> {
         let cycle = self.plan.cycle()?;
         let len = cycle.len * cycle.cycles_back(self.completed);
@@ -196,7 +197,7 @@ impl StartedJob {
         (len > 0).then_some(len)
     }
 
-    /// How far above the plan it is drawn, in mm.
+    /// Returns the height above the plan, in mm.
     pub(crate) fn height_mm(&self) -> f64 {
         let last = self.adjustment.heights.last();
         last.map_or(0.0, |it| it.offset_mm)
