@@ -27,9 +27,9 @@
 //! ```text
 //!   board, programs                     other stations
 //!        |                                    |
-//!   station's API ---- FleetPort ---- Fleet --+-- Zenoh: who is there, what each tells, requests and answers
+//!   station's API ---- FleetPort ---- Fleet --+-- Zenoh: presence, states, requests and responses
 //!        ^                              |
-//!        `--------- StationApi ---------'         what others ask passes the same tokens, roles and rules
+//!        `--------- StationApi ---------'         requests of others pass the same tokens, roles and rules
 //! ```
 //!
 //! A station works without a fleet: its rules, its stop and its page stay the same. This crate only

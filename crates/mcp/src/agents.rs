@@ -21,14 +21,14 @@ use crate::drawings::Drawings;
 use crate::own_jobs::OwnJobs;
 use crate::refused::Refused;
 
-/// The tools by which an agent uses the arm of a station.
+/// The tools with which an agent uses the arm of a station.
 #[derive(Clone, Debug)]
 pub struct Agents {
     shared: Arc<Shared>,
 }
 
 impl Agents {
-    /// Tools with these settings.
+    /// Returns tools with these settings.
     #[must_use]
     pub fn new(settings: Settings) -> Self {
         Self {
@@ -41,7 +41,7 @@ impl Agents {
         }
     }
 
-    /// By what it is told that the agent is gone.
+    /// Returns the channel that reports that the agent is gone.
     pub(crate) fn gone(&self) -> watch::Sender<bool> {
         self.shared.gone.clone()
     }
@@ -54,7 +54,7 @@ impl Agents {
 #[tool_router]
 impl Agents {
     #[tool(
-        description = "How the arm stands and what it is doing: pose, who has control, the jobs that are not over, and what keeps it from moving (`alarms`).",
+        description = "Returns the state of the arm: pose, lease holder, unfinished jobs, and the reasons why it cannot move (`alarms`).",
         input_schema = schema::<Nothing>(),
         annotations(read_only_hint = true)
     )]
@@ -74,7 +74,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Where a move would lead from where the arm stands, or by which rule it would be refused and which place nearby is allowed. Nothing moves.",
+        description = "Checks a move from the current position: returns where it would lead, or the rule that refuses it and the nearest allowed position. Nothing moves.",
         input_schema = schema::<CheckMove>(),
         annotations(read_only_hint = true)
     )]
@@ -88,7 +88,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Moves the tool to a point in the base frame (x forward, y left, z up from the rear arm's pivot), and waits until it rests there.",
+        description = "Moves the tool to a point in the base frame (x forward, y left, z up from the rear arm's pivot), and waits until it is at rest.",
         input_schema = schema::<ToPoint>()
     )]
     async fn move_to(
@@ -104,7 +104,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Moves the joints to angles, and waits until the arm rests there.",
+        description = "Moves the joints to angles, and waits until the arm is at rest.",
         input_schema = schema::<ToJoints>()
     )]
     async fn move_joints(
@@ -123,7 +123,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Plans a drawing and shows it as a picture, with its time, its warnings and why the arm may not draw it. Nothing moves. The answer's number is what `draw` takes. It is drawn where the pen stands on the paper, or at `options.place.pen_down`.",
+        description = "Plans a drawing and returns a picture, its duration, its warnings and the reason why the arm may not draw it. Nothing moves. Pass the returned number to `draw`. The height of the paper is that of the pen now, or `options.place.pen_down`.",
         input_schema = schema::<NewDrawing>(),
         annotations(read_only_hint = true)
     )]
@@ -139,7 +139,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Draws what was planned, with a pen: it becomes a job. Where a person has to start jobs, it is queued only. A drawing for the laser is refused.",
+        description = "Draws a planned drawing with a pen, as a job. If a person has to start jobs, it is only queued. Drawings for the laser are refused.",
         input_schema = schema::<PlannedDrawing>()
     )]
     async fn draw(
@@ -155,7 +155,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Looks at a program: its steps, how long they take, and all that is wrong with it. Nothing moves.",
+        description = "Checks a program: returns its steps, their durations, and all problems. Nothing moves.",
         input_schema = schema::<ProgramArguments>(),
         annotations(read_only_hint = true)
     )]
@@ -172,7 +172,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Runs a program as a job. Where a person has to start jobs, it is queued only.",
+        description = "Runs a program as a job. If a person has to start jobs, it is only queued.",
         input_schema = schema::<RunProgram>()
     )]
     async fn run_program(
@@ -188,7 +188,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "The jobs and how far they are; or one of them, when it does not run any more or the time to wait is over.",
+        description = "Returns the jobs and their progress; or one job, when it stops running or the waiting time is over.",
         input_schema = schema::<WhichJobs>(),
         annotations(read_only_hint = true)
     )]
@@ -205,7 +205,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Pauses a job, starts it or goes on with it, or ends it for good.",
+        description = "Pauses, starts or resumes, or cancels a job.",
         input_schema = schema::<ChangeJob>()
     )]
     async fn change_job(
@@ -225,7 +225,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Stops the arm, whoever has control. It stays stopped until a person has looked at it and resets the stop.",
+        description = "Stops the arm, whoever has control. It stays stopped until a person has checked it and resets the stop.",
         input_schema = schema::<StopArguments>(),
         annotations(idempotent_hint = true)
     )]
@@ -235,7 +235,7 @@ impl Agents {
         context: RequestContext<RoleServer>,
     ) -> CallToolResult {
         let call = self.call(context);
-        // Whatever else was said: a stop is not refused.
+        // A stop is not refused because of its arguments.
         let reason = read::<StopArguments>(arguments)
             .ok()
             .and_then(|arguments| arguments.reason);
@@ -274,20 +274,24 @@ async fn look(call: &Call) -> Result<Value, Refused> {
     }))
 }
 
-/// What keeps the arm from moving, a sentence each.
+/// Returns the reasons why the arm cannot move, a sentence each.
 fn alarms(state: &State) -> Vec<String> {
     let mut alarms = Vec::new();
     if state.link.phase != LinkPhase::Up {
-        let why = state.link.problem.as_deref().unwrap_or("it tells nothing");
-        alarms.push(format!("there is no arm: {why}"));
+        let why = state.link.problem.as_deref().unwrap_or("it sends nothing");
+        alarms.push(format!("the arm is not connected: {why}"));
     }
     if let Some(stop) = &state.stop {
-        alarms.push(format!("{}; a person resets that", stop.text()));
+        alarms.push(format!("{}; a person must reset the stop", stop.text()));
     }
     if !state.trust.trusted {
-        let why = state.trust.reason.as_deref().unwrap_or("nobody has looked");
+        let why = state
+            .trust
+            .reason
+            .as_deref()
+            .unwrap_or("not confirmed by a person");
         alarms.push(format!(
-            "nobody knows where the arm stands: {why}; a person looks and confirms it"
+            "the pose of the arm is not trusted: {why}; a person must check and confirm it"
         ));
     }
     if state.laser.armed_for_s > 0.0 {
@@ -308,16 +312,16 @@ async fn check_move(call: &Call, arguments: JsonObject) -> Result<Value, Refused
         Reply::Way { way } => Ok(json!(way)),
         other => Err(Refused::new(
             "no-station",
-            format!("the station answers {other:?}"),
+            format!("the station sent an unexpected response: {other:?}"),
         )),
     }
 }
 
-/// The schema of a tool's arguments.
+/// Returns the schema of a tool's arguments.
 fn schema<T: JsonSchema + 'static>() -> Arc<JsonObject> {
     schema_for_input::<T>().expect("the arguments of a tool are an object")
 }
 
-const INSTRUCTIONS: &str = "A small robot arm on a desk, with people beside it. `look` first. Plan a drawing and look at its picture before you \
-    draw. Whatever is refused comes with its rule, its place and a hint; do not try the same again. When in doubt, `stop`: a person resets it. \
-    The laser is a person's business.";
+const INSTRUCTIONS: &str = "A small robot arm on a desk, with people near it. Call `look` first. Plan a drawing and check its picture before \
+    drawing it. A refusal contains the rule, the position and a hint; do not repeat the same call. When in doubt, `stop`; a person resets \
+    the stop. The laser is reserved for people.";

@@ -1,4 +1,4 @@
-//! What agents say to the tools.
+//! The arguments of the tools.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use serde_json::Value;
 
 use crate::refused::Refused;
 
-/// Reads the arguments of a tool.
+/// Parses the arguments of a tool.
 pub(crate) fn read<T: DeserializeOwned>(arguments: JsonObject) -> Result<T, Refused> {
     serde_path_to_error::deserialize(Value::Object(arguments)).map_err(|error| {
         let path = error.path().to_string();
@@ -24,57 +24,59 @@ pub(crate) fn read<T: DeserializeOwned>(arguments: JsonObject) -> Result<T, Refu
         } else {
             format!("{path}: {why}")
         };
-        Refused::new("invalid", detail).hinted("the input schema of the tool tells what it takes")
+        Refused::new("invalid", detail).hinted("see the input schema of the tool")
     })
 }
 
-/// Nothing.
+/// No arguments.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Nothing {}
 
-/// A point to go to. What is left out stays as it is.
+/// A point to move to. Omitted values do not change.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ToPoint {
-    /// Forward of the base's axis, in millimetres.
+    /// The distance forward of the base's axis, in millimetres.
     x_mm: f64,
-    /// To the left of it, in millimetres.
+    /// The distance to the left of it, in millimetres.
     y_mm: f64,
-    /// Above the rear arm's pivot, in millimetres; the table is about 103 mm below it.
+    /// The height above the rear arm's pivot, in millimetres; the table is about 103 mm below it.
     z_mm: f64,
-    /// How the tool is turned relative to the base frame, in degrees; without it the servo stays.
+    /// The rotation of the tool relative to the base frame, in degrees; by default the servo does
+    /// not move.
     rotation_deg: Option<f64>,
     #[serde(flatten)]
     there: There,
 }
 
-/// Joint angles to go to. What is left out stays as it is.
+/// Joint angles to move to. Omitted values do not change.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ToJoints {
-    /// The base, in degrees, to the left of straight ahead.
+    /// The angle of the base, in degrees; positive is left of straight ahead.
     base_deg: f64,
-    /// The rear arm, in degrees.
+    /// The angle of the rear arm, in degrees.
     rear_deg: f64,
-    /// The forearm, in degrees.
+    /// The angle of the forearm, in degrees.
     fore_deg: f64,
-    /// The servo, in degrees.
+    /// The angle of the servo, in degrees.
     servo_deg: Option<f64>,
     #[serde(flatten)]
     there: There,
 }
 
-/// How to go there, and what to do there.
+/// The path to the target, and the tool state there.
 #[derive(Debug, Deserialize, JsonSchema)]
 struct There {
-    /// The way there: jump lifts, goes across and lowers; movl goes straight; movj moves all joints at once.
+    /// The path: jump lifts, moves across and lowers; movl moves in a straight line; movj moves all
+    /// joints together.
     path: Option<Path>,
-    /// Whether the pump of the suction cup runs, once there.
+    /// Whether the pump of the suction cup is on after the move.
     suction: Option<bool>,
-    /// The gripper's angle, once there, in degrees from -90 to 90.
+    /// The gripper's angle after the move, in degrees from -90 to 90.
     gripper_deg: Option<f64>,
-    /// How long to wait there, in seconds.
+    /// The time to wait there, in seconds.
     pause_s: Option<f64>,
 }
 
@@ -128,13 +130,13 @@ impl ToJoints {
     }
 }
 
-/// A number as the arm has it.
+/// Converts a number to the arm's precision.
 fn number(name: &str, value: f64) -> Result<f32, Refused> {
     let number = single(value);
     if number.is_finite() {
         return Ok(number);
     }
-    let detail = format!("{name} is {value}; allowed is what a number of 32 bits can be");
+    let detail = format!("{name} is {value}; allowed are -3.4e38 to 3.4e38");
     Err(OUT_OF_RANGE.problem(detail).into())
 }
 
@@ -142,13 +144,13 @@ fn maybe(name: &str, value: Option<f64>) -> Result<Option<f32>, Refused> {
     value.map(|value| number(name, value)).transpose()
 }
 
-/// A move that is only looked at: one of both.
+/// A move to check: either to a point or to joint angles.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct CheckMove {
-    /// What `move_to` would be told.
+    /// The arguments of `move_to`.
     move_to: Option<ToPoint>,
-    /// What `move_joints` would be told.
+    /// The arguments of `move_joints`.
     move_joints: Option<ToJoints>,
 }
 
@@ -159,101 +161,101 @@ impl CheckMove {
             (None, Some(joints)) => joints.target(),
             _ => Err(Refused::new(
                 "invalid",
-                "it takes either `move_to` or `move_joints`",
+                "give either `move_to` or `move_joints`",
             )),
         }
     }
 }
 
-/// What is to be drawn: one of text, svg and file, or a text or a test card of the options.
+/// A drawing: one of text, svg and file, or a text or a test card in the options.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct NewDrawing {
-    /// A text, drawn in letters of single lines.
+    /// A text, drawn in single-line letters.
     pub(crate) text: Option<String>,
     /// A whole SVG document.
     pub(crate) svg: Option<String>,
-    /// A file of the folder for agents.
+    /// A file in the folder for agents.
     #[schemars(description = file_description())]
     pub(crate) file: Option<String>,
-    /// How it is drawn, as the arguments of `dobot draw`.
+    /// The options, as those of `dobot draw`.
     #[serde(default)]
     pub(crate) options: Options,
 }
 
 fn file_description() -> String {
     let formats = Format::names(|_| true, "or");
-    format!("A file of the folder for agents, in one of the formats {formats}")
+    format!("A file in the folder for agents, in one of the formats {formats}")
 }
 
-/// A drawing that was planned.
+/// A planned drawing.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct PlannedDrawing {
-    /// The number that `plan_drawing` gave.
+    /// The number returned by `plan_drawing`.
     pub(crate) drawing: u64,
-    /// How long to wait for its end, in seconds; it goes on afterwards.
+    /// How long to wait for its end, in seconds; it continues afterwards.
     #[serde(default = "half_a_minute")]
     #[schemars(range(min = 0.0, max = 3600.0))]
     pub(crate) wait_s: f64,
 }
 
-/// A program: one of text and file.
+/// A program: either text or file.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ProgramArguments {
     /// The TOML text of the program.
     pub(crate) text: Option<String>,
-    /// A TOML file of the folder for agents.
+    /// A TOML file in the folder for agents.
     pub(crate) file: Option<String>,
-    /// The texts of the programs and drawings that it names, by their names in it.
+    /// The texts of the programs and drawings that it uses, by the names used in it.
     #[serde(default)]
     pub(crate) files: BTreeMap<String, String>,
 }
 
-/// A program that is to run.
+/// A program to run.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RunProgram {
     /// The program.
     pub(crate) program: ProgramArguments,
-    /// How often it is done; without this as often as it says itself.
+    /// The number of repetitions; by default that of the program.
     #[schemars(range(min = 1))]
     pub(crate) times: Option<u64>,
-    /// How long to wait for its end, in seconds; it goes on afterwards.
+    /// How long to wait for its end, in seconds; it continues afterwards.
     #[serde(default = "half_a_minute")]
     #[schemars(range(min = 0.0, max = 3600.0))]
     pub(crate) wait_s: f64,
 }
 
-/// The program, as the station takes it.
+/// A program, in the format of the station.
 #[derive(Debug, Serialize)]
 pub(crate) struct ProgramText {
     pub(crate) text: String,
     pub(crate) files: BTreeMap<String, String>,
 }
 
-/// Which jobs.
+/// The jobs to return.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct WhichJobs {
-    /// One of them; without it all that are not over, and the latest that are.
+    /// The number of one job; by default all unfinished and the latest finished jobs.
     pub(crate) job: Option<u64>,
-    /// How long to wait until that job does not run any more, in seconds.
+    /// How long to wait until that job stops running, in seconds.
     #[serde(default)]
     #[schemars(range(min = 0.0, max = 3600.0))]
     pub(crate) wait_s: f64,
 }
 
-/// What is to become of a job.
+/// A change of a job.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ChangeJob {
     /// Its number.
     pub(crate) job: u64,
-    /// What to do with it.
+    /// The action.
     pub(crate) action: JobAction,
-    /// After `resume`: how long to wait for its end, in seconds; it goes on afterwards.
+    /// With `resume`: how long to wait for its end, in seconds; it continues afterwards.
     #[serde(default = "half_a_minute")]
     #[schemars(range(min = 0.0, max = 3600.0))]
     pub(crate) wait_s: f64,
@@ -262,19 +264,19 @@ pub(crate) struct ChangeJob {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum JobAction {
-    /// The tool goes up, and the job can be gone on with.
+    /// Lift the tool and pause; the job can be resumed.
     Pause,
-    /// Start it, or go on with it.
+    /// Start or resume the job.
     Resume,
-    /// End it for good.
+    /// End the job for good.
     Cancel,
 }
 
-/// Why the arm is to stop.
+/// The reason of a stop.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct StopArguments {
-    /// Why, for those who find the arm stopped.
+    /// The reason, shown at the stopped arm.
     pub(crate) reason: Option<String>,
 }
 

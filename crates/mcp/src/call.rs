@@ -1,4 +1,4 @@
-//! One call of a tool: its own way to the station, and what stops the arm.
+//! One call of a tool: its own connection to the station, and the stop on cancellation.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -19,7 +19,7 @@ use crate::http::Visit;
 use crate::own_jobs::OwnJobs;
 use crate::refused::Refused;
 
-/// What all calls share.
+/// State shared by all calls.
 #[derive(Debug)]
 pub(crate) struct Shared {
     pub(crate) settings: Settings,
@@ -40,7 +40,7 @@ impl Call {
         Self { shared, context }
     }
 
-    /// The station; one who came over HTTP is known there by his own token.
+    /// Returns the station; an agent over HTTP is identified by its own token.
     pub(crate) async fn station(&self) -> Result<StationAddress, Refused> {
         let mut station = self.shared.settings.station().await?;
         if let Some(visit) = self.visit() {
@@ -53,7 +53,7 @@ impl Call {
         Visit::of(&self.context.extensions)
     }
 
-    /// A connection with the station that ends with the call.
+    /// Opens a connection to the station that ends with the call.
     pub(crate) async fn connect(&self) -> Result<StationClient, Refused> {
         let address = self.station().await?;
         Ok(StationClient::connect(&address, &self.name()).await?)
@@ -63,7 +63,8 @@ impl Call {
         Ok(fetch(&self.station().await?, "/api/v1/state").await?)
     }
 
-    /// Has the arm move; where the call is given up or its agent is gone, the arm is stopped.
+    /// Runs a call that moves the arm; if the call is cancelled or its agent is gone, the arm is
+    /// stopped.
     pub(crate) async fn moving<T>(
         &self,
         act: impl Future<Output = Result<T, Refused>>,
@@ -73,22 +74,22 @@ impl Call {
             () = self.given_up() => {}
             done = act => return done,
         }
-        self.stop(Some("the agent gave up what it had asked for".to_owned()))
+        self.stop(Some("the agent cancelled its request".to_owned()))
             .await?;
         Err(Refused::new(
             "given-up",
-            "the agent gave this up; the arm is stopped",
+            "the agent cancelled the call; the arm is stopped",
         ))
     }
 
-    /// Does what moves nothing, until the call is given up.
+    /// Runs a call that moves nothing, until it is cancelled.
     pub(crate) async fn looking<T>(
         &self,
         act: impl Future<Output = Result<T, Refused>>,
     ) -> Result<T, Refused> {
         tokio::select! {
             biased;
-            () = self.given_up() => Err(Refused::new("given-up", "the agent gave this up")),
+            () = self.given_up() => Err(Refused::new("given-up", "the agent cancelled the call")),
             done = act => done,
         }
     }
@@ -121,15 +122,15 @@ impl Call {
                 "not-delivered",
                 "the stop was NOT DELIVERED: there is no link to the arm",
             )
-            .hinted("ask the person at the arm to switch it off by hand at once")),
+            .hinted("ask the person at the arm to switch it off immediately")),
             Reply::Stopping { rests_within_s, .. } => Ok(rests_within_s),
             _ => Ok(0.0),
         }
     }
 
-    /// Whether a person starts what this client would.
+    /// Whether a person has to start the jobs of this client.
     pub(crate) fn asks(&self, station: &StationClient) -> bool {
-        // Over HTTP the token says what an agent may do; without one it only queues.
+        // Over HTTP the token decides; without a token an agent can only queue jobs.
         let asks = match Visit::of(&self.context.extensions) {
             Some(visit) => visit.token.is_none(),
             None => self.shared.settings.asks,
@@ -137,25 +138,25 @@ impl Call {
         asks || station.role() == Role::Queue
     }
 
-    /// Refuses what a person does not start.
+    /// Refuses motion that a person has to start.
     pub(crate) fn check_may_move(&self, station: &StationClient) -> Result<(), Refused> {
         if !self.asks(station) {
             return Ok(());
         }
         Err(Refused::new(
             "needs-a-person",
-            "here an agent moves the arm only by drawings and programs, and a person starts each",
+            "agents may move the arm only with drawings and programs, and a person has to start each of them",
         )
         .hinted("queue a drawing with `draw` or a program with `run_program`; a person starts it on the station's page"))
     }
 
-    /// The command of a target, from where the arm stands.
+    /// Returns the command for a target, from the current state.
     pub(crate) fn command(target: &Target, state: &State) -> Result<dobot_wire::Command, Refused> {
         let arm = state.arm.as_ref().ok_or_else(no_arm)?;
         Ok(target.command(&arm.status))
     }
 
-    /// Carries a target out, and tells how the arm rests then.
+    /// Moves to a target, and returns the state at rest.
     pub(crate) async fn carry_out(&self, target: &Target) -> Result<Value, Refused> {
         let mut station = self.connect().await?;
         self.check_may_move(&station)?;
@@ -171,7 +172,7 @@ impl Call {
         Ok(json!({ "arm": state.arm }))
     }
 
-    /// What the others see.
+    /// Returns the agent's name for others.
     pub(crate) fn name(&self) -> String {
         let info = self.context.client_info();
         let name = info.map_or_else(String::new, |info| info.name);
@@ -184,16 +185,16 @@ impl Call {
     }
 }
 
-/// The time that an agent waits.
+/// Checks a waiting time.
 pub(crate) fn wait(wait_s: f64) -> Result<Duration, Refused> {
     if (0.0..=3600.0).contains(&wait_s) {
         return Ok(Duration::from_secs_f64(wait_s));
     }
-    let detail = format!("wait_s is {wait_s}; allowed is 0 to 3600 seconds");
+    let detail = format!("wait_s is {wait_s}; allowed are 0 to 3600 seconds");
     Err(Refused::new("out-of-range", detail))
 }
 
-/// The answer to a call.
+/// Returns the result of a call.
 pub(crate) fn result(done: Result<impl Serialize, Refused>) -> CallToolResult {
     match done {
         Ok(answer) => CallToolResult::structured(json!(answer)),
@@ -202,6 +203,7 @@ pub(crate) fn result(done: Result<impl Serialize, Refused>) -> CallToolResult {
 }
 
 pub(crate) fn no_arm() -> Refused {
-    Refused::new("no-link", "the station has no arm that tells where it is")
-        .hinted("is it switched on and plugged in? `look` tells what the station waits for")
+    Refused::new("no-link", "the station has no connection to an arm").hinted(
+        "check that the arm is switched on and plugged in; `look` shows the state of the link",
+    )
 }

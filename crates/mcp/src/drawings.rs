@@ -1,4 +1,4 @@
-//! Drawings: planned, seen as pictures, drawn.
+//! Drawings: planned, shown as pictures, drawn.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -19,7 +19,7 @@ use crate::arguments::{NewDrawing, PlannedDrawing};
 use crate::call::{Call, no_arm, wait};
 use crate::refused::Refused;
 
-/// The drawings that were planned, the latest of them.
+/// The latest planned drawings.
 #[derive(Debug, Default)]
 pub(crate) struct Drawings(Mutex<Kept>);
 
@@ -29,7 +29,7 @@ struct Kept {
     drawings: BTreeMap<u64, Arc<Drawing>>,
 }
 
-/// A drawing that was planned, and for which arm.
+/// A planned drawing, and the arm it is planned for.
 #[derive(Debug)]
 struct Drawing {
     job: NewJob,
@@ -62,7 +62,7 @@ impl Drawings {
 }
 
 impl Call {
-    /// Plans a drawing for the arm of the station, and shows it.
+    /// Plans a drawing for the arm of the station, and returns a picture.
     pub(crate) async fn plan_drawing(&self, new: NewDrawing) -> Result<CallToolResult, Refused> {
         let mut station = self.connect().await?;
         let arm = self.planned_for(&mut station).await?;
@@ -74,7 +74,7 @@ impl Call {
         let planned = planned.map_err(|_| {
             let most_s = LONGEST_PLAN.as_secs();
             bad(&format!(
-                "it is not planned after {most_s} s, and takes no longer"
+                "planning did not finish within {most_s} s, the maximum"
             ))
             .hinted("draw it in parts, or allow a larger tolerance")
         })?;
@@ -90,20 +90,20 @@ impl Call {
         Ok(result)
     }
 
-    /// Queues a drawing as it was planned, and starts it or leaves that to a person.
+    /// Queues a planned drawing, and starts it or leaves that to a person.
     pub(crate) async fn draw(&self, asked: &PlannedDrawing) -> Result<Value, Refused> {
         let time = wait(asked.wait_s)?;
         let drawing = self.shared.drawings.find(asked.drawing)?;
         if drawing.burns {
-            return Err(Refused::new("laser", "the drawing is for the laser, and no agent has the laser burn")
-                .hinted("a person beside the arm does it, with goggles on: `dobot draw FILE --laser MATERIAL --arm-laser SECONDS`"));
+            return Err(Refused::new("laser", "the drawing is for the laser, which agents may not use")
+                .hinted("a person at the arm can draw it, wearing goggles: `dobot draw FILE --laser MATERIAL --arm-laser SECONDS`"));
         }
         let mut station = self.connect().await?;
         let arm = self.planned_for(&mut station).await?;
         if arm.dialect != drawing.dialect || arm.calibration != drawing.calibration {
             return Err(Refused::new(
                 "drawing-phase",
-                "the arm is another one than it was planned for, or was calibrated since",
+                "the drawing was planned for another arm, or the arm was calibrated since",
             )
             .hinted("plan it again with `plan_drawing`"));
         }
@@ -135,7 +135,7 @@ impl Call {
         if told + usize::from(Subject::of_text(&options.what).is_some()) != 1 {
             return Err(Refused::new(
                 "invalid",
-                "a drawing is one of `text`, `svg` and `file`, or the text or the card of its options",
+                "give one of `text`, `svg` and `file`, or a text or a card in the options",
             ));
         }
         if new.text.is_some() {
@@ -217,7 +217,7 @@ fn plan(request: DrawingRequest, arm: &PlannedFor) -> Result<Planned, Refused> {
     })
 }
 
-/// The paper as a person behind the arm sees it from above.
+/// Draws the paper as seen from above by a person behind the arm.
 fn picture(title: &str, prepared: &Prepared, settings: &Settings) -> Result<Vec<u8>, Refused> {
     let ink = InkLine::measured(prepared.planned(), &prepared.wanted());
     let picture = Picture {
@@ -238,8 +238,13 @@ fn bad(why: &dyn std::fmt::Display) -> Refused {
     Refused::new("bad-drawing", why.to_string())
 }
 
+<<<<<<< HEAD
 /// Gives a plan up when nobody waits for it any more.
 struct CancelOnDrop(CancelToken);
+=======
+/// Cancels a plan when its call ends.
+struct CancelOnDrop(CancelToken);
+>>>>>>> fleet
 
 impl Drop for CancelOnDrop {
     fn drop(&mut self) {
@@ -247,7 +252,7 @@ impl Drop for CancelOnDrop {
     }
 }
 
-/// How many drawings are kept, as many as a station keeps.
+/// The number of drawings that are kept, as many as at a station.
 const MOST: usize = 16;
 const LONGEST_PLAN: Duration = Duration::from_secs(120);
 const WIDTH_PX: u32 = 1000;

@@ -1,4 +1,4 @@
-//! The files that agents may draw and run.
+//! The files that agents may use.
 
 use std::fs::{self, File};
 use std::io::{self, Read};
@@ -6,40 +6,40 @@ use std::path::{Path, PathBuf};
 
 use crate::refused::Refused;
 
-/// The folder with the files that agents may draw and run, and nothing outside of it.
+/// The folder of the files that agents may use; nothing outside of it is accessible.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FilesFolder(PathBuf);
 
-/// A folder that cannot be read.
+/// The error returned when a folder cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[error("the folder {} cannot be used", .0.display())]
 pub struct FilesFolderError(PathBuf, #[source] io::Error);
 
 impl FilesFolder {
-    /// A folder that is there.
+    /// Returns an existing folder.
     ///
     /// # Errors
     ///
-    /// [`FilesFolderError`] where it is none, or cannot be read.
+    /// [`FilesFolderError`] if it is not a folder, or cannot be read.
     pub fn new(folder: &Path) -> Result<Self, FilesFolderError> {
         let error = |error| FilesFolderError(folder.to_owned(), error);
         fs::read_dir(folder).map_err(error)?;
         fs::canonicalize(folder).map(Self).map_err(error)
     }
 
-    /// The bytes of a file in it, and the name of that file.
+    /// Returns the name and the bytes of a file in the folder.
     pub(crate) fn read(&self, name: &str) -> Result<(String, Vec<u8>), Refused> {
         let unread = |why: &dyn std::fmt::Display| {
             Refused::new("file", format!("the file `{name}` cannot be read: {why}"))
         };
-        // Symbolic links are followed before it is looked where the file is.
+        // Symbolic links are resolved before the location is checked.
         let path = fs::canonicalize(self.0.join(name)).map_err(|error| unread(&error))?;
         if !path.starts_with(&self.0) {
             return Err(outside(name));
         }
-        // What is no file may never end, or wait for ever.
+        // Reading a device may never end, or block.
         if !fs::metadata(&path).is_ok_and(|metadata| metadata.is_file()) {
-            return Err(unread(&"it is no file"));
+            return Err(unread(&"it is not a file"));
         }
         let mut bytes = Vec::new();
         let read =
@@ -56,14 +56,12 @@ impl FilesFolder {
 fn outside(name: &str) -> Refused {
     Refused::new(
         "file",
-        format!("the file `{name}` lies outside of the folder for agents"),
+        format!("the file `{name}` is outside of the folder for agents"),
     )
-    .hinted(
-        "name a file of that folder; the person who started `dobot mcp --files FOLDER` chose it",
-    )
+    .hinted("use a file in that folder, which was set with `dobot mcp --files FOLDER`")
 }
 
-/// As much as the station takes.
+/// The station's limit.
 const MOST_BYTES: u64 = 24_000_000;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Serving agents over HTTP, for a server that knows who asks.
+//! Serving agents over HTTP, behind a server that authenticates them.
 
 use std::pin::Pin;
 use std::sync::Arc;
@@ -19,24 +19,24 @@ use tokio::sync::watch;
 
 use crate::{Agents, Settings};
 
-/// The tools for agents that come over HTTP (the protocol's streamable transport). Who may come is for the server to
-/// decide; what one may do is decided by the station, by the token that comes with each request.
+/// The tools for agents over HTTP (the protocol's streamable transport). The server controls
+/// access; the station checks each call by the token of its request.
 pub struct HttpAgents {
     agents: Agents,
     sessions: Arc<LocalSessionManager>,
     service: StreamableHttpService<Agents, LocalSessionManager>,
 }
 
-/// No more agents have sessions.
+/// The error returned when there are too many sessions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{MOST_SESSIONS} agents have sessions already")]
+#[error("{MOST_SESSIONS} agents already have sessions")]
 pub struct TooManyAgents;
 
 impl HttpAgents {
-    /// How long a request may be, in bytes.
+    /// The maximum length of a request, in bytes.
     pub const MOST_BYTES: usize = 8 * 1024 * 1024;
 
-    /// Tools that act at this station, each with the token of its request.
+    /// Returns tools for this station, each used with the token of its request.
     #[must_use]
     pub fn new(station: StationAddress) -> Self {
         let agents = Agents::new(Settings::at(station));
@@ -44,7 +44,7 @@ impl HttpAgents {
         sessions.session_config.keep_alive = Some(LONGEST_SILENCE);
         let sessions = Arc::new(sessions);
         let config = StreamableHttpServerConfig::default()
-            // The server has looked at it, and knows by which names it goes.
+            // The server has checked the Host header, and knows the valid names.
             .disable_allowed_hosts()
             .with_sse_keep_alive(Some(ALIVE_EVERY))
             .with_max_request_body_bytes(Self::MOST_BYTES);
@@ -56,12 +56,13 @@ impl HttpAgents {
         }
     }
 
-    /// Answers a request that came with this token, and keeps `place` until the answer is told. One who does not wait
-    /// for the answer has given up what was asked for, and the arm is stopped where it was moved for that.
+    /// Answers a request with this token, and keeps `place` until the response is sent. If the
+    /// client closes the connection before that, the call is cancelled, and the arm is stopped if
+    /// the call was moving it.
     ///
     /// # Errors
     ///
-    /// [`TooManyAgents`] where it would begin one more session than there may be.
+    /// [`TooManyAgents`] if it would open a session beyond the maximum.
     pub async fn answer<P>(
         &self,
         mut request: Request,
@@ -86,13 +87,13 @@ impl HttpAgents {
         }))
     }
 
-    /// What the protocol answers. The future is boxed so that the protocol is compiled in this crate, and not in the one
-    /// that awaits it.
+    /// Returns the response of the protocol. The future is boxed so that the protocol is compiled
+    /// in this crate, not in its users.
     fn handle(&self, request: Request) -> Pin<Box<dyn Future<Output = Response> + Send + '_>> {
         Box::pin(async { self.service.handle(request).await.map(Body::new) })
     }
 
-    /// Ends all sessions; what is under way stops the arm.
+    /// Ends all sessions; calls in progress stop the arm.
     pub fn end(&self) {
         self.agents.gone().send_replace(true);
         self.service.config.cancellation_token.cancel();
@@ -105,7 +106,7 @@ impl std::fmt::Debug for HttpAgents {
     }
 }
 
-/// Who asks for a tool over HTTP, and whether he waits for the answer.
+/// The HTTP request of a call, and whether its client still waits for the response.
 #[derive(Clone, Debug)]
 pub(crate) struct Visit {
     pub(crate) token: Option<String>,
@@ -113,21 +114,21 @@ pub(crate) struct Visit {
 }
 
 impl Visit {
-    /// The visit to which a call belongs; none over standard input.
+    /// Returns the request of a call; `None` over standard input.
     pub(crate) fn of(extensions: &Extensions) -> Option<&Self> {
         let parts = extensions.get::<Parts>()?;
         parts.extensions.get::<Self>()
     }
 
-    /// Until nobody waits for the answer any more.
+    /// Waits until no client waits for the response any more.
     pub(crate) async fn is_over(&self) {
         let mut here = self.here.clone();
-        // Nothing is ever told, so that only the end is.
+        // No value is ever sent; only the end of the channel matters.
         let _ = here.changed().await;
     }
 }
 
-/// An answer that somebody waits for, until it is told or its connection is gone.
+/// A response whose client waits for it, until it is sent or the connection is gone.
 struct Awaited<P> {
     body: Body,
     _waits: watch::Sender<()>,
@@ -154,14 +155,14 @@ impl<P: Unpin> HttpBody for Awaited<P> {
     }
 }
 
-/// Whether a request may begin a session.
+/// Whether a request may open a session.
 fn begins(request: &Request) -> bool {
     request.method() == Method::POST && !request.headers().contains_key("mcp-session-id")
 }
 
-/// How many agents may have sessions at once.
+/// The maximum number of sessions.
 const MOST_SESSIONS: usize = 256;
-/// After how long a session is over in which nothing happens: longer than a call may wait for a job.
+/// The idle time after which a session ends: longer than a call may wait for a job.
 const LONGEST_SILENCE: Duration = Duration::from_secs(4000);
-/// So often something comes, so that a dead connection is found.
+/// The interval of keep-alive comments, which reveal dead connections.
 const ALIVE_EVERY: Duration = Duration::from_secs(5);

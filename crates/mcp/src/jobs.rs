@@ -1,4 +1,4 @@
-//! Jobs: queued, started, followed, changed.
+//! Jobs: queued, started, observed, changed.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ use crate::call::{Call, wait};
 use crate::refused::Refused;
 
 impl Call {
-    /// What the station says of a program.
+    /// Returns the station's report on a program.
     pub(crate) async fn check_program(&self, program: ProgramArguments) -> Result<Value, Refused> {
         let program = self.program(program).await?;
         Ok(post(&self.station().await?, "/api/v1/programs/check", &program).await?)
@@ -34,7 +34,7 @@ impl Call {
         let Reply::Job { job } = reply else {
             return Err(Refused::new(
                 "no-station",
-                "the station does not tell which job it queued",
+                "the station did not return the number of the queued job",
             ));
         };
         self.start_new(&mut station, job.job, time).await
@@ -49,10 +49,7 @@ impl Call {
                 String::from_utf8(bytes).map_err(no_text)?
             }
             _ => {
-                return Err(Refused::new(
-                    "invalid",
-                    "a program has either `text` or `file`",
-                ));
+                return Err(Refused::new("invalid", "give either `text` or `file`"));
             }
         };
         Ok(ProgramText {
@@ -61,18 +58,16 @@ impl Call {
         })
     }
 
-    /// The name and the bytes of a file of the folder for agents.
+    /// Reads a file in the folder for agents; returns its name and bytes.
     pub(crate) async fn file(&self, name: String) -> Result<(String, Vec<u8>), Refused> {
         let Some(files) = self.shared.settings.files.clone() else {
-            return Err(
-                Refused::new("file", "no folder with files for agents was told")
-                    .hinted("the person who starts it says which: `dobot mcp --files FOLDER`"),
-            );
+            return Err(Refused::new("file", "there is no folder for agents")
+                .hinted("set one with `dobot mcp --files FOLDER`"));
         };
         run_long(move || files.read(&name)).await?
     }
 
-    /// Starts a job that was just queued and follows it, or leaves it to a person.
+    /// Starts and observes a newly queued job, or leaves it to a person.
     pub(crate) async fn start_new(
         &self,
         station: &mut StationClient,
@@ -81,7 +76,7 @@ impl Call {
     ) -> Result<Value, Refused> {
         if self.asks(station) {
             let told = format!(
-                "job {job} is queued, and begins when a person starts it: on the station's page, or with `dobot jobs start {job}`"
+                "job {job} is queued; a person has to start it, on the station's page or with `dobot jobs start {job}`"
             );
             return Ok(json!({ "told": told, "job": view(station, job).await? }));
         }
@@ -114,7 +109,7 @@ impl Call {
         Ok(json!({ "job": view(&mut station, job).await? }))
     }
 
-    /// Pauses or ends a job: it moves nothing that would not move without it.
+    /// Pauses or cancels a job, which causes no new motion.
     pub(crate) async fn end_job(&self, asked: &ChangeJob) -> Result<Value, Refused> {
         let (mut station, job) = (self.connect().await?, asked.job);
         if asked.action == JobAction::Cancel {
@@ -123,8 +118,8 @@ impl Call {
             let found = view(&mut station, job).await?;
             if found.phase != JobPhase::Running {
                 return Err(
-                    Refused::new("no-job-runs", format!("job {job} does not run"))
-                        .hinted("only a running job can be paused; `jobs` lists all of them"),
+                    Refused::new("no-job-runs", format!("job {job} is not running"))
+                        .hinted("only a running job can be paused; `jobs` lists all jobs"),
                 );
             }
             station.request(Request::PauseJob).await?;
@@ -148,14 +143,15 @@ impl Call {
     }
 }
 
-/// Starts a job, or goes on with it; control has been taken. It is given back: whoever is there may pause it.
+/// Starts or resumes a job after control has been taken, then releases control, so that a person at
+/// the arm may pause it.
 async fn start(station: &mut StationClient, job: u64) -> Result<(), Refused> {
     station.request_at_rest(Request::StartJob { job }).await?;
     station.request(Request::ReleaseLease).await?;
     Ok(())
 }
 
-/// Waits until a job does not run any more, but no longer than this.
+/// Waits until a job stops running, within a timeout.
 async fn follow(station: &mut StationClient, job: u64, time: Duration) -> Result<Value, Refused> {
     let mut watch = JobWatch::new(job);
     let over = async {
@@ -168,7 +164,7 @@ async fn follow(station: &mut StationClient, job: u64, time: Duration) -> Result
         }
     };
     let told = match timeout(time, over).await {
-        Err(_) => "it runs, and goes on; `jobs` tells how far it is".to_owned(),
+        Err(_) => "the job is still running; `jobs` shows its progress".to_owned(),
         Ok(Err(error)) => return Err(error),
         Ok(Ok((JobPhase::Stopped | JobPhase::Failed, text))) => {
             return Err(Refused::new("not-done", text));
@@ -178,7 +174,7 @@ async fn follow(station: &mut StationClient, job: u64, time: Duration) -> Result
     Ok(json!({ "told": told, "job": view(station, job).await? }))
 }
 
-/// Until a job that runs does not any more.
+/// Waits until a job stops running.
 async fn rest(station: &mut StationClient, job: u64) -> Result<(), Refused> {
     loop {
         let state = station.state().await?;
@@ -194,9 +190,9 @@ async fn view(station: &mut StationClient, job: u64) -> Result<JobView, Refused>
     let found = jobs.into_iter().find(|view| view.job == job);
     found.ok_or_else(|| {
         Refused::new("no-such-job", format!("there is no job {job}"))
-            .hinted("`jobs` lists all of them")
+            .hinted("`jobs` lists all jobs")
     })
 }
 
-/// How many jobs that are over are listed.
+/// The number of finished jobs that are listed.
 const LATEST: usize = 20;

@@ -1,8 +1,9 @@
 //! A Dobot Arm as tools for agents (Model Context Protocol).
 //!
-//! Each call opens a connection of its own with a station that runs, so that a stop always gets through beside what is
-//! under way. All rules are the station's. A call that the agent gives up, or whose agent is gone, stops the arm.
-//! [`serve`] serves the agent at the other end of two streams, [`HttpAgents`] those that come to a server of HTTP.
+//! Each call opens its own connection to a running station, so that a stop always gets through
+//! during other calls. All rules are the station's. The arm is stopped when a call that moves it is
+//! cancelled or its agent is gone. [`serve`] serves the agent at the other end of two streams,
+//! [`HttpAgents`] those of an HTTP server.
 //!
 //! ```no_run
 //! use dobot_api::StationAddress;

@@ -1,4 +1,4 @@
-//! Which jobs an agent may resume: its own, unless a person has to look first.
+//! The jobs that an agent may resume: its own, unless a person has to check first.
 
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -14,12 +14,12 @@ pub(crate) struct OwnJobs(Mutex<HashMap<u64, OwnJob>>);
 #[derive(Debug)]
 struct OwnJob {
     agent: String,
-    /// The job's reason after this agent has paused it.
+    /// The reason of the pause after this agent has paused it.
     paused: Option<String>,
 }
 
 impl OwnJobs {
-    /// An agent starts a job.
+    /// Records a job started by an agent.
     pub(crate) fn add(&self, agent: &str, job: u64) {
         let own = OwnJob {
             agent: agent.to_owned(),
@@ -28,7 +28,7 @@ impl OwnJobs {
         self.lock().insert(job, own);
     }
 
-    /// An agent has paused a job.
+    /// Records a job paused by an agent.
     pub(crate) fn note_paused(&self, agent: &str, job: &JobView) {
         if let Some(own) = self
             .lock()
@@ -39,7 +39,7 @@ impl OwnJobs {
         }
     }
 
-    /// Whether an agent may resume a job: only one that it has started and paused itself.
+    /// Checks that an agent may resume a job: only one that it has started and paused itself.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Why something was not done, as an agent reads it.
+//! Refusals, in the form for agents.
 
 use dobot_api::{ConnectError, Problem, RemoteError};
 use dobot_host::{JobsError, LongWorkError};
@@ -8,23 +8,23 @@ use serde_json::json;
 
 use crate::NoStation;
 
-/// Why something was not done: the station's own words, where it was the station that refused.
+/// The reason why a call failed: the station's text if the station refused.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Refused {
     /// The kind of problem, in one word.
     kind: String,
-    /// Where, what was found, and what is allowed.
+    /// The location, what was found, and what is allowed.
     detail: String,
-    /// What to do about it.
+    /// The remedy.
     #[serde(skip_serializing_if = "Option::is_none")]
     hint: Option<String>,
-    /// The rule of the policy that would be broken.
+    /// The rule of the policy that would be violated.
     #[serde(skip_serializing_if = "Option::is_none")]
     rule: Option<String>,
-    /// Where on the way it would be broken: x, y and z in millimetres.
+    /// The position on the path where it would be violated: x, y and z in millimetres.
     #[serde(skip_serializing_if = "Option::is_none")]
     at_mm: Option<[f64; 3]>,
-    /// The nearest place that is allowed: x, y and z in millimetres.
+    /// The nearest allowed position: x, y and z in millimetres.
     #[serde(skip_serializing_if = "Option::is_none")]
     nearest_mm: Option<[f64; 3]>,
 }
@@ -48,7 +48,7 @@ impl Refused {
         }
     }
 
-    /// The answer to the call.
+    /// Returns the result of the call.
     pub(crate) fn result(&self) -> CallToolResult {
         CallToolResult::structured_error(json!(self))
     }
@@ -68,7 +68,7 @@ impl From<Problem> for Refused {
     }
 }
 
-/// A panic is a bug here, and says where.
+/// A panic is a bug here; the text contains its location.
 impl From<LongWorkError> for Refused {
     fn from(error: LongWorkError) -> Self {
         Self::new("internal", error.to_string())

@@ -1,4 +1,4 @@
-//! Serving an agent over two streams of bytes.
+//! Serving an agent over two byte streams.
 
 use std::io;
 use std::pin::Pin;
@@ -10,17 +10,17 @@ use tokio::sync::watch;
 
 use crate::Agents;
 
-/// Why an agent is not served.
+/// The error returned when an agent cannot be served.
 #[derive(Debug, thiserror::Error)]
 #[error("the agent does not speak the Model Context Protocol: {0}")]
 pub struct ServeError(String);
 
-/// Serves an agent until its input ends or `ending` becomes true. Where the arm is moved for it at that time, the arm is
-/// stopped.
+/// Serves an agent until its input ends or `ending` becomes true. If it is moving the arm at that
+/// time, the arm is stopped.
 ///
 /// # Errors
 ///
-/// [`ServeError`] where what it says first is no greeting.
+/// [`ServeError`] if its first message is not a valid initialisation.
 pub async fn serve(
     agents: Agents,
     input: impl AsyncRead + Send + Unpin + 'static,
@@ -32,7 +32,7 @@ pub async fn serve(
 
 type Serving = Pin<Box<dyn Future<Output = Result<(), ServeError>> + Send>>;
 
-/// All of it is of one type, so that the protocol is compiled in this crate, and not for each kind of streams.
+/// Uses one type for all streams, so that the protocol is compiled only in this crate.
 fn boxed(agents: Agents, input: Input, output: Output, ending: watch::Receiver<bool>) -> Serving {
     Box::pin(run(agents, input, output, ending))
 }
@@ -64,12 +64,12 @@ async fn run(
     }
     gone.send_replace(true);
     end.cancel();
-    // What is under way stops the arm first.
+    // Calls in progress stop the arm first.
     let _ = waiting.await;
     Ok(())
 }
 
-/// Input that tells when it ends.
+/// An input that reports its end.
 struct UntilEnd {
     input: Input,
     gone: watch::Sender<bool>,

@@ -1,4 +1,4 @@
-//! How agents reach the arm.
+//! Settings of the tools.
 
 use std::fmt;
 use std::future::Future;
@@ -8,29 +8,29 @@ use dobot_api::StationAddress;
 
 use crate::FilesFolder;
 
-/// How agents reach the arm, and what they may do.
+/// Settings of the tools: the station, and the rights of agents.
 pub struct Settings {
     find: Box<dyn Fn() -> Found + Send + Sync>,
-    /// Drawings and programs are queued only, and a person starts each; other motion is refused. True unless it is set
-    /// otherwise. Over HTTP the agent's token decides instead.
+    /// Whether drawings and programs are only queued, for a person to start, and other motion is
+    /// refused (default: true). Over HTTP the agent's token decides instead.
     pub asks: bool,
-    /// Where the files are that agents may draw and run; none without it.
+    /// The folder of the files that agents may use; none if absent.
     pub files: Option<FilesFolder>,
 }
 
 type Found = Pin<Box<dyn Future<Output = Result<StationAddress, NoStation>> + Send>>;
 
-/// Why no station is found.
+/// The error returned when no station is found.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoStation {
-    /// What is wrong, in one line.
+    /// The problem, in one line.
     pub detail: String,
-    /// What to do about it.
+    /// The remedy.
     pub hint: Option<String>,
 }
 
 impl Settings {
-    /// The station at this address.
+    /// Uses the station at this address.
     #[must_use]
     pub fn at(station: StationAddress) -> Self {
         Self::finding(move || {
@@ -39,7 +39,7 @@ impl Settings {
         })
     }
 
-    /// The station that is found anew for each call: one that was started again has another token.
+    /// Searches the station for each call: a restarted station has another token.
     #[must_use]
     pub fn finding<F>(find: impl Fn() -> F + Send + Sync + 'static) -> Self
     where

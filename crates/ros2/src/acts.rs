@@ -1,4 +1,5 @@
-//! What the arm is had to do, over a connection that takes control first and gives it back when it is dropped.
+//! Actions of the arm, over a connection that takes control first and releases it when it is
+//! dropped.
 
 use std::time::Duration;
 
@@ -13,22 +14,23 @@ use crate::goal::{Fault, FaultCode, Wanted, rad};
 use crate::joints::{JOINTS, degrees_of};
 use crate::station::refused;
 
-/// How an arm rests, and how often it says so.
+/// The state of an arm at rest, and its status period.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stand {
     pub(crate) status: Status,
-    /// The time from status to status.
+    /// The status period.
     pub(crate) period: Duration,
 }
 
-/// Takes control, which is given back when the connection is dropped, and waits until the arm rests.
+/// Takes control, which is released when the connection is dropped, and waits until the arm is at
+/// rest.
 pub(crate) async fn take_at_rest(station: &mut StationClient) -> Result<Stand, String> {
     take(station).await?;
     let rest = timeout(PATIENCE, stands(station)).await;
-    rest.unwrap_or_else(|_| Err("the arm still moves; wait until it rests".to_owned()))
+    rest.unwrap_or_else(|_| Err("the arm is still moving; wait until it is at rest".to_owned()))
 }
 
-/// How the arm stands, as soon as it does.
+/// Waits until the arm is at rest, and returns its state.
 async fn stands(station: &mut StationClient) -> Result<Stand, String> {
     loop {
         let state = station
@@ -54,7 +56,8 @@ pub(crate) async fn take(station: &mut StationClient) -> Result<(), String> {
     taken.map(drop).map_err(|error| refused(&error))
 }
 
-/// Goes to a target, and waits until the arm rests there; the arm is stopped where this comes to an end first.
+/// Moves to a target, and waits until the arm is at rest there; the arm is stopped if this is
+/// interrupted.
 pub(crate) async fn go(
     station: &mut StationClient,
     target: &Target,
@@ -69,11 +72,11 @@ pub(crate) async fn go(
     tokio::select! {
         done = station.finished(command) => done.map_err(|error| refused(&error))?,
         () = ended(ending) => {
-            stop(station, "the program for ROS 2 was ended").await?;
-            return Err("this was ended first; the arm is stopped".to_owned());
+            stop(station, "the ROS 2 node was shut down").await?;
+            return Err("the node was shut down; the arm is stopped".to_owned());
         }
     }
-    Ok("the arm is there".to_owned())
+    Ok("the arm has reached the target".to_owned())
 }
 
 /// Switches the pump.
@@ -87,17 +90,17 @@ pub(crate) async fn suction(station: &mut StationClient, on: bool) -> Result<Str
     let jog = Jog::Joint(JointJog::new(axis, 0.0));
     let done = station.request(Request::Jog { jog }).await;
     done.map_err(|error| refused(&error))?;
-    // The next target sets the pump as it is then.
+    // The next target uses the pump state of the last status.
     timeout(PATIENCE, shown(station, on))
         .await
-        .map_err(|_| "no status shows that the pump was switched".to_owned())??;
+        .map_err(|_| "no status confirms that the pump was switched".to_owned())??;
     Ok(format!(
         "the pump is switched {}",
         if on { "on" } else { "off" }
     ))
 }
 
-/// Until a status shows the pump so.
+/// Waits until a status confirms the pump state.
 async fn shown(station: &mut StationClient, on: bool) -> Result<(), String> {
     loop {
         let state = station.state().await.map_err(|error| refused(&error))?;
@@ -107,7 +110,7 @@ async fn shown(station: &mut StationClient, on: bool) -> Result<(), String> {
     }
 }
 
-/// Closes or opens the gripper, where the arm stands.
+/// Closes or opens the gripper at the current position.
 pub(crate) async fn gripper(
     station: &mut StationClient,
     closed: bool,
@@ -129,7 +132,7 @@ pub(crate) async fn gripper(
     ))
 }
 
-/// Stops the arm, whoever has control, and tells by when it rests.
+/// Stops the arm, whoever has control, and returns a text with the time until it is at rest.
 pub(crate) async fn stop(station: &mut StationClient, reason: &str) -> Result<String, String> {
     let reason = Some(reason.to_owned());
     let reply = station.request(Request::Stop { reason }).await;
@@ -146,21 +149,21 @@ pub(crate) async fn stop(station: &mut StationClient, reason: &str) -> Result<St
         _ => 0.0,
     };
     Ok(format!(
-        "the arm rests within {within_s:.2} s; a person looks at it and resets the stop: on the station's page, or with `dobot stop --reset`"
+        "the arm is at rest within {within_s:.2} s; a person must check it and reset the stop, on the station's page or with `dobot stop --reset`"
     ))
 }
 
-/// How a trajectory ended.
+/// The outcome of a trajectory.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Followed {
-    /// The arm is at its end.
+    /// The arm has reached its end.
     Done(String),
     /// It was cancelled, and the arm holds where it came to rest.
     Held(String),
 }
 
-/// Follows a trajectory as a job, with control; `see` is shown every state, and how long the job has run in seconds. Where it is
-/// cancelled or this is ended, the arm holds.
+/// Runs a trajectory as a job, with control; `see` gets each state and the time since the job
+/// started, in seconds. On cancellation or shutdown the arm holds.
 pub(crate) async fn follow(
     station: &mut StationClient,
     wanted: &Wanted,
@@ -170,7 +173,7 @@ pub(crate) async fn follow(
 ) -> Result<Followed, Fault> {
     if plan.job.commands.is_empty() {
         return Ok(Followed::Done(format!(
-            "the arm stands there; {}",
+            "the arm is already there; {}",
             plan.told
         )));
     }
@@ -205,9 +208,9 @@ pub(crate) async fn follow(
                     return Ok(Followed::Done(plan.told));
                 }
                 Some((_, text)) => {
-                    // One that is paused would go on later, when nobody expects it.
+                    // A paused job could be resumed later, unexpectedly.
                     station.request(Request::CancelJob { job }).await.ok();
-                    return Err(Fault::invalid(format!("the station ended it: {text}")));
+                    return Err(Fault::invalid(format!("the station ended the job: {text}")));
                 }
             },
         }
@@ -236,12 +239,12 @@ async fn hold(
         Ok(Ok(text)) => Ok(Followed::Held(text)),
         Ok(Err(error)) => Err(fault(&error)),
         Err(_) => Err(Fault::invalid(
-            "the arm was told to hold, and does not rest",
+            "the arm was commanded to hold, but is not at rest",
         )),
     }
 }
 
-/// Whether the joints are as near to the end as the goal wants them.
+/// Checks the joints against the goal tolerance.
 async fn check_end(station: &mut StationClient, wanted: &Wanted) -> Result<(), Fault> {
     if wanted.end_deg == [None; 4] {
         return Ok(());
@@ -261,17 +264,17 @@ async fn check_end(station: &mut StationClient, wanted: &Wanted) -> Result<(), F
     Ok(())
 }
 
-/// Until somebody wants it to end.
+/// Waits for the shutdown.
 pub(crate) async fn ended(ending: &mut watch::Receiver<bool>) {
     if ending.wait_for(|allowed| *allowed).await.is_err() {
-        // Nobody is left who could want it.
+        // The sender is gone: there will be no shutdown.
         std::future::pending::<()>().await;
     }
 }
 
-/// How far the gripper turns, either way.
+/// The range of the gripper in each direction.
 const GRIPPER_DEG: f32 = 90.0;
-/// How long an arm takes to come to rest, at the most.
+/// The maximum time until an arm is at rest.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The station's arm as a node of ROS 2.
+//! The station's arm as a ROS 2 node.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -25,11 +25,12 @@ use crate::target::target;
 use crate::told::Told;
 use crate::watch::{WantedStop, Watch};
 
-/// Takes part in ROS 2 until `ending` becomes true; what is under way then ends first, with the arm at rest.
+/// Runs the node until `ending` becomes true; actions in progress then end first, with the arm at
+/// rest.
 ///
 /// # Errors
 ///
-/// [`NodeError`] where DDS does not start.
+/// [`NodeError`] if DDS cannot be started.
 ///
 /// # Panics
 ///
@@ -62,7 +63,7 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
     tokio::spawn(watch.run());
     tokio::spawn(serve_stop(servers.stop, stop, told.clone()));
 
-    // What is under way holds one of these.
+    // Each action in progress holds a clone.
     let (busy, mut over) = mpsc::channel::<()>(1);
     let shared = Shared {
         station,
@@ -84,7 +85,7 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
         results: tokio::sync::Mutex::default(),
     });
     tokio::spawn(goals.run(ending.clone(), shared.busy.clone()));
-    shared.told.info("the arm takes part in ROS 2");
+    shared.told.info("the node is running");
 
     ended(&mut ending).await;
     drop(shared);
@@ -92,7 +93,7 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
     Ok(())
 }
 
-/// What all that moves the arm needs.
+/// State shared by everything that moves the arm.
 #[derive(Clone)]
 struct Shared {
     station: Station,
@@ -124,7 +125,7 @@ impl Shared {
                 if let Err(error) = answered.await {
                     shared
                         .told
-                        .warn(&format!("{name} cannot be answered: {error:?}"));
+                        .warn(&format!("cannot send the response of {name}: {error:?}"));
                 }
             }
         });
@@ -138,7 +139,8 @@ impl Shared {
         }
     }
 
-    /// Goes to targets, one after the other; of those that come on the way the last one is gone to.
+    /// Moves to targets, one after the other; of the targets that arrive during a move only the
+    /// last is used.
     fn take_targets(&self, listener: Subscription<PoseStamped>) {
         let (wanted, mut targets) = watch::channel(None);
         tokio::spawn(pass_on(listener, wanted, Some, self.told.clone()));
@@ -184,7 +186,7 @@ impl Shared {
         });
     }
 
-    /// The next of a stream, until the program ends.
+    /// Returns the next message of a stream, until the shutdown.
     async fn next<S: futures_util::Stream + Unpin>(&mut self, stream: &mut S) -> Option<S::Item> {
         tokio::select! {
             next = stream.next() => next,
@@ -192,7 +194,7 @@ impl Shared {
         }
     }
 
-    /// Whether there is something new, until the program ends.
+    /// Waits for a new value, until the shutdown.
     async fn changed<T>(&mut self, value: &mut watch::Receiver<T>) -> bool {
         tokio::select! {
             changed = value.changed() => changed.is_ok(),
@@ -202,11 +204,11 @@ impl Shared {
 
     fn unreadable(&self, name: &str, error: &dyn std::fmt::Debug) {
         self.told
-            .warn(&format!("what came for {name} cannot be read: {error:?}"));
+            .warn(&format!("cannot read a message for {name}: {error:?}"));
     }
 }
 
-/// What is switched by a service.
+/// The tools that are switched by services.
 #[derive(Clone, Copy)]
 enum Switch {
     Suction,
@@ -222,7 +224,7 @@ impl Switch {
     }
 }
 
-/// Passes on what comes; of what comes while nobody looks, the last.
+/// Forwards messages; of messages that arrive between reads only the last.
 async fn pass_on<M: Message + 'static, T>(
     listener: Subscription<M>,
     to: watch::Sender<T>,
@@ -236,12 +238,12 @@ async fn pass_on<M: Message + 'static, T>(
             Ok((message, _)) => {
                 to.send_replace(read(message));
             }
-            Err(error) => told.warn(&format!("a message cannot be read: {error:?}")),
+            Err(error) => told.warn(&format!("cannot read a message: {error:?}")),
         }
     }
 }
 
-/// Serves the stop, over the connection that looks on.
+/// Serves the stop, over the observer's connection.
 async fn serve_stop(
     server: Server<TriggerRequest, Answer>,
     stop: mpsc::Sender<WantedStop>,
@@ -250,23 +252,23 @@ async fn serve_stop(
     let requests = server.receive_request_stream();
     tokio::pin!(requests);
     while let Some(request) = requests.next().await {
-        // A stop that cannot be read is a stop too, but there is nobody to answer.
+        // An unreadable stop is a stop too, but cannot be answered.
         let (answer, answered) = oneshot::channel();
         let passed = stop.send(answer).await.is_ok();
         let done = match answered.await {
             Ok(done) if passed => done,
-            _ => Err("the stop cannot be passed on: the program ends".to_owned()),
+            _ => Err("cannot forward the stop: the node is shutting down".to_owned()),
         };
         told.outcome("stop", &done);
         if let Ok((id, _)) = request
             && let Err(error) = server.async_send_response(id, Answer::of(done)).await
         {
-            told.warn(&format!("the stop cannot be answered: {error:?}"));
+            told.warn(&format!("cannot send the response of the stop: {error:?}"));
         }
     }
 }
 
-/// How many stops may wait.
+/// The maximum number of queued stops.
 const STOPS: usize = 16;
-/// How long what is under way gets to come to its end.
+/// The timeout of actions in progress at the shutdown.
 const PATIENCE: Duration = Duration::from_secs(12);

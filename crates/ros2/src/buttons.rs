@@ -1,4 +1,4 @@
-//! Jogs: an axis moves for as long as somebody says so.
+//! Jogs: an axis moves while messages request it.
 
 use std::sync::Arc;
 
@@ -11,10 +11,10 @@ use crate::acts::{ended, take};
 use crate::station::{Station, refused};
 use crate::told::Told;
 
-/// What was said last of a jog: the button, or that none is pressed, or what is wrong with what was said.
+/// The last jog message: a button, no button, or an error in the message.
 pub(crate) type Said = Option<Result<Option<Jog>, String>>;
 
-/// Presses the buttons that are said, for as long as they are said again.
+/// Holds the requested buttons while the requests are repeated.
 pub(crate) struct Buttons {
     pub(crate) station: Station,
     pub(crate) told: Arc<Told>,
@@ -23,7 +23,7 @@ pub(crate) struct Buttons {
 }
 
 impl Buttons {
-    /// For as long as somebody may say something.
+    /// Runs until no more messages can arrive.
     pub(crate) async fn run(mut self) {
         while self.said.changed().await.is_ok() {
             let said = self.said.borrow_and_update().clone();
@@ -34,7 +34,8 @@ impl Buttons {
             };
             if let Some(why) = refused {
                 self.told.warn(&format!("jog: {why}"));
-                // No arm begins to move because a limit went away while a stick was held: it is let go first.
+                // The arm must not start moving because a limit is cleared while a stick is held:
+                // the stick must be released first.
                 self.silence().await;
             }
         }
@@ -44,18 +45,18 @@ impl Buttons {
         let mut station = self.station.connect("jog").await?;
         take(&mut station).await?;
         let held = hold(&mut station, jog, &mut self.said, &mut self.ending).await;
-        // Silence lets it go too, a little later.
+        // If this fails, the dead-man time releases it a little later.
         station.request(Request::Release).await.ok();
         held
     }
 
-    /// Until nothing is said any more.
+    /// Waits until no more jogs are requested.
     async fn silence(&mut self) {
         while let Ok(Ok(())) = timeout(SILENT, self.said.changed()).await {}
     }
 }
 
-/// Holds a button until it is said that none is pressed, or nothing is said for the dead-man time.
+/// Holds a button until it is released, or no message arrives within the dead-man time.
 async fn hold(
     station: &mut StationClient,
     mut jog: Jog,
@@ -89,5 +90,5 @@ async fn hold(
     }
 }
 
-/// So long nothing is said before a button that was refused may be pressed anew.
+/// The pause in messages after which a refused button may be pressed again.
 const SILENT: std::time::Duration = std::time::Duration::from_millis(300);

@@ -1,11 +1,11 @@
-//! What keeps the arm from moving, as `diagnostic_msgs` have it.
+//! The reasons why the arm cannot move, as `diagnostic_msgs`.
 
 use dobot_api::{LinkPhase, LinkView, State};
 use dobot_safety::Policy;
 
 use crate::messages::{DiagnosticArray, DiagnosticStatus, Header, KeyValue};
 
-/// How the arm is, for `/diagnostics`; each status begins with the node's name.
+/// Returns the diagnostics for `/diagnostics`; the name of each status begins with the node's name.
 pub(crate) fn of_state(node: &str, state: &State, rules: Option<&Policy>) -> DiagnosticArray {
     let statuses = [
         policy(rules),
@@ -20,7 +20,7 @@ pub(crate) fn of_state(node: &str, state: &State, rules: Option<&Policy>) -> Dia
     array(node, &hardware_id, statuses.into_iter().collect())
 }
 
-/// The station does not answer.
+/// Returns the diagnostics while the station does not respond.
 pub(crate) fn of_no_station(node: &str, why: &str) -> DiagnosticArray {
     let silent = Diagnosis::new("station", Level::Error, why);
     array(node, "", vec![silent])
@@ -40,7 +40,7 @@ fn array(node: &str, hardware_id: &str, found: Vec<Diagnosis>) -> DiagnosticArra
     }
 }
 
-/// One thing, and how it is.
+/// The state of one component.
 struct Diagnosis {
     name: &'static str,
     level: Level,
@@ -67,7 +67,7 @@ impl Diagnosis {
         }
     }
 
-    #[expect(clippy::needless_pass_by_value, reason = "it reads better at the call")]
+    #[expect(clippy::needless_pass_by_value, reason = "more readable calls")]
     fn with(mut self, key: &str, value: impl ToString) -> Self {
         self.values.push(KeyValue {
             key: key.to_owned(),
@@ -81,8 +81,8 @@ fn link(link: &LinkView) -> Diagnosis {
     let (level, usual) = match link.phase {
         LinkPhase::Up => (Level::Ok, "statuses come"),
         LinkPhase::Searching => (Level::Error, "no arm has been found yet"),
-        LinkPhase::Listening => (Level::Stale, "the port is open, and the arm says nothing"),
-        LinkPhase::Lost => (Level::Error, "statuses came, and do not any more"),
+        LinkPhase::Listening => (Level::Stale, "the port is open, but the arm sends nothing"),
+        LinkPhase::Lost => (Level::Error, "no more statuses arrive"),
     };
     let message = link.problem.as_deref().unwrap_or(usual);
     let found = Diagnosis::new("link", level, message)
@@ -98,14 +98,17 @@ fn link(link: &LinkView) -> Diagnosis {
 fn pose(state: &State) -> Diagnosis {
     let trust = &state.trust;
     if trust.trusted {
-        return Diagnosis::new("pose", Level::Ok, "the arm stands where it says");
+        return Diagnosis::new("pose", Level::Ok, "the reported pose is trusted");
     }
-    let why = trust.reason.as_deref().unwrap_or("nobody has looked");
+    let why = trust
+        .reason
+        .as_deref()
+        .unwrap_or("not confirmed by a person");
     Diagnosis::new(
         "pose",
         Level::Error,
         format!(
-            "nobody knows where the arm stands: {why}; a person looks and confirms it on the station's page"
+            "the pose of the arm is not trusted: {why}; a person must check and confirm it on the station's page"
         ),
     )
 }
@@ -114,14 +117,14 @@ fn stop(state: &State) -> Diagnosis {
     let Some(stop) = &state.stop else {
         return Diagnosis::new("stop", Level::Ok, "the arm may move");
     };
-    let text = format!("{}; a person resets that", stop.text());
+    let text = format!("{}; a person must reset the stop", stop.text());
     Diagnosis::new("stop", Level::Error, text).with("at_rest", stop.at_rest)
 }
 
 fn queue(state: &State) -> Diagnosis {
     let message = match &state.job {
         Some(job) => format!("job {}: {}", job.job, job.title),
-        None => "no job has the arm".to_owned(),
+        None => "no job is running".to_owned(),
     };
     let queue = &state.queue;
     Diagnosis::new("queue", Level::Ok, message)
@@ -143,20 +146,24 @@ fn policy(policy: Option<&Policy>) -> Diagnosis {
         return Diagnosis::new(
             "policy",
             Level::Stale,
-            "the station does not tell its policy",
+            "the policy of the station is not available",
         );
     };
     let (joints, workspace, speed) = (&policy.joints, &policy.workspace, &policy.speed);
-    Diagnosis::new("policy", Level::Ok, "the station checks every way by it")
-        .with("base_deg", joints.base_deg)
-        .with("rear_deg", joints.rear_deg)
-        .with("fore_deg", joints.fore_deg)
-        .with("servo_deg", joints.servo_deg)
-        .with("reach_mm", workspace.reach_mm)
-        .with("z_mm", workspace.z_mm)
-        .with("joint_deg_s", speed.joint_deg_s)
-        .with("line_mm_s", speed.line_mm_s)
-        .with("keep_outs", policy.keep_out.len())
+    Diagnosis::new(
+        "policy",
+        Level::Ok,
+        "every path is checked against the policy",
+    )
+    .with("base_deg", joints.base_deg)
+    .with("rear_deg", joints.rear_deg)
+    .with("fore_deg", joints.fore_deg)
+    .with("servo_deg", joints.servo_deg)
+    .with("reach_mm", workspace.reach_mm)
+    .with("z_mm", workspace.z_mm)
+    .with("joint_deg_s", speed.joint_deg_s)
+    .with("line_mm_s", speed.line_mm_s)
+    .with("keep_outs", policy.keep_out.len())
 }
 
 fn laser(state: &State) -> Diagnosis {

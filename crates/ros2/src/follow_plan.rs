@@ -1,4 +1,5 @@
-//! From a trajectory to a job: as many targets as the link carries, each as fast as the trajectory has it.
+//! Conversion of a trajectory to a job: as many targets as the link can carry, each with the speed
+//! of the trajectory.
 
 use std::time::Duration;
 
@@ -11,24 +12,25 @@ use crate::goal::{Fault, FaultCode, Wanted, rad};
 use crate::joints::JOINTS;
 use crate::thin::{Thinned, thinned};
 
-/// How a trajectory is followed.
+/// A planned trajectory.
 #[derive(Clone, Debug)]
 pub(crate) struct FollowPlan {
     pub(crate) job: NewJob,
-    /// How long it takes by the motion model, in seconds.
+    /// Its duration by the motion model, in seconds.
     #[cfg(test)]
     pub(crate) takes_s: f64,
-    /// What is different from what was wanted, for a person.
+    /// The deviations from the requested trajectory, as text.
     pub(crate) told: String,
 }
 
 impl FollowPlan {
-    /// Through the places of a trajectory, for an arm that stands so and sends a status once in a period. Where nothing else
-    /// is told, the joints stay within the tolerance (in degrees, together) as far as the link carries that.
+    /// Plans a trajectory for an arm at a position, with a status period. Without a tolerance in
+    /// the goal, the joints stay within the default tolerance (in degrees, combined) as far as the
+    /// link can carry that.
     ///
     /// # Errors
     ///
-    /// [`Fault`] where a tolerance of the goal cannot be kept.
+    /// [`Fault`] if a tolerance of the goal cannot be met.
     pub(crate) fn new(
         wanted: &Wanted,
         stands: &Status,
@@ -52,8 +54,8 @@ impl FollowPlan {
     }
 }
 
-/// How many targets the link carries in a time: each is two commands, its speed and itself, and a status permits one
-/// (note N20).
+/// Returns the number of targets that the link can carry in a time: each takes two commands, its
+/// speed and itself, and a status permits one (note N20).
 fn carried(duration_s: f64, period: Duration) -> usize {
     let commands = duration_s / period.as_secs_f64();
     #[expect(
@@ -65,8 +67,8 @@ fn carried(duration_s: f64, period: Duration) -> usize {
     targets.max(1)
 }
 
-/// Where the trajectory stands for a while: the first and the last place of each stand. They are so long that the link
-/// carries two targets for each, and one more.
+/// Returns the first and the last point of each pause in the trajectory that is long enough for the
+/// link to carry its two targets and one more.
 fn holds(wanted: &Wanted, period: Duration) -> Vec<usize> {
     let least_s = HOLD_PERIODS * period.as_secs_f64();
     let mut holds = Vec::new();
@@ -85,7 +87,7 @@ fn holds(wanted: &Wanted, period: Duration) -> Vec<usize> {
     holds
 }
 
-/// How far the joint turns that turns farthest, in degrees.
+/// Returns the largest angle that a joint turns, in degrees.
 fn way_deg(from: &[f64; 4], to: &[f64; 4]) -> f64 {
     let ways = from.iter().zip(to).map(|(from, to)| (to - from).abs());
     ways.fold(0.0, f64::max)
@@ -102,7 +104,7 @@ fn check_path(wanted: &Wanted, thin: &Thinned) -> Result<(), Fault> {
     Err(Fault::new(
         FaultCode::PathToleranceViolated,
         format!(
-            "the link carries {} targets in {} s, which go {found} rad beside the trajectory; path_tolerance allows {allowed} rad for {name}: give it more time, or a larger tolerance",
+            "the link can carry {} targets in {} s, which deviate {found} rad from the trajectory; path_tolerance allows {allowed} rad for {name}; use a longer time or a larger tolerance",
             thin.kept.len() - 1,
             wanted.duration_s(),
         ),
@@ -115,29 +117,29 @@ fn check_time(wanted: &Wanted, takes_s: f64) -> Result<(), Fault> {
         Some(allowed_s) if late_s > allowed_s => Err(Fault::new(
             FaultCode::GoalToleranceViolated,
             format!(
-                "the arm takes {takes_s:.2} s, and the trajectory {within_s:.2} s; goal_time_tolerance allows {allowed_s:.2} s more: give it more time"
+                "the arm takes {takes_s:.2} s, the trajectory {within_s:.2} s; goal_time_tolerance allows {allowed_s:.2} s more; use a longer time"
             ),
         )),
         _ => Ok(()),
     }
 }
 
-/// A target, and how the arm goes there from rest to rest.
+/// A target, and the motion to it from rest to rest.
 #[derive(Clone, Copy, Debug)]
 struct FollowMove {
     to_deg: [f64; 4],
-    /// In percent of the configured speed.
+    /// The speed, in percent of the configured speed.
     percent: f64,
-    /// How long it moves, in seconds.
+    /// The duration of the motion, in seconds.
     moves_s: f64,
-    /// How long it waits there, in seconds.
+    /// The pause at the target, in seconds.
     pause_s: f64,
 }
 
-/// The targets, each in the time that the trajectory gives it or as fast as the arm may.
+/// Returns the targets, each in the time that the trajectory gives or as fast as the arm may.
 ///
-/// The arm cannot be told to leave a target that it is on its way to. So none takes longer than it may take to hold: what
-/// would is divided.
+/// The arm cannot abort a motion to a target. So a motion that would take longer than the time
+/// allowed for holding is divided.
 fn moves(wanted: &Wanted, thin: &Thinned) -> Vec<FollowMove> {
     let mut moves: Vec<FollowMove> = Vec::new();
     let (mut from_deg, mut from_s) = (wanted.places[0], 0.0);
@@ -149,7 +151,7 @@ fn moves(wanted: &Wanted, thin: &Thinned) -> Vec<FollowMove> {
         } else if let Some(before) = moves.last().copied() {
             moves.extend(waits(before, within_s));
         } else {
-            // It stands at the beginning: the first target gets more time.
+            // It is at rest at the beginning: the first target gets more time.
             continue;
         }
         from_s = wanted.at_s[at];
@@ -158,7 +160,7 @@ fn moves(wanted: &Wanted, thin: &Thinned) -> Vec<FollowMove> {
     moves
 }
 
-/// The controller waits for no less than a tick: what is shorter is put off until there is enough.
+/// Merges pauses below a tick, the shortest pause of the controller, into later ones.
 fn wait_in_ticks(moves: &mut [FollowMove]) {
     let mut due_s = 0.0;
     for it in moves {
@@ -171,7 +173,7 @@ fn wait_in_ticks(moves: &mut [FollowMove]) {
     }
 }
 
-/// A straight way of joints, in as many pieces as it takes.
+/// Divides a straight joint path into as many pieces as necessary.
 fn divided(
     from_deg: [f64; 4],
     to_deg: [f64; 4],
@@ -194,7 +196,7 @@ fn divided(
     })
 }
 
-/// Stands where the move before ended, in as many pieces as it takes.
+/// Divides a pause into as many moves in place as necessary.
 fn waits(before: FollowMove, wait_s: f64) -> impl Iterator<Item = FollowMove> {
     let there = before.to_deg;
     divided(there, there, wait_s).map(move |step| FollowMove {
@@ -223,12 +225,13 @@ impl FollowMove {
     }
 }
 
-/// How fast, in percent of the configured speed, joints turn that go so far from rest to rest in a time.
+/// Returns the speed, in percent of the configured speed, at which joints turn by an angle from
+/// rest to rest in a time.
 ///
 /// ```text
-///  speed |    ______          way = v T - v^2 / a, from which
+///  speed |    ______          way = v T - v^2 / a, and so
 ///      v |   /      \         v = (a T - sqrt(a^2 T^2 - 4 a way)) / 2;
-///        |__/________\____    where there is no such v, not even speeding up half the way and slowing down
+///        |__/________\____    if there is no such v, even accelerating for half the way and decelerating for
 ///           <--- T --->       the other half is enough
 /// ```
 fn percent(way_deg: f64, within_s: f64) -> f64 {
@@ -241,14 +244,15 @@ fn percent(way_deg: f64, within_s: f64) -> f64 {
     (deg_s / Speeds::STOCK.joint_deg_s * 100.0).clamp(LEAST_PERCENT, MOST_PERCENT)
 }
 
-/// The commands: pump and gripper stay as they are, and the speed is that of power-up at the end.
+/// Returns the commands: pump and gripper do not change, and the speed at the end is that of
+/// power-up.
 fn job(moves: &[FollowMove], stands: &Status) -> NewJob {
     let mut commands = Vec::new();
     let mut steps = Vec::new();
     let mut now_percent: Option<f64> = None;
     for it in moves {
         steps.push(commands.len());
-        // A hundredth more or less of it is not worth a packet.
+        // A difference of a hundredth is not worth a packet.
         if now_percent.is_none_or(|now| (it.percent - now).abs() >= now / 100.0) {
             commands.push(speed(it.percent));
             now_percent = Some(it.percent);
@@ -296,11 +300,11 @@ fn told_of(wanted: &Wanted, thin: &Thinned, targets: usize, takes_s: f64) -> Str
     let points = wanted.places.len() - 1;
     let aside = match thin.farthest {
         Some(at) => format!(
-            "at most {} rad beside the trajectory, at {:.2} s of it",
+            "deviation at most {} rad, at {:.2} s",
             rad(thin.deviation),
             wanted.at_s[at]
         ),
-        None => "nowhere beside the trajectory".to_owned(),
+        None => "without deviation".to_owned(),
     };
     let time = format!(
         "{takes_s:.2} s by the motion model, for {:.2} s",
@@ -309,17 +313,17 @@ fn told_of(wanted: &Wanted, thin: &Thinned, targets: usize, takes_s: f64) -> Str
     format!("{targets} targets for {points} points, {aside}; {time}")
 }
 
-/// The percentages of an arm that was switched on; no trajectory is followed faster than those.
+/// The percentages of an arm after power-up; no trajectory is followed faster than that.
 const ACCELERATION_PERCENT: f64 = 50.0;
 const MOST_PERCENT: f64 = 50.0;
 const LEAST_PERCENT: f64 = 1.0;
-/// Less than the arm can tell.
+/// Below the resolution of the arm.
 const STILL_DEG: f64 = 0.01;
-/// A shorter stand is a part of the way.
+/// A shorter pause is part of the motion.
 const HOLD_PERIODS: f64 = 6.0;
 /// A tick of the controller.
 const NO_PAUSE_S: f64 = dobot_arm::TICK_S;
-/// So long the arm goes on at the most when it is told to hold, besides what it has got already.
+/// The maximum time that the arm continues after a command to hold, besides the in-flight commands.
 const HOLD_S: f64 = 2.0;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The frames of `/tf` and `/tf_static` (REP 105), and what the messages of others say of them.
+//! The frames of `/tf` and `/tf_static` (REP 105), and the frames of received messages.
 
 use dobot_model::{LinkFrame, Model};
 use dobot_wire::Status;
@@ -6,14 +6,15 @@ use dobot_wire::Status;
 use crate::joints::joints_of;
 use crate::messages::{Header, Pose, Quaternion, TfMessage, TransformStamped, Vector3};
 
-/// How the frames of this arm are named: as the links of its description, behind the namespace where it has one.
+/// The frame names of this arm: the links of its description, prefixed with the namespace if there
+/// is one.
 #[derive(Clone, Debug)]
 pub(crate) struct Frames {
     prefix: String,
 }
 
 impl Frames {
-    /// Under a namespace, as `/desk_3`; `/` is none.
+    /// Returns the frames of a namespace, as `/desk_3`; `/` means no prefix.
     pub(crate) fn new(namespace: &str) -> Self {
         let name = namespace.trim_matches('/');
         let prefix = if name.is_empty() {
@@ -24,16 +25,16 @@ impl Frames {
         Self { prefix }
     }
 
-    /// The frame of a link.
+    /// Returns the frame of a link.
     pub(crate) fn of(&self, link: &str) -> String {
         format!("{}{link}", self.prefix)
     }
 
-    /// Whether a message is in the base frame, or in none, which is taken for it.
+    /// Checks that a message is in the base frame, or in none, which means the base frame.
     ///
     /// # Errors
     ///
-    /// What was found and what is allowed.
+    /// The problem, and what is allowed.
     pub(crate) fn check_base(&self, header: &Header) -> Result<(), String> {
         let base = self.of("base");
         if header.frame_id.is_empty() || header.frame_id == base {
@@ -41,11 +42,11 @@ impl Frames {
         }
         let found = &header.frame_id;
         Err(format!(
-            "header.frame_id is {found:?}; allowed is {base:?}: transform it first"
+            "header.frame_id is {found:?}; allowed is {base:?}; transform the message first"
         ))
     }
 
-    /// The transforms that change with the arm, or those that never do.
+    /// Returns the dynamic or the static transforms.
     pub(crate) fn transforms(&self, model: &Model, status: &Status, fixed: bool) -> TfMessage {
         let frames = model.link_frames(&joints_of(status)).into_iter();
         let wanted = frames.filter(|frame| frame.is_fixed == fixed);
@@ -67,7 +68,7 @@ impl Frames {
     }
 }
 
-/// A turn by an angle about a unit vector.
+/// Returns the rotation by an angle about a unit vector.
 fn turned([x, y, z]: [f64; 3], angle_rad: f64) -> Quaternion {
     let (sin, w) = (angle_rad / 2.0).sin_cos();
     Quaternion {
@@ -78,7 +79,7 @@ fn turned([x, y, z]: [f64; 3], angle_rad: f64) -> Quaternion {
     }
 }
 
-/// Millimetres in metres.
+/// Converts millimetres to metres.
 pub(crate) fn metres(mm: f64) -> f64 {
     mm / 1000.0
 }

@@ -1,26 +1,27 @@
-//! What a goal of `FollowJointTrajectory` asks for, where it makes sense.
+//! Parsing of `FollowJointTrajectory` goals.
 
 use ros2_client::builtin_interfaces::Time;
 
 use crate::joints::JOINTS;
 use crate::messages::{FollowGoal, FollowResult, JointTolerance, seconds};
 
-/// A trajectory that makes sense: where the joints are to be when, and how exactly.
+/// A valid trajectory: joint positions over time, with tolerances.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Wanted {
-    /// From where the arm stands, at 0 s; in the order of [`JOINTS`], in degrees.
+    /// The positions, beginning with the arm's position at 0 s; in the order of [`JOINTS`], in
+    /// degrees.
     pub(crate) places: Vec<[f64; 4]>,
-    /// When the joints are to be at each place, in seconds since the beginning.
+    /// The times of the positions, in seconds since the beginning.
     pub(crate) at_s: Vec<f64>,
-    /// How far each joint may be off on the way, in degrees, where that is told.
+    /// The path tolerance of each joint, in degrees, if given.
     pub(crate) path_deg: [Option<f64>; 4],
-    /// How far each joint may be off at the end, in degrees, where that is told.
+    /// The goal tolerance of each joint, in degrees, if given.
     pub(crate) end_deg: [Option<f64>; 4],
-    /// How much later than told the end may be reached, in seconds, where that is told.
+    /// The goal time tolerance, in seconds, if given.
     pub(crate) late_s: Option<f64>,
 }
 
-/// Why a trajectory is not followed.
+/// The reason why a trajectory is refused or aborted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Fault {
     pub(crate) code: FaultCode,
@@ -45,7 +46,7 @@ impl Fault {
         }
     }
 
-    /// The goal is wrong, or the station refuses it.
+    /// Returns a fault for an invalid goal, or for one that the station refuses.
     pub(crate) fn invalid(text: impl Into<String>) -> Self {
         Self::new(FaultCode::InvalidGoal, text)
     }
@@ -67,13 +68,13 @@ impl From<Result<String, Fault>> for FollowResult {
 }
 
 impl Wanted {
-    /// What a goal asks of an arm that stands so (in degrees), at this time.
+    /// Parses a goal for an arm at this position (in degrees), at this time.
     ///
-    /// Joints that are not named stay where they are.
+    /// Joints that are not in the goal do not move.
     ///
     /// # Errors
     ///
-    /// [`Fault`] with what was found and what is allowed.
+    /// [`Fault`] with the problem and what is allowed.
     pub(crate) fn new(goal: &FollowGoal, stands_deg: [f64; 4], now: Time) -> Result<Self, Fault> {
         if !goal.multi_dof_trajectory.joint_names.is_empty()
             || !goal.multi_dof_trajectory.points.is_empty()
@@ -98,12 +99,12 @@ impl Wanted {
         })
     }
 
-    /// How long it is to take, in seconds.
+    /// Returns its duration, in seconds.
     pub(crate) fn duration_s(&self) -> f64 {
         self.at_s.last().copied().unwrap_or_default()
     }
 
-    /// Where the joints are to be at a time, in degrees: evenly from each place to the next.
+    /// Returns the joint positions at a time, in degrees, linearly interpolated.
     pub(crate) fn at(&self, time_s: f64) -> [f64; 4] {
         let next = self.at_s.partition_point(|at_s| *at_s <= time_s);
         let Some(to) = self.places.get(next) else {
@@ -121,7 +122,7 @@ impl Wanted {
     }
 }
 
-/// Which joint each name means.
+/// Returns the index of each named joint.
 fn joints(names: &[String]) -> Result<Vec<usize>, Fault> {
     let allowed = JOINTS.join(", ");
     let fault = |text| Err(Fault::new(FaultCode::InvalidJoints, text));
@@ -143,7 +144,7 @@ fn joints(names: &[String]) -> Result<Vec<usize>, Fault> {
     Ok(found)
 }
 
-/// The places and their times, from where the arm stands.
+/// Returns the positions and their times, beginning with the arm's position.
 fn places(
     goal: &FollowGoal,
     joints: &[usize],
@@ -167,7 +168,7 @@ fn places(
         }
         if !point.effort.is_empty() {
             return Err(Fault::invalid(format!(
-                "points[{number}].effort is given; the arm knows no forces"
+                "points[{number}].effort is given; the arm has no force control"
             )));
         }
         let time_s = seconds(&point.time_from_start);
@@ -180,7 +181,7 @@ fn places(
         let least = at_s.last().copied().unwrap_or_default();
         if time_s <= least || time_s > LONGEST_S {
             return Err(Fault::invalid(format!(
-                "points[{number}].time_from_start is {time_s} s; allowed is more than {least} s, the time before, and up to {LONGEST_S} s"
+                "points[{number}].time_from_start is {time_s} s; allowed are more than {least} s, the time of the previous point, and up to {LONGEST_S} s"
             )));
         }
         places.push(place);
@@ -189,7 +190,7 @@ fn places(
     Ok((places, at_s))
 }
 
-/// Where all joints are to be, in degrees.
+/// Returns the positions of all joints, in degrees.
 fn place(
     number: usize,
     positions: &[f64],
@@ -216,7 +217,8 @@ fn place(
     Ok(place)
 }
 
-/// Speeds and accelerations are what the places and their times say already, but nonsense is told.
+/// Checks speeds and accelerations, which are otherwise ignored: the points and their times define
+/// the motion.
 fn check_rates(number: usize, name: &str, values: &[f64], joints: usize) -> Result<(), Fault> {
     if values.is_empty() || values.len() == joints && values.iter().all(|value| value.is_finite()) {
         return Ok(());
@@ -226,7 +228,7 @@ fn check_rates(number: usize, name: &str, values: &[f64], joints: usize) -> Resu
     )))
 }
 
-/// Whether a trajectory that says where it begins does so where the arm stands.
+/// Checks that a trajectory with a start position begins at the arm's position.
 fn check_stands(begins: &[f64; 4], stands: [f64; 4]) -> Result<(), Fault> {
     let off = (0..4).find(|joint| (begins[*joint] - stands[*joint]).abs() > START_DEG);
     let Some(joint) = off else {
@@ -239,18 +241,19 @@ fn check_stands(begins: &[f64; 4], stands: [f64; 4]) -> Result<(), Fault> {
         rad(START_DEG),
     ];
     Err(Fault::invalid(format!(
-        "the trajectory begins with {name} at {begins} rad, and the arm stands at {stands} rad; allowed is {allowed} rad off: plan it from joint_states"
+        "the trajectory begins with {name} at {begins} rad, but the arm is at {stands} rad; allowed is a difference of {allowed} rad; plan it from joint_states"
     )))
 }
 
-/// Whether it is to begin now: no stamp, or one that is not ahead and not so old that all of it is over.
+/// Checks the start time: no stamp, or one that is not in the future and not older than the
+/// duration.
 fn check_start(stamp: Time, ends_s: f64, now: Time) -> Result<(), Fault> {
     if stamp == Time::ZERO {
         return Ok(());
     }
     #[expect(
         clippy::cast_precision_loss,
-        reason = "nobody tells microseconds of years"
+        reason = "microseconds over years do not matter"
     )]
     let ahead_s = stamp.to_nanos().saturating_sub(now.to_nanos()) as f64 / 1e9;
     if ahead_s > AHEAD_S {
@@ -270,7 +273,8 @@ fn check_start(stamp: Time, ends_s: f64, now: Time) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The tolerance of each joint, in degrees: 0 is none told, and below 0 is any.
+/// Returns the tolerance of each joint, in degrees: 0 means the default, and below 0 means
+/// unlimited.
 fn tolerances(field: &str, told: &[JointTolerance]) -> Result<[Option<f64>; 4], Fault> {
     let mut found = [None; 4];
     for it in told {
@@ -292,7 +296,7 @@ fn tolerances(field: &str, told: &[JointTolerance]) -> Result<[Option<f64>; 4], 
     Ok(found)
 }
 
-/// Degrees as the messages tell them.
+/// Formats degrees as radians, as in the messages.
 pub(crate) fn rad(degrees: f64) -> String {
     format!("{:.4}", degrees.to_radians())
 }
@@ -300,9 +304,9 @@ pub(crate) fn rad(degrees: f64) -> String {
 const MOST_POINTS: usize = 10_000;
 const LONGEST_S: f64 = 3600.0;
 const FULL_TURN_DEG: f64 = 360.0;
-/// How far off the arm may stand where a trajectory says that it begins.
+/// The allowed difference between the start of a trajectory and the arm's position.
 const START_DEG: f64 = 1.0;
-/// Clocks differ a little.
+/// The allowed difference between clocks.
 const AHEAD_S: f64 = 1.0;
 
 #[cfg(test)]

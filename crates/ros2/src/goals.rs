@@ -1,4 +1,4 @@
-//! The action `follow_joint_trajectory`: its goals, what becomes of them, and who cancels them.
+//! The action `follow_joint_trajectory`: its goals, results and cancellations.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -26,20 +26,20 @@ use crate::told::Told;
 /// The server of the action.
 pub(crate) type Server = AsyncActionServer<FollowGoal, FollowResult, FollowFeedback>;
 
-/// Follows trajectories, one at a time: the others do not get control.
+/// Runs trajectories, one at a time: others do not get control.
 pub(crate) struct Goals {
     pub(crate) server: Server,
     pub(crate) station: Station,
     pub(crate) told: Arc<Told>,
     pub(crate) deviation_deg: f64,
-    /// By what each goal is told that it is to end.
+    /// The channels that cancel the running goals.
     pub(crate) running: Mutex<BTreeMap<GoalId, watch::Sender<bool>>>,
-    /// Results are asked for one after the other.
+    /// Result requests are received one after the other.
     pub(crate) results: tokio::sync::Mutex<()>,
 }
 
 impl Goals {
-    /// Takes goals until the program ends; then all of them are told to end.
+    /// Accepts goals until the shutdown; then all of them are cancelled.
     pub(crate) async fn run(
         self: Arc<Self>,
         mut ending: watch::Receiver<bool>,
@@ -55,11 +55,11 @@ impl Goals {
                             drop(busy);
                         });
                     }
-                    Err(error) => self.told.warn(&format!("a goal cannot be read: {error:?}")),
+                    Err(error) => self.told.warn(&format!("cannot read a goal: {error:?}")),
                 },
                 cancel = self.server.receive_cancel_request() => match cancel {
                     Ok(cancel) => self.cancel(&cancel).await,
-                    Err(error) => self.told.warn(&format!("a cancel request cannot be read: {error:?}")),
+                    Err(error) => self.told.warn(&format!("cannot read a cancel request: {error:?}")),
                 },
                 () = ended(&mut ending) => break,
             }
@@ -76,7 +76,7 @@ impl Goals {
             .respond_to_cancel_requests(request, goals.iter().copied());
         if let Err(error) = answered.await {
             self.told
-                .warn(&format!("a cancel request cannot be answered: {error:?}"));
+                .warn(&format!("cannot answer a cancel request: {error:?}"));
         }
         let running = self.running();
         for goal in goals {
@@ -86,7 +86,8 @@ impl Goals {
         }
     }
 
-    /// Takes a goal. One that cannot be followed is accepted too and aborted at once, since a rejection carries no words.
+    /// Accepts a goal. An invalid goal is accepted too and aborted immediately, since a rejection
+    /// has no text.
     async fn take(&self, new: NewGoalHandle<FollowGoal>) {
         let Some(goal) = self.server.get_new_goal(new.clone()) else {
             return;
@@ -104,9 +105,7 @@ impl Goals {
                 let followed = self.follow(&goal, &executing, &mut cancelled).await;
                 self.answer(executing, followed).await;
             }
-            Err(error) => self
-                .told
-                .warn(&format!("a goal cannot be accepted: {error:?}")),
+            Err(error) => self.told.warn(&format!("cannot accept a goal: {error:?}")),
         }
         self.running().remove(&id);
     }
@@ -131,7 +130,7 @@ impl Goals {
         let see = |state: &State, at_s: f64| {
             if let Some(arm) = &state.arm {
                 let told = feedback(&wanted, degrees_of(&arm.status), at_s);
-                // It waits for nothing; one that is lost is followed by the next.
+                // Not awaited: a lost feedback is followed by the next one.
                 let _ = self
                     .server
                     .publish_feedback(executing.clone(), told)
@@ -141,7 +140,7 @@ impl Goals {
         follow(&mut station, &wanted, plan, cancelled, see).await
     }
 
-    /// Tells the result to whoever asks for it, for a while.
+    /// Sends the result to a client that requests it within a timeout.
     async fn answer(
         &self,
         executing: ExecutingGoalHandle<FollowGoal>,
@@ -160,12 +159,10 @@ impl Goals {
             .send_result_response(executing, status, result.into());
         match timeout(ASKED, sent).await {
             Ok(Ok(())) => {}
-            Ok(Err(error)) => self
-                .told
-                .warn(&format!("a result cannot be told: {error:?}")),
+            Ok(Err(error)) => self.told.warn(&format!("cannot send a result: {error:?}")),
             Err(_) => self
                 .told
-                .warn("nobody asked for the result of a trajectory"),
+                .warn("no client requested the result of a trajectory"),
         }
     }
 
@@ -174,7 +171,7 @@ impl Goals {
     }
 }
 
-/// Where the joints are wanted and where they are, after a time.
+/// Returns the desired and actual positions of the joints at a time.
 fn feedback(wanted: &Wanted, actual_deg: [f64; 4], at_s: f64) -> FollowFeedback {
     let desired_deg = wanted.at(at_s);
     let error_deg: [f64; 4] = std::array::from_fn(|joint| desired_deg[joint] - actual_deg[joint]);
@@ -192,5 +189,5 @@ fn feedback(wanted: &Wanted, actual_deg: [f64; 4], at_s: f64) -> FollowFeedback 
     }
 }
 
-/// So long a result is kept for whoever asks for it.
+/// The time for which a result is kept.
 const ASKED: Duration = Duration::from_secs(10);

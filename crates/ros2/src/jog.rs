@@ -1,4 +1,4 @@
-//! From a speed that somebody wants to a button of the arm: it moves one axis at a time.
+//! Conversion of requested velocities to jog buttons: the arm jogs one axis at a time.
 
 use dobot_api::{Button, Jog};
 use dobot_motion::ArmSettings;
@@ -8,18 +8,18 @@ use crate::frames::Frames;
 use crate::joints::JOINTS;
 use crate::messages::{JointJog, TwistStamped, Vector3};
 
-/// The button that a twist in the base frame presses; none where all of it is 0.
+/// Returns the button for a twist in the base frame; `None` if all components are 0.
 ///
 /// # Errors
 ///
-/// What was found and what is allowed.
+/// The problem, and what is allowed.
 pub(crate) fn of_twist(wanted: &TwistStamped, frames: &Frames) -> Result<Option<Jog>, String> {
     frames.check_base(&wanted.header)?;
     let (linear, angular) = (&wanted.twist.linear, &wanted.twist.angular);
     let Vector3 { x, y, z: turn } = *angular;
     if x != 0.0 || y != 0.0 {
         return Err(format!(
-            "twist.angular tilts the tool (x {x}, y {y}); allowed are turns about z: the arm holds its tool level"
+            "twist.angular tilts the tool (x {x}, y {y}); allowed are rotations about z: the arm keeps its tool level"
         ));
     }
     let (mm_s, servo_deg_s) = (top().line_mm_s, top().servo_deg_s);
@@ -44,11 +44,11 @@ pub(crate) fn of_twist(wanted: &TwistStamped, frames: &Frames) -> Result<Option<
     ])
 }
 
-/// The button that speeds of joints press; none where all of them are 0.
+/// Returns the button for joint velocities; `None` if all of them are 0.
 ///
 /// # Errors
 ///
-/// What was found and what is allowed.
+/// The problem, and what is allowed.
 pub(crate) fn of_joints(wanted: &JointJog) -> Result<Option<Jog>, String> {
     let (names, speeds) = (&wanted.joint_names, &wanted.velocities);
     if wanted
@@ -90,11 +90,11 @@ fn joint((name, rad_s): (&String, &f64)) -> Result<Axis, String> {
     })
 }
 
-/// An axis and how fast it is to be, in mm/s or degrees/s.
+/// An axis and its requested speed, in mm/s or degrees/s.
 struct Axis {
     name: &'static str,
     speed: f64,
-    /// Up and down.
+    /// The buttons for positive and negative speeds.
     buttons: [Button; 2],
     /// The speed of a button at 100 %.
     top: f64,
@@ -107,7 +107,7 @@ enum Unit {
 }
 
 impl Unit {
-    /// A speed as the messages tell it.
+    /// Formats a speed in the unit of the messages.
     fn told(&self, speed: f64) -> String {
         match self {
             Self::Metres => format!("{:.4} m/s", speed / 1000.0),
@@ -116,7 +116,7 @@ impl Unit {
     }
 }
 
-/// The one axis that is to move.
+/// Returns the button of the only moving axis.
 fn one(axes: impl IntoIterator<Item = Axis>) -> Result<Option<Jog>, String> {
     let mut moving = axes.into_iter().filter(|axis| axis.speed != 0.0);
     let Some(axis) = moving.next() else {
@@ -126,7 +126,7 @@ fn one(axes: impl IntoIterator<Item = Axis>) -> Result<Option<Jog>, String> {
     if !others.is_empty() {
         let (name, others) = (axis.name, others.join(", "));
         return Err(format!(
-            "{name} and {others} are to move; allowed is one axis at a time, as the arm jogs"
+            "{name} and {others} are not 0; allowed is one axis at a time"
         ));
     }
     axis.jog().map(Some)
@@ -143,7 +143,7 @@ impl Axis {
                 self.unit.told(self.top),
             );
             return Err(format!(
-                "{name} is {found}; allowed are 0, and {least} to {most} either way"
+                "{name} is {found}; allowed are 0, and {least} to {most} in either direction"
             ));
         }
         let [up, down] = self.buttons;
@@ -152,12 +152,12 @@ impl Axis {
     }
 }
 
-/// How fast buttons move an arm that was not told other speeds, at 100 %.
+/// Returns the speeds of buttons at 100 %, for an arm with the default configuration.
 fn top() -> dobot_motion::Speeds {
     ArmSettings::stock(&Dialect::FIRMWARE_1_1).teach
 }
 
-/// The slowest button (note N15).
+/// The slowest speed of a button (note N15).
 const LEAST_PERCENT: f32 = 1.0;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The four joints that motors turn, by the names of the model (`docs/models.md`).
+//! The four actuated joints, with the names of the model (`docs/models.md`).
 
 use dobot_arm::Joints;
 use dobot_wire::Status;
@@ -8,13 +8,13 @@ use crate::messages::{Header, JointState};
 /// The joints, in the order of a status.
 pub(crate) const JOINTS: [&str; 4] = ["base", "rear", "fore", "servo"];
 
-/// The angles that a status tells.
+/// Returns the angles of a status.
 pub(crate) fn joints_of(status: &Status) -> Joints {
     let [base, rear, fore, servo] = degrees_of(status);
     Joints::new(base, rear, fore, servo)
 }
 
-/// The angles that a status tells, in degrees, in the order of [`JOINTS`].
+/// Returns the angles of a status, in degrees, in the order of [`JOINTS`].
 pub(crate) fn degrees_of(status: &Status) -> [f64; 4] {
     [
         status.base_deg,
@@ -25,8 +25,8 @@ pub(crate) fn degrees_of(status: &Status) -> [f64; 4] {
     .map(f64::from)
 }
 
-/// What `joint_states` says: the joints that mimic others are left to whoever reads the description, as
-/// `robot_state_publisher` does it.
+/// Returns the message for `joint_states`: mimic joints are left to readers of the description,
+/// such as `robot_state_publisher`.
 pub(crate) fn joint_state(status: &Status) -> JointState {
     JointState {
         header: Header::now(""),

@@ -1,11 +1,12 @@
-//! A Dobot Arm in ROS 2, without a ROS installation: the station's arm as a node that speaks DDS.
+//! A Dobot Arm in ROS 2, without a ROS installation: the station's arm as a DDS node.
 //!
-//! It is a client of a station, and never talks to an arm itself: lease, policy, stop and trust are the station's. It tells
-//! joint states, transforms, diagnostics and the robot's description, and takes targets, jogs, a stop, and the action
-//! `FollowJointTrajectory`. `docs/ros2.md` has the list.
+//! It is a client of a station and has no direct connection to the arm: lease, policy, stop and
+//! trust are the station's. It publishes joint states, transforms, diagnostics and the robot's
+//! description, and accepts targets, jogs, a stop, and the action `FollowJointTrajectory`.
+//! `docs/ros2.md` has the list.
 //!
-//! A trajectory has more points than the link of this arm carries, so it is [`thinned`], and the largest deviation is told
-//! with its result:
+//! A trajectory has more points than the arm's link can carry, so it is [`thinned`], and the
+//! largest deviation is reported with its result:
 //!
 //! ```
 //! use dobot_ros2::thinned;

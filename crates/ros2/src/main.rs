@@ -11,10 +11,11 @@ use dobot_ros2::{Middleware, Settings, check_namespace, run};
 use dobot_safety::Policy;
 use tokio::sync::watch;
 
-/// The arm of a station in ROS 2, without a ROS installation
+/// Add the arm of a station to ROS 2, without a ROS installation
 ///
-/// It offers joint states, transforms, diagnostics and the robot's description, and takes targets, jogs, a stop, and
-/// trajectories. It is a client of the station: all of the station's rules hold.
+/// Publishes joint states, transforms, diagnostics and the robot's description, and accepts
+/// targets, jogs, a stop, and trajectories. It is a client of the station: all of the station's
+/// rules apply.
 #[derive(Debug, Parser)]
 #[command(
     name = "dobot-ros2",
@@ -22,24 +23,24 @@ use tokio::sync::watch;
     max_term_width = 100,
     after_help = "\
 Examples:
-  dobot up                              first, in another terminal: the station
-  dobot-ros2                            for programs of this machine
-  dobot-ros2 --interface 192.168.1.5    for those of that network, too: whoever is in it may then move the arm
+  dobot up                              start the station first, in another terminal
+  dobot-ros2                            for programs on this machine
+  dobot-ros2 --interface 192.168.1.5    also for that network: anyone in it may then move the arm
   dobot-ros2 --domain 7 --namespace /desk_3
   RMW_IMPLEMENTATION=rmw_cyclonedds_cpp dobot-ros2
 
-DDS asks nobody for a token. A token of the role `watch` (`dobot token`) makes it look on only."
+DDS has no access control. With a token of the role `watch` (`dobot token`) the node only observes."
 )]
 struct Args {
     #[command(flatten)]
     station: StationOptions,
-    /// The domain of DDS, 0 to 232 [default: that of `ROS_DOMAIN_ID`, or 0]
+    /// DDS domain, 0 to 232 [default: `ROS_DOMAIN_ID`, or 0]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(0..=232))]
     domain: Option<u16>,
-    /// Before the names of topics, services and frames, as `/desk_3`
+    /// Namespace of topics, services and frames, as `/desk_3`
     #[arg(long, value_name = "NAME", default_value = "/", value_parser = namespace)]
     namespace: String,
-    /// An address of this machine under which it takes part; may be given more than once
+    /// Address of this machine to use; may be given more than once
     #[arg(
         long = "interface",
         value_name = "ADDRESS",
@@ -48,7 +49,7 @@ struct Args {
     interfaces: Vec<Ipv4Addr>,
     #[command(flatten)]
     tool: ToolOptions,
-    /// How far a thinned trajectory may be from the one that was wanted, in degrees, as far as the link carries it
+    /// Maximum deviation of a thinned trajectory, in degrees, as far as the link can carry it
     #[arg(long, value_name = "DEGREES", default_value_t = 1.0, value_parser = deviation)]
     deviation: f64,
 }
@@ -68,7 +69,7 @@ fn start(args: Args) -> anyhow::Result<()> {
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
-        .context("no threads can be started")?;
+        .context("cannot start threads")?;
     let done = runtime.block_on(async {
         let (end, ending) = watch::channel(false);
         let interrupted = interrupt();
@@ -127,12 +128,12 @@ fn deviation(text: &str) -> Result<f64, String> {
     found.ok_or_else(|| "allowed are 0 to 90 degrees".to_owned())
 }
 
-/// An environment variable that is set to something.
+/// Returns the value of a non-empty environment variable.
 fn variable(name: &str) -> Option<String> {
     std::env::var(name).ok().filter(|text| !text.is_empty())
 }
 
-/// Ctrl-C, or the request of a system that shuts down.
+/// Waits for Ctrl-C, or a termination signal.
 #[cfg(unix)]
 fn interrupt() -> impl Future<Output = ()> {
     use tokio::signal::unix::{SignalKind, signal};
@@ -149,7 +150,7 @@ fn interrupt() -> impl Future<Output = ()> {
     }
 }
 
-/// Ctrl-C.
+/// Waits for Ctrl-C.
 #[cfg(not(unix))]
 async fn interrupt() {
     if tokio::signal::ctrl_c().await.is_err() {

@@ -1,12 +1,13 @@
-//! The messages of ROS 2 that are spoken here, field by field as their `.msg` files have them.
+//! The ROS 2 messages, field by field as in their `.msg` files.
 //!
-//! Lengths are metres, angles radians, times seconds (REP 103). `ros2-client` writes them as CDR.
+//! Lengths are metres, angles radians, times seconds (REP 103). `ros2-client` serialises them as
+//! CDR.
 
 use ros2_client::Message;
 use ros2_client::builtin_interfaces::{Duration, Time};
 use serde::{Deserialize, Serialize};
 
-/// Declares messages; the documentation of each is its name in ROS 2.
+/// Declares messages, each documented with its name in ROS 2.
 macro_rules! messages {
     ($($(#[$doc:meta])* $name:ident { $($field:ident: $type:ty,)* })*) => {
         $(
@@ -28,7 +29,7 @@ messages! {
         frame_id: String,
     }
 
-    /// `geometry_msgs/Vector3`, and `geometry_msgs/Point`, which is written the same
+    /// `geometry_msgs/Vector3`, and `geometry_msgs/Point`, which has the same format
     Vector3 {
         x: f64,
         y: f64,
@@ -43,7 +44,7 @@ messages! {
         w: f64,
     }
 
-    /// `geometry_msgs/Pose`, and `geometry_msgs/Transform`, which is written the same
+    /// `geometry_msgs/Pose`, and `geometry_msgs/Transform`, which has the same format
     Pose {
         position: Vector3,
         orientation: Quaternion,
@@ -196,7 +197,7 @@ messages! {
         multi_dof_error: MultiDofPoint,
     }
 
-    /// The request of `std_srvs/Trigger`; what is empty is written as one byte
+    /// The request of `std_srvs/Trigger`; an empty message is serialised as one byte
     TriggerRequest {
         structure_needs_at_least_one_member: u8,
     }
@@ -206,7 +207,7 @@ messages! {
         data: bool,
     }
 
-    /// The answer of `std_srvs/Trigger` and of `std_srvs/SetBool`
+    /// The response of `std_srvs/Trigger` and of `std_srvs/SetBool`
     Answer {
         success: bool,
         message: String,
@@ -214,7 +215,7 @@ messages! {
 }
 
 impl Header {
-    /// Now, in a frame.
+    /// Returns a header with the current time.
     pub(crate) fn now(frame_id: impl Into<String>) -> Self {
         Self {
             stamp: Time::now(),
@@ -224,7 +225,7 @@ impl Header {
 }
 
 impl JointTrajectoryPoint {
-    /// These positions at this time, and nothing else.
+    /// Returns a point with only these positions and this time.
     pub(crate) fn at(positions: [f64; 4], time_from_start_s: f64) -> Self {
         Self {
             positions: positions.to_vec(),
@@ -237,7 +238,7 @@ impl JointTrajectoryPoint {
 }
 
 impl MultiDofPoint {
-    /// Nothing.
+    /// Returns an empty message.
     pub(crate) const fn empty() -> Self {
         Self {
             transforms: Vec::new(),
@@ -258,16 +259,16 @@ impl Answer {
     }
 }
 
-/// A time in seconds; one that is longer than the message can say is the longest.
+/// Converts seconds to a duration, saturating.
 pub(crate) fn duration(seconds: f64) -> Duration {
     let time = std::time::Duration::try_from_secs_f64(seconds.max(0.0));
     time.unwrap_or(std::time::Duration::MAX).into()
 }
 
-/// A time in seconds.
+/// Converts a time to seconds.
 #[expect(
     clippy::cast_precision_loss,
-    reason = "nobody tells microseconds of years"
+    reason = "microseconds over years do not matter"
 )]
 pub(crate) fn seconds(duration: &Duration) -> f64 {
     duration.to_nanos() as f64 / 1e9

@@ -1,4 +1,4 @@
-//! The node: its topics, services and action, by their names and types in ROS 2.
+//! The node: its topics, services and action, with their ROS 2 names and types.
 
 use std::net::IpAddr;
 
@@ -16,7 +16,7 @@ use crate::messages::{
 };
 use crate::settings::{NODE, Settings};
 
-/// What is published.
+/// The publishers.
 pub(crate) struct Publishers {
     pub(crate) joint_states: Publisher<JointState>,
     pub(crate) tf: Publisher<TfMessage>,
@@ -25,14 +25,14 @@ pub(crate) struct Publishers {
     pub(crate) description: Publisher<String>,
 }
 
-/// What is listened to.
+/// The subscriptions.
 pub(crate) struct Listeners {
     pub(crate) target: Subscription<PoseStamped>,
     pub(crate) twist: Subscription<TwistStamped>,
     pub(crate) joints: Subscription<JointJog>,
 }
 
-/// What is served.
+/// The servers.
 pub(crate) struct Servers {
     pub(crate) stop: Server<TriggerRequest, Answer>,
     pub(crate) suction: Server<SetBoolRequest, Answer>,
@@ -40,9 +40,9 @@ pub(crate) struct Servers {
     pub(crate) follow: AsyncActionServer<FollowGoal, FollowResult, FollowFeedback>,
 }
 
-/// Why there is no node.
+/// The error returned when the node cannot be created.
 #[derive(Debug, thiserror::Error)]
-#[error("DDS does not start: {0}")]
+#[error("cannot start DDS: {0}")]
 pub struct NodeError(String);
 
 impl From<CreateError> for NodeError {
@@ -51,7 +51,7 @@ impl From<CreateError> for NodeError {
     }
 }
 
-/// A node that takes part under the addresses of the settings.
+/// Creates the node on the addresses of the settings.
 pub(crate) fn node(settings: &Settings) -> Result<Node, NodeError> {
     let refused = |error: &dyn std::fmt::Display| NodeError(error.to_string());
     let interfaces = settings.interfaces.iter().copied().map(IpAddr::V4);
@@ -106,7 +106,7 @@ impl Publishers {
 
 impl Listeners {
     pub(crate) fn new(node: &mut Node, names: Names<'_>) -> Result<Self, NodeError> {
-        // A jog that was lost is said again soon, and one that comes late is worse than none.
+        // A lost jog is repeated soon, and a late one is worse than none.
         let newest = QosProfile::subscription_default();
         let (target, twist, joints) = (
             names.private("target"),
@@ -190,33 +190,34 @@ fn server<Q: Message + Clone + 'static>(
     Ok(node.create_server(mapping, name, &kind, qos.clone(), qos)?)
 }
 
-/// What is told again soon must not wait for those who are slow.
+/// Repeated messages must not wait for slow readers.
 fn reliable(depth: usize) -> QosProfile {
     QosProfile::publisher_default()
         .reliability_reliable(WhenFull::Fail)
         .history(History::KeepLast { depth })
 }
 
-/// The names of an arm. They are written with their namespace, since a relative name in the namespace `/` gets two slashes.
+/// The names of an arm, written with their namespace, since a relative name in the namespace `/`
+/// gets two slashes.
 #[derive(Clone, Copy)]
 pub(crate) struct Names<'a> {
     pub(crate) namespace: &'a str,
 }
 
 impl Names<'_> {
-    /// A name in the namespace, as `joint_states`.
+    /// Returns a name in the namespace, as `joint_states`.
     fn own(self, name: &str) -> Name {
         Name::new(self.namespace, name).expect("it is a name")
     }
 
-    /// A name of the node itself, as `~/target`.
+    /// Returns a private name of the node, as `~/target`.
     fn private(self, name: &str) -> Name {
         let namespace = self.namespace.trim_end_matches('/');
         Name::new(&format!("{namespace}/{NODE}"), name).expect("both are names")
     }
 }
 
-/// A name of all robots, as `/tf`.
+/// Returns a global name, as `/tf`.
 fn of_all(name: &str) -> Name {
     Name::new("/", name).expect("it is a name")
 }

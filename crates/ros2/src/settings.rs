@@ -1,4 +1,4 @@
-//! How the arm appears in ROS 2.
+//! Settings of the node.
 
 use std::net::Ipv4Addr;
 
@@ -6,27 +6,27 @@ use dobot_api::StationOptions;
 use dobot_model::MountedTool;
 use ros2_client::{NodeName, ServiceMapping};
 
-/// How the arm appears in ROS 2.
+/// Settings of the node.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// Which station it is that of.
+    /// The station of the arm.
     pub station: StationOptions,
-    /// The domain of DDS, 0 to 232: only programs of the same one find each other.
+    /// The DDS domain, 0 to 232: only programs of the same domain find each other.
     pub domain: u16,
-    /// Before the names of topics, services and frames, as `/desk_3`; `/` is none.
+    /// The namespace of topics, services and frames, as `/desk_3`; `/` means none.
     pub namespace: String,
-    /// The addresses of this machine under which it takes part; 127.0.0.1 is this machine alone.
+    /// The addresses of this machine to use; 127.0.0.1 is this machine only.
     pub interfaces: Vec<Ipv4Addr>,
-    /// How services travel.
+    /// The middleware of the other nodes.
     pub middleware: Middleware,
-    /// What is mounted, for the description.
+    /// The mounted tool, for the description.
     pub tool: Option<MountedTool>,
-    /// How far a thinned trajectory may be from the one that was wanted, in degrees of all joints together, unless the goal
-    /// says less and as far as the link carries it.
+    /// The maximum deviation of a thinned trajectory, in degrees of all joints combined, unless the
+    /// goal sets less and as far as the link can carry it.
     pub deviation_deg: f64,
 }
 
-/// Which implementation of ROS 2 the others use: services travel differently.
+/// The ROS 2 middleware of the other nodes, which determines the format of services.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Middleware {
     /// `rmw_fastrtps_cpp`, which most distributions use, and `rmw_connextdds`.
@@ -37,11 +37,11 @@ pub enum Middleware {
 }
 
 impl Middleware {
-    /// That of a value of `RMW_IMPLEMENTATION`.
+    /// Parses a value of `RMW_IMPLEMENTATION`.
     ///
     /// # Errors
     ///
-    /// [`UnknownMiddleware`] for one that is not spoken here.
+    /// [`UnknownMiddleware`] if it is not supported.
     pub fn named(name: &str) -> Result<Self, UnknownMiddleware> {
         match name {
             "rmw_fastrtps_cpp" | "rmw_fastrtps_dynamic_cpp" | "rmw_connextdds" => Ok(Self::FastDds),
@@ -60,7 +60,7 @@ impl Middleware {
     }
 }
 
-/// A middleware that is not spoken here.
+/// The error returned for an unsupported middleware.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the middleware is {found:?}; allowed are rmw_fastrtps_cpp, rmw_fastrtps_dynamic_cpp, rmw_connextdds and rmw_cyclonedds_cpp"
@@ -69,11 +69,11 @@ pub struct UnknownMiddleware {
     found: String,
 }
 
-/// Whether a namespace is one of ROS 2, as `/desk_3`.
+/// Checks that a namespace is valid in ROS 2, as `/desk_3`.
 ///
 /// # Errors
 ///
-/// [`BadNamespace`] where it is not.
+/// [`BadNamespace`] if it is not.
 pub fn check_namespace(namespace: &str) -> Result<(), BadNamespace> {
     let parts = namespace.strip_prefix('/').map(|path| path.split('/'));
     let is_name = |name: &str| {
@@ -94,10 +94,10 @@ pub fn check_namespace(namespace: &str) -> Result<(), BadNamespace> {
     })
 }
 
-/// A text that is no namespace.
+/// The error returned for an invalid namespace.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "the namespace is {found:?}; allowed is / and names behind slashes, as /desk_3: each of letters, digits and single underscores, and a letter first"
+    "the namespace is {found:?}; allowed are / and names after slashes, as /desk_3, each with letters, digits and single underscores, beginning with a letter"
 )]
 pub struct BadNamespace {
     found: String,

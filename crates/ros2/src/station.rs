@@ -1,10 +1,11 @@
-//! The station of the arm: found anew for each connection, since one that was started again has another token.
+//! The station of the arm: searched again for each connection, since a restarted station has
+//! another token.
 
 use dobot_api::{ConnectError, RemoteError, StationAddress, StationOptions, fetch};
 use dobot_host::StationClient;
 use dobot_safety::Policy;
 
-/// How the station is reached.
+/// The options for finding the station.
 #[derive(Clone, Debug)]
 pub(crate) struct Station {
     options: StationOptions,
@@ -15,18 +16,18 @@ impl Station {
         Self { options }
     }
 
-    /// A connection under a name that the others see; what it holds ends with it.
+    /// Opens a connection with a name for others; what it holds ends with it.
     ///
     /// # Errors
     ///
-    /// Why there is none, and what to do about it.
+    /// The problem and the remedy.
     pub(crate) async fn connect(&self, name: &str) -> Result<StationClient, String> {
         let address = self.address().await?;
         let connected = StationClient::connect(&address, &format!("ros2 {name}")).await;
         connected.map_err(|error| not_connected(&error))
     }
 
-    /// Its policy.
+    /// Returns the policy of the station.
     pub(crate) async fn policy(&self) -> Option<Policy> {
         let address = self.address().await.ok()?;
         fetch(&address, "/api/v1/policy").await.ok()
@@ -36,7 +37,7 @@ impl Station {
         let found = self.options.search().find().await;
         let found = found.map_err(|error| with_hint(&error, error.hint()))?;
         found.ok_or_else(|| {
-            "no station runs on this machine; `dobot up` starts one, and `--station URL` names another".to_owned()
+            "no station runs on this machine; start one with `dobot up`, or give another one with `--station URL`".to_owned()
         })
     }
 }
@@ -45,7 +46,7 @@ fn not_connected(error: &ConnectError) -> String {
     with_hint(error, error.hint())
 }
 
-/// What a station says, and what to do about it.
+/// Returns the station's refusal, with its hint.
 pub(crate) fn refused(error: &RemoteError) -> String {
     with_hint(error, error.hint())
 }

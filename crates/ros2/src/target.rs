@@ -1,4 +1,4 @@
-//! From a pose that somebody wants to a target of the arm.
+//! Conversion of a pose to a target of the arm.
 
 use dobot_host::{Target, TargetPlace};
 use dobot_wire::{MovingMode, single};
@@ -6,11 +6,11 @@ use dobot_wire::{MovingMode, single};
 use crate::frames::Frames;
 use crate::messages::{PoseStamped, Quaternion};
 
-/// The target that a pose of the frame `tool` means: all joints go there at once (MOVJ).
+/// Returns the target for a pose of the frame `tool`, with a joint path (MOVJ).
 ///
 /// # Errors
 ///
-/// What was found and what is allowed.
+/// The problem, and what is allowed.
 pub(crate) fn target(wanted: &PoseStamped, frames: &Frames) -> Result<Target, String> {
     frames.check_base(&wanted.header)?;
     let at = &wanted.pose.position;
@@ -38,7 +38,7 @@ fn coordinate(name: &str, metres: f64) -> Result<f32, String> {
     ))
 }
 
-/// How far a quaternion turns about Z, in degrees; the arm holds its tool level.
+/// Returns the rotation of a quaternion about Z, in degrees; the arm keeps its tool level.
 fn yaw_deg(turn: &Quaternion) -> Result<f64, String> {
     let Quaternion { x, y, z, w } = *turn;
     let length = (x * x + y * y + z * z + w * w).sqrt();
@@ -49,16 +49,16 @@ fn yaw_deg(turn: &Quaternion) -> Result<f64, String> {
     }
     if x.abs() > TOLERANCE || y.abs() > TOLERANCE {
         return Err(format!(
-            "pose.orientation tilts the tool (x {x}, y {y}); allowed are turns about z: the arm holds its tool level"
+            "pose.orientation tilts the tool (x {x}, y {y}); allowed are rotations about z: the arm keeps its tool level"
         ));
     }
     let half = z.atan2(w).to_degrees();
-    // The same turn the shorter way round.
+    // Normalised to the shorter rotation.
     Ok((2.0 * half + 180.0).rem_euclid(360.0) - 180.0)
 }
 
 const TOLERANCE: f64 = 0.01;
-/// Beyond the reach of any arm of this kind; nearer places are the station's to judge.
+/// Beyond the reach of any arm of this kind; nearer positions are checked by the station.
 const FARTHEST_M: f64 = 10.0;
 
 #[cfg(test)]

@@ -1,27 +1,29 @@
-//! Fewer places for the same way.
+//! Simplification of paths.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use dobot_geometry::distance_from_chord;
 
-/// What is left of the places of a way.
+/// A simplified path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thinned {
-    /// Which places are kept, in order: the first and the last among them.
+    /// The indices of the remaining points, in order, including the first and the last.
     pub kept: Vec<usize>,
-    /// How far the way through those is from the whole one at the most, in the unit of the coordinates.
+    /// The maximum distance of the original points from the simplified path, in the unit of the
+    /// coordinates.
     pub deviation: f64,
-    /// The place that is so far off, where one is.
+    /// The index of the point with that distance, if any.
     pub farthest: Option<usize>,
 }
 
-/// Leaves out places of a way, which goes straight from each to the next: no more than `most` pieces are left, and fewer
-/// where that stays within the tolerance. At least one piece is left, and all `corners` stay, which are places by their
-/// numbers.
+/// Removes points of a piecewise linear path until at most `most` segments are left, and fewer if
+/// that stays within the tolerance. At least one segment remains, and all `corners`, given by
+/// index, are kept.
 ///
-/// The place that is farthest from its chord is taken in first (Ramer, Douglas and Peucker's choice), so that whatever is
-/// allowed goes to where it helps most. The distance is that of all coordinates together; none alone is farther off.
+/// The point farthest from its chord is added first (Ramer, Douglas and Peucker), so that the
+/// available segments are used where they help most. The distance combines all coordinates; no
+/// single one is farther off.
 ///
 /// ```
 /// use dobot_ros2::thinned;
@@ -73,7 +75,7 @@ pub fn thinned<const N: usize>(
     }
 }
 
-/// A chord, and the place between its ends that is farthest from it.
+/// A chord, and the point between its ends that is farthest from it.
 #[derive(Clone, Copy, Debug)]
 struct Span {
     from: usize,
@@ -83,7 +85,7 @@ struct Span {
 }
 
 impl Span {
-    /// None where nothing lies between the ends.
+    /// Returns `None` if nothing lies between the ends.
     fn new<const N: usize>(places: &[[f64; N]], from: usize, to: usize) -> Option<Self> {
         let between = (from + 1..to).map(|at| Self {
             from,
@@ -125,7 +127,7 @@ mod tests {
         prop::collection::vec(prop::array::uniform4(-135.0..135.0), 1..60)
     }
 
-    /// How far a point is from the nearest piece of a way.
+    /// Returns the distance of a point from the nearest segment.
     fn off(point: [f64; 4], way: &[[f64; 4]]) -> f64 {
         let pieces = way.windows(2);
         let nearest = pieces
@@ -141,7 +143,7 @@ mod tests {
         ) {
             let thin = thinned(&places, &[], tolerance, most);
             let way: Vec<[f64; 4]> = thin.kept.iter().map(|index| places[*index]).collect();
-            // Between the places too, where the way goes straight.
+            // Also between the points, on the straight segments.
             for ends in places.windows(2) {
                 for share in [0.0, 0.3, 0.7, 1.0] {
                     let point = std::array::from_fn(|i| ends[0][i] + (ends[1][i] - ends[0][i]) * share);

@@ -1,4 +1,4 @@
-//! What happened, for those who look at `/rosout` and at the terminal.
+//! Log messages on `/rosout` and the terminal.
 
 use std::io::Write;
 
@@ -6,7 +6,7 @@ use ros2_client::NodeLoggingHandle;
 use ros2_client::log::LogLevel;
 use ros2_client::rosout;
 
-/// Tells people what happened.
+/// Logs to `/rosout` and the terminal.
 pub(crate) struct Told {
     node: NodeLoggingHandle,
 }
@@ -16,19 +16,19 @@ impl Told {
         Self { node }
     }
 
-    /// Something went as it should.
+    /// Logs a normal event.
     pub(crate) fn info(&self, text: &str) {
         print(text);
         rosout!(self.node, LogLevel::Info, "{text}");
     }
 
-    /// Something was refused or went wrong.
+    /// Logs a refusal or a failure.
     pub(crate) fn warn(&self, text: &str) {
         print(&format!("warning: {text}"));
         rosout!(self.node, LogLevel::Warn, "{text}");
     }
 
-    /// Either, under the name of what was asked for.
+    /// Logs an outcome, prefixed with the name of its request.
     pub(crate) fn outcome(&self, name: &str, done: &Result<String, String>) {
         match done {
             Ok(text) => self.info(&format!("{name}: {text}")),
@@ -37,7 +37,7 @@ impl Told {
     }
 }
 
-/// The terminal may be gone; the arm is not to be left because of that.
+/// The terminal may be gone, which must not end the node.
 fn print(text: &str) {
     let _ = writeln!(std::io::stderr(), "{text}");
 }

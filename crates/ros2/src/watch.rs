@@ -1,4 +1,4 @@
-//! Looks on at the station, tells what it sees, and has a stop at hand.
+//! Observes the station, publishes its state, and forwards stops.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -19,10 +19,10 @@ use crate::settings::NODE;
 use crate::station::{Station, refused};
 use crate::told::Told;
 
-/// Somebody wants the arm to stop, and to know what became of it.
+/// A request to stop the arm, with the channel for its outcome.
 pub(crate) type WantedStop = oneshot::Sender<Result<String, String>>;
 
-/// Tells what the station tells.
+/// Publishes the station's state.
 pub(crate) struct Watch {
     pub(crate) station: Station,
     pub(crate) publishers: Publishers,
@@ -31,19 +31,19 @@ pub(crate) struct Watch {
     pub(crate) told: Arc<Told>,
     pub(crate) stops: mpsc::Receiver<WantedStop>,
     pub(crate) policy: Option<Policy>,
-    /// When the diagnostics were told last, in seconds since the station started.
+    /// The time of the last diagnostics, in seconds since the station started.
     pub(crate) diagnosed_s: Option<f64>,
 }
 
 impl Watch {
-    /// For ever: a station that is gone is looked for again.
+    /// Runs forever, reconnecting to the station when the connection is lost.
     pub(crate) async fn run(mut self) {
         self.describe();
         let mut said = None;
         loop {
             let why = match self.station.connect("watch").await {
                 Ok(client) => {
-                    self.told.info("the station is there");
+                    self.told.info("connected to the station");
                     said = None;
                     self.diagnosed_s = None;
                     self.policy = self.station.policy().await;
@@ -59,7 +59,7 @@ impl Watch {
         }
     }
 
-    /// What never changes.
+    /// Publishes static data.
     fn describe(&self) {
         let _ = self.publishers.description.publish(self.model.to_urdf());
         let fixed = self
@@ -68,12 +68,12 @@ impl Watch {
         let _ = self.publishers.tf_static.publish(fixed);
     }
 
-    /// Tells states until the connection ends, and why it did.
+    /// Publishes states until the connection ends; returns the reason.
     async fn look(&mut self, mut client: StationClient) -> String {
         loop {
             tokio::select! {
                 Some(wanted) = self.stops.recv() => {
-                    let _ = wanted.send(stop(&mut client, "a program of ROS 2 asked for it").await);
+                    let _ = wanted.send(stop(&mut client, "requested by a ROS 2 node").await);
                 }
                 event = client.next() => match event {
                     Ok(StationEvent::State(state)) => self.tell(&state),
@@ -88,7 +88,7 @@ impl Watch {
         }
     }
 
-    /// A second without a station.
+    /// Waits a second while there is no station.
     async fn wait(&mut self, why: &str) {
         let silent = diagnostics::of_no_station(NODE, why);
         let _ = self.publishers.diagnostics.publish(silent);
@@ -96,14 +96,14 @@ impl Watch {
         loop {
             tokio::select! {
                 Some(wanted) = self.stops.recv() => {
-                    let _ = wanted.send(Err(format!("the stop cannot be passed on: {why}")));
+                    let _ = wanted.send(Err(format!("cannot forward the stop: {why}")));
                 }
                 () = sleep_until(until) => return,
             }
         }
     }
 
-    /// What somebody does not take now, he takes from the next state.
+    /// Publishes a state. What is not delivered is replaced by the next state.
     fn tell(&mut self, state: &State) {
         if let (Some(arm), LinkPhase::Up) = (&state.arm, state.link.phase) {
             let moving = self.frames.transforms(&self.model, &arm.status, false);
@@ -122,7 +122,7 @@ impl Watch {
     }
 }
 
-/// How long a station that is not there is left alone.
+/// The delay before the station is searched again.
 const AGAIN: Duration = Duration::from_secs(1);
-/// How often the diagnostics are told.
+/// The period of diagnostics, in seconds.
 const DIAGNOSED_S: f64 = 1.0;

@@ -1,4 +1,4 @@
-//! The bridge between a program that speaks the arm's own protocol and the driver of the arm.
+//! The bridge between a program that speaks the arm's own protocol and the arm's driver.
 
 mod backoff;
 mod web;
@@ -16,13 +16,12 @@ use self::backoff::Backoff;
 use self::web::is_web;
 use crate::Traffic;
 
-/// Carries packets of a program to the driver of the arm, and statuses to the program, until either
-/// of them leaves.
+/// Forwards packets of a program to the driver, and statuses to the program, until either leaves.
 ///
-/// Little piles up here. What the program sends is passed on no faster than the driver takes it, and no
-/// faster than an arm's line carries it once it is refused or noise; so much of it is read ahead that
-/// the end of a program is seen at once, and what still had to wait is forgotten. Statuses that the
-/// program does not read in time are lost to it, and it goes on with the newest.
+/// The queues are bounded. Packets are forwarded no faster than the driver takes them, and refused
+/// packets or noise no faster than an arm's serial line would carry them. Packets are read ahead
+/// far enough to detect the end of the program immediately; what is still waiting then is dropped.
+/// Statuses that the program does not read in time are dropped, and it continues with the newest.
 pub(crate) async fn bridge(
     reader: impl AsyncRead + Unpin,
     writer: impl AsyncWrite + Unpin,
@@ -31,7 +30,7 @@ pub(crate) async fn bridge(
 ) -> Traffic {
     let mut inward = Inward::new();
     let mut outward = Outward::new(statuses);
-    // Both in one task: no packet waits for another one to be woken.
+    // Both directions in one task: no packet waits for a wake-up of another task.
     tokio::select! {
         () = inward.run(reader, client) => {}
         () = outward.run(writer) => {}
@@ -46,7 +45,7 @@ pub(crate) async fn bridge(
     }
 }
 
-/// The way from the program to the driver.
+/// The direction from the program to the driver.
 struct Inward {
     decoder: Decoder<Commands>,
     opened: Instant,
@@ -64,8 +63,8 @@ impl Inward {
         }
     }
 
-    /// Runs until the program leaves, or the driver does. What it sent is read ahead, so that its end is
-    /// seen behind what waits: then what would have to wait is forgotten.
+    /// Runs until the program or the driver leaves. Reads ahead, so that the end of the program is
+    /// detected behind waiting packets, which are then dropped.
     async fn run(&mut self, reader: impl AsyncRead + Unpin, client: &Client) {
         let (ahead, packets) = mpsc::channel(AHEAD);
         let left = Notify::new();
@@ -82,7 +81,7 @@ impl Inward {
     }
 }
 
-/// Reads packets ahead until the program leaves, or shows to be a web browser.
+/// Reads packets ahead until the program leaves, or turns out to be a web browser.
 async fn read(
     mut reader: impl AsyncRead + Unpin,
     decoder: &mut Decoder<Commands>,
@@ -111,8 +110,8 @@ async fn read(
     }
 }
 
-/// Passes on what was read, refused packets no faster than an arm's line carries them, until the program
-/// has `left` and the rest would have to wait.
+/// Forwards what was read, refused packets no faster than an arm's line carries them, until the
+/// program has `left` and the rest would have to wait.
 async fn serve(
     mut packets: mpsc::Receiver<Packet>,
     client: &Client,
@@ -125,7 +124,7 @@ async fn serve(
         match client.raw(packet).await {
             Ok(()) => continue,
             Err(Refusal::Ending) => return,
-            // The driver tells of it: the arm's protocol has no words for it.
+            // The driver reports it: the arm's protocol has no message for it.
             Err(_) => *refused += 1,
         }
         backoff.handle_bytes(opened.elapsed(), PACKET_LEN as u64);
@@ -141,7 +140,7 @@ async fn serve(
     }
 }
 
-/// The way from the driver to the program.
+/// The direction from the driver to the program.
 struct Outward {
     statuses: Receiver<[u8; PACKET_LEN]>,
     sent: u64,
@@ -157,7 +156,7 @@ impl Outward {
         }
     }
 
-    /// Runs until the program leaves, or the driver does.
+    /// Runs until the program or the driver leaves.
     async fn run(&mut self, mut writer: impl AsyncWrite + Unpin) {
         while let Some(status) = self.next().await {
             if writer.write_all(&status).await.is_err() {
@@ -172,8 +171,7 @@ impl Outward {
             match self.statuses.recv().await {
                 Ok(status) => return Some(status),
                 Err(RecvError::Closed) => return None,
-                // Each status is a permit, and an old one tells where the arm was: on with the
-                // newest.
+                // Each status is a permit, and an old one is out of date: continue with the newest.
                 Err(RecvError::Lagged(missed)) => {
                     self.lost += missed + self.statuses.len() as u64;
                     self.statuses = self.statuses.resubscribe();
@@ -183,9 +181,9 @@ impl Outward {
     }
 }
 
-/// So many packets are read ahead: a megabyte, half an hour of an arm's line.
+/// The number of packets that are read ahead: a megabyte, half an hour of an arm's line.
 const AHEAD: usize = 25_000;
-/// What the kernel of a computer keeps for a serial port.
+/// The size of the kernel's buffer for a serial port.
 const READ_LEN: usize = 4096;
 
 #[cfg(test)]

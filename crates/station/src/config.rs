@@ -1,4 +1,4 @@
-//! What a station is told when it starts.
+//! Configuration of a station.
 
 use std::net::{Ipv4Addr, SocketAddr, SocketAddrV4};
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use dobot_wire::Dialect;
 
 use crate::StartError;
 
-/// What a station is told when it starts.
+/// Configuration of a station.
 ///
 /// ```
 /// use dobot_api::Folders;
@@ -27,61 +27,61 @@ use crate::StartError;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Config {
-    /// Where the arm is. When absent, the station takes the first arm that it finds, or a virtual
-    /// one when there is none.
+    /// The address of the arm. If absent, the station uses the first arm that it finds, or a
+    /// virtual one if there is none.
     pub arm: Option<Address>,
-    /// How a virtual arm behaves.
+    /// The behaviour of a virtual arm.
     pub personality: Personality,
-    /// How fast time passes for a virtual arm.
+    /// The simulation speed of a virtual arm.
     pub speed: Speed,
-    /// What the arm understands. When absent, it is what was found out about this arm before; a
-    /// virtual arm speaks as its personality does, and any other one is undecided.
+    /// The protocol dialect. If absent, the dialect that was detected earlier for this arm; a
+    /// virtual arm uses that of its personality, and any other one is undecided.
     pub dialect: Option<Dialect>,
-    /// The file of the safety policy; the default policy when absent.
+    /// The file of the safety policy; the default policy if absent.
     pub policy: Option<PathBuf>,
-    /// Where the station keeps what it has to remember.
+    /// The folders for the station's data.
     pub folders: Folders,
-    /// Where page and API are served; port 0 takes a free one.
+    /// The address for page and API; port 0 selects a free one.
     pub http: SocketAddr,
-    /// Where raw packets are served over TCP, if they are; port 0 takes a free one.
+    /// The TCP address for raw packets, if any; port 0 selects a free one.
     pub raw: Option<SocketAddr>,
-    /// Where a symbolic link to a virtual serial port with raw packets is made, if one is.
+    /// The path of a symbolic link to a virtual serial port for raw packets, if any.
     pub pty: Option<PathBuf>,
-    /// Where Foxglove looks on, if it does; port 0 takes a free one.
+    /// The address for Foxglove, if any; port 0 selects a free one.
     pub foxglove: Option<SocketAddr>,
-    /// Certificate and key of the page and the API. When absent, they are served without TLS on
-    /// loopback, and with a certificate that the station makes for itself elsewhere.
+    /// The certificate and key of page and API. If absent, they are served without TLS on loopback,
+    /// and with a self-signed certificate elsewhere.
     pub tls: Option<TlsFiles>,
-    /// The program that guards the arm when it is started as `PROGRAM watchdog --note FILE`: it
-    /// switches the laser off and lets go of buttons when the station is killed or stands still. No
-    /// watchdog when absent, and on systems that are no Unix.
+    /// The watchdog program, started as `PROGRAM watchdog --note FILE`: it switches the laser off
+    /// and releases jog buttons when the station is killed or hangs. No watchdog if absent, and on
+    /// systems other than Unix.
     pub watchdog: Option<PathBuf>,
-    /// Whether the system that keeps services running is told that the thread that has the arm is at
-    /// work, where it wants to know (systemd's `WatchdogSec`).
+    /// Whether to notify the service manager that the arm's thread is running, if it asks for that
+    /// (systemd's `WatchdogSec`).
     pub is_service: bool,
-    /// Names that the station goes by on the network, besides its addresses.
+    /// The names of the station on the network, besides its addresses.
     pub names: Vec<String>,
-    /// What those on this machine may do who come without a token; nothing when absent.
+    /// The role of local clients without a token; none if absent.
     pub without_token: Option<Role>,
 }
 
 /// A certificate and its key, as PEM files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TlsFiles {
-    /// The chain of certificates, the server's own first.
+    /// The certificate chain, the server's own certificate first.
     pub certificate: PathBuf,
     /// The private key.
     pub key: PathBuf,
 }
 
-/// Where page and API are served unless told otherwise.
+/// The default address of page and API.
 pub const DEFAULT_HTTP: SocketAddr = SocketAddr::V4(SocketAddrV4::new(Ipv4Addr::LOCALHOST, 8642));
 
-/// Where raw packets are served unless told otherwise: where the vendor's bridge was (note N26).
+/// The default address for raw packets: that of the vendor's bridge (note N26).
 pub const DEFAULT_RAW: SocketAddr = dobot_sim::DEFAULT_TCP;
 
 impl Config {
-    /// Any arm, page and raw port on loopback, the default policy.
+    /// Any arm, page and raw port on loopback, default policy.
     #[must_use]
     pub fn new(folders: Folders) -> Self {
         Self {
@@ -103,7 +103,7 @@ impl Config {
         }
     }
 
-    /// Switches the laser of the arm off, before anything else of a station is there.
+    /// Switches the laser of the arm off, before the rest of the station starts.
     ///
     /// # Errors
     ///

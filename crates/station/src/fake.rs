@@ -1,4 +1,4 @@
-//! A driver of the arm that does what a test tells it.
+//! A scripted driver for tests.
 
 mod harness;
 
@@ -13,21 +13,26 @@ use tokio::sync::oneshot;
 pub(crate) use self::harness::Harness;
 use crate::sample::state;
 
-/// A driver of the arm that does what a test tells it.
+/// A scripted driver for tests.
 pub(crate) struct FakeDriver {
     ends: DriverChannels,
     clients: u64,
 }
 
 impl FakeDriver {
+<<<<<<< HEAD
     /// A driver, and the way to it; it keeps `kept` statuses for whoever is slow.
     pub(crate) fn new(kept: usize) -> (StationHandle, Self) {
+=======
+    /// Returns a driver and its handle; slow receivers can lag by `kept` statuses.
+    pub(crate) fn new(kept: usize) -> (Handle, Self) {
+>>>>>>> fleet
         let rules = Rules::of(&dobot_safety::Policy::default());
         let (handle, ends) = StationHandle::with_packets(state(0.0), rules, kept);
         (handle, Self { ends, clients: 0 })
     }
 
-    /// Lets the next client in, and tells its name and role.
+    /// Admits the next client and returns its name and role.
     pub(crate) async fn admit(&mut self) -> (ClientId, String, Role) {
         match self.next().await {
             Message::Came {
@@ -42,7 +47,7 @@ impl FakeDriver {
         }
     }
 
-    /// The next packet, and the way to answer it.
+    /// Returns the next packet and the channel for its reply.
     pub(crate) async fn asked(
         &mut self,
     ) -> (ClientId, Packet, oneshot::Sender<Result<(), Refusal>>) {
@@ -56,27 +61,27 @@ impl FakeDriver {
         }
     }
 
-    /// The next packet, which is granted.
+    /// Returns the next packet and grants it.
     pub(crate) async fn grant(&mut self) -> [u8; PACKET_LEN] {
         self.answer(Ok(())).await
     }
 
-    /// The next packet, which is answered so.
+    /// Returns the next packet and replies to it.
     pub(crate) async fn answer(&mut self, answer: Result<(), Refusal>) -> [u8; PACKET_LEN] {
         let (_, packet, reply) = self.asked().await;
-        // The program may have left meanwhile.
+        // The program may have left.
         let _ = reply.send(answer);
         packet.to_bytes()
     }
 
-    /// The next packet, which is answered like that, unless its program has left.
+    /// Returns the next packet and replies to it, unless its program has left.
     pub(crate) async fn answer_unless_left(
         &mut self,
         answer: Result<(), Refusal>,
     ) -> Option<[u8; PACKET_LEN]> {
         match self.next().await {
             Message::Raw { packet, reply, .. } => {
-                // The program may have left meanwhile.
+                // The program may have left.
                 let _ = reply.send(answer);
                 Some(packet.to_bytes())
             }
@@ -85,7 +90,7 @@ impl FakeDriver {
         }
     }
 
-    /// The next to leave.
+    /// Returns the next client that leaves.
     pub(crate) async fn left(&mut self) -> ClientId {
         match self.next().await {
             Message::Left(id) => id,
@@ -93,24 +98,24 @@ impl FakeDriver {
         }
     }
 
-    /// What was asked and not answered yet, if anything was.
+    /// Whether there is no unanswered request.
     pub(crate) fn idle(&mut self) -> bool {
         self.ends.messages.try_recv().is_err()
     }
 
-    /// Tells a state.
+    /// Publishes a state.
     #[cfg(feature = "full")]
     pub(crate) fn tell(&self, state: dobot_api::State) {
         self.ends.publish_state(state);
     }
 
-    /// Tells that a packet passed.
+    /// Publishes a passed packet.
     #[cfg(feature = "full")]
     pub(crate) fn tell_passed(&self, packet: PassedPacket) {
         self.ends.publish_packet(packet);
     }
 
-    /// Sends a status to all who listen.
+    /// Sends a status to all receivers.
     pub(crate) fn send_status(&self, status: [u8; PACKET_LEN]) {
         self.ends.pass_on(status);
     }
@@ -124,7 +129,7 @@ impl FakeDriver {
     }
 }
 
-/// A packet of a program that can be told from those with other speeds.
+/// Returns a packet that is identified by its speed.
 pub(crate) fn packet(speed_percent: u8) -> [u8; PACKET_LEN] {
     let jog = JointJog::new(JointJogAxis::BasePlus, speed_percent.into());
     let frame = Command::from(jog).emit(&Dialect::FIRMWARE_1_1);

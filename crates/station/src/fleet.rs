@@ -1,5 +1,5 @@
-//! The way between a station and the others of its fleet. What joins them is not in here: it gives the station a
-//! [`FleetPort`], and asks the station by its [`StationApi`](crate::StationApi).
+//! The interface between a station and its fleet. The implementation is elsewhere: it gives the
+//! station a [`FleetPort`], and calls the station through its [`StationApi`](crate::StationApi).
 
 use std::sync::Arc;
 
@@ -9,10 +9,10 @@ use dobot_api::{
 };
 use tokio::sync::{mpsc, oneshot, watch};
 
-/// All stations of a fleet that have been seen, by name.
+/// All known stations of a fleet, by name.
 pub type Members = Arc<[Arc<Member>]>;
 
-/// What the station knows of its fleet, and asks of it.
+/// The station's view of its fleet, and its requests to it.
 #[derive(Clone, Debug)]
 pub struct FleetPort {
     name: String,
@@ -24,83 +24,84 @@ pub struct FleetPort {
     wishes: mpsc::Sender<FleetWish>,
 }
 
-/// The other end of a [`FleetPort`]: of what joins the stations.
+/// The fleet's end of a [`FleetPort`].
 #[derive(Debug)]
 pub struct FleetEnd {
-    /// All stations that have been seen.
+    /// All known stations.
     pub members: watch::Sender<Members>,
-    /// Whether the station has learned which stops of the fleet there are since it came or came back.
+    /// Whether the station has learned the fleet's stops since it joined or returned.
     pub is_settled: watch::Sender<bool>,
-    /// What is wanted of the fleet.
+    /// Requests to the fleet.
     pub wishes: mpsc::Receiver<FleetWish>,
 }
 
-/// What a station wants of its fleet.
+/// A request of a station to its fleet.
 #[derive(Debug)]
 pub enum FleetWish {
-    /// To know what the others are and do, as long as there is anybody who has asked for it. An answer says that those know
-    /// it who are there.
+    /// Keep the members' states current while there are receivers. The reply is sent when the
+    /// members present have reported.
     Look(oneshot::Sender<()>),
-    /// To ask others for something.
+    /// Send a request to members.
     Ask(FleetAsk),
-    /// To tell these stations at once which stops of the fleet there are. Those that do not answer are told later.
+    /// Send the fleet's stops to these stations immediately. Stations that do not answer get them
+    /// later.
     TellStops(Vec<Arc<Member>>, oneshot::Sender<Vec<MemberAnswer>>),
-    /// That any arm does something.
+    /// Manage the jobs for any arm.
     Work(WorkWish),
 }
 
-/// What a station wants of the work that was submitted to it for any arm.
+/// A request concerning the jobs for any arm that were submitted to a station.
 #[derive(Debug)]
 pub enum WorkWish {
-    /// To submit some.
+    /// Submit a job.
     Submit(Box<NewWork>, oneshot::Sender<Result<WorkView, Problem>>),
-    /// To know all of it, in the order in which it came.
+    /// List all jobs, in the order of their submission.
     List(oneshot::Sender<Result<Vec<WorkView>, Problem>>),
-    /// To cancel one, by its number.
+    /// Cancel a job, by its id.
     Cancel(String, oneshot::Sender<Result<WorkView, Problem>>),
-    /// To give one that is in doubt, or has failed, to another arm.
+    /// Move a job that is in doubt or has failed to another arm.
     Give(String, oneshot::Sender<Result<WorkView, Problem>>),
 }
 
-/// A drawing or a program for any arm.
+/// A drawing or program for any arm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NewWork {
-    /// What a person calls it.
+    /// The title.
     pub title: String,
-    /// Whose it is.
+    /// The student who owns the job.
     pub student: String,
-    /// The group of that one.
+    /// The student's group.
     pub group: Option<String>,
-    /// What an arm has to have for it.
+    /// The features that an arm must offer.
     pub needs: Vec<String>,
-    /// When it was submitted, in milliseconds since 1970-01-01T00:00:00Z.
+    /// The time of submission, in milliseconds since 1970-01-01T00:00:00Z.
     pub submitted_ms: i64,
-    /// What the sender calls the request for it.
+    /// The sender's key of the request.
     pub key: Option<String>,
     /// The body of the request by which it is offered to a station.
     pub offer: serde_json::Value,
 }
 
-/// Where the work of a fleet is offered to a station.
+/// The path at which a station accepts offers of the fleet.
 pub const OFFERS: &str = "/api/v1/fleet/offers";
 
-/// A request that others are to be asked.
+/// A request to several members.
 #[derive(Debug)]
 pub struct FleetAsk {
-    /// Whom.
+    /// The receivers.
     pub to: Vec<Arc<Member>>,
-    /// What.
+    /// The request.
     pub request: ApiRequest,
-    /// Where their answers go, one of each.
+    /// The channel for their responses, one of each.
     pub answers: oneshot::Sender<Vec<MemberAnswer>>,
 }
 
 impl FleetPort {
-    /// The two ends, for a station of this name and number.
+    /// Returns both ends, for a station with this name and id.
     #[must_use]
     pub fn new(name: &str, id: &str) -> (Self, FleetEnd) {
         let (members, seen) = watch::channel(Members::default());
-        // Each one who asks waits for its answer.
+        // Each requester waits for its reply.
         let (wishes, wished) = mpsc::channel(64);
         let (is_settled, settled) = watch::channel(true);
         let port = Self {
@@ -120,13 +121,13 @@ impl FleetPort {
         (port, end)
     }
 
-    /// The same, for a station that takes work of its fleet, or none.
+    /// Sets whether and how the station accepts jobs of its fleet.
     #[must_use]
     pub fn taking(self, takes_work: Option<TakesWork>) -> Self {
         Self { takes_work, ..self }
     }
 
-    /// The same, for a fleet that nobody on another machine can join.
+    /// Sets whether only programs of this machine can join the fleet.
     #[must_use]
     pub fn on_one_machine(self, is_on_one_machine: bool) -> Self {
         Self {
@@ -135,41 +136,42 @@ impl FleetPort {
         }
     }
 
-    /// Whether nobody on another machine can join the fleet.
+    /// Whether only programs of this machine can join the fleet.
     #[must_use]
     pub const fn is_on_one_machine(&self) -> bool {
         self.is_on_one_machine
     }
 
-    /// Whether the station has learned which stops of the fleet there are since it came or came back.
+    /// Whether the station has learned the fleet's stops since it joined or returned.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         *self.is_settled.borrow()
     }
 
-    /// The number that the station goes by, as in [`Member::id`].
+    /// Returns the station's id, as in [`Member::id`].
     #[must_use]
     pub fn id(&self) -> &str {
         &self.id
     }
 
-    /// What the station does with work of its fleet; nothing where it takes none.
+    /// Returns how the station handles jobs of its fleet; `None` if it accepts none.
     #[must_use]
     pub const fn takes_work(&self) -> Option<TakesWork> {
         self.takes_work
     }
 
-    /// What the station is called.
+    /// Returns the name of the station.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// All stations that have been seen, with what they are and do, as that changes for as long as this is held.
+    /// Returns all known stations with their states, which are kept current while the receiver
+    /// exists.
     ///
     /// # Errors
     ///
-    /// [`ENDING`] where the fleet is left.
+    /// [`ENDING`] if the station has left the fleet.
     pub async fn look(&self) -> Result<watch::Receiver<Members>, Problem> {
         let members = self.members.clone();
         let (seen, looked) = oneshot::channel();
@@ -178,18 +180,19 @@ impl FleetPort {
         Ok(members)
     }
 
-    /// Asks these stations, and waits for the answer of each: from one that cannot be reached, a problem.
+    /// Sends a request to these stations, and waits for all responses; an unreachable station gives
+    /// a problem.
     ///
     /// # Errors
     ///
-    /// [`NO_SUCH_MEMBER`] where none is meant, or one that has not been seen; nobody is asked then. [`ENDING`] where the fleet
-    /// is left.
+    /// [`NO_SUCH_MEMBER`] if there is no recipient or an unknown one; then nothing is sent.
+    /// [`ENDING`] if the station has left the fleet.
     pub async fn ask(
         &self,
         to: &Recipients,
         request: ApiRequest,
     ) -> Result<Vec<MemberAnswer>, Problem> {
-        // Everyone, and those of a name, are known without looking: a stop waits for nothing.
+        // All stations, and named ones, are known without a query: a stop must not wait.
         if matches!(to, Recipients::Group(_)) {
             drop(self.look().await?);
         }
@@ -204,23 +207,23 @@ impl FleetPort {
         answered.await.map_err(|_| ending())
     }
 
-    /// Tells these stations which stops of the fleet there are, and waits for the answer of each. Those that do not answer
-    /// are told later.
+    /// Sends the fleet's stops to these stations, and waits for all responses. Stations that do not
+    /// answer get them later.
     ///
     /// # Errors
     ///
-    /// [`ENDING`] where the fleet is left.
+    /// [`ENDING`] if the station has left the fleet.
     pub async fn tell_stops(&self, to: Vec<Arc<Member>>) -> Result<Vec<MemberAnswer>, Problem> {
         let (answers, answered) = oneshot::channel();
         self.wish(FleetWish::TellStops(to, answers)).await?;
         answered.await.map_err(|_| ending())
     }
 
-    /// Wants something of the work for any arm, and waits for what comes of it.
+    /// Sends a request concerning the jobs for any arm, and waits for the reply.
     ///
     /// # Errors
     ///
-    /// Why not; [`ENDING`] where the fleet is left.
+    /// The problem; [`ENDING`] if the station has left the fleet.
     pub async fn work<T>(
         &self,
         wish: impl FnOnce(oneshot::Sender<Result<T, Problem>>) -> WorkWish,
@@ -230,13 +233,13 @@ impl FleetPort {
         answer.await.map_err(|_| ending())?
     }
 
-    /// All stations that have been seen, as far as that is known without asking them.
+    /// Returns all known stations without a query.
     #[must_use]
     pub fn members(&self) -> Members {
         self.members.borrow().clone()
     }
 
-    /// The station of this name, as far as it has been seen.
+    /// Returns the station of this name, if it is known.
     #[must_use]
     pub fn member(&self, name: &str) -> Option<Arc<Member>> {
         let members = self.members.borrow();
@@ -248,12 +251,12 @@ impl FleetPort {
     }
 }
 
-/// Why a station that has just joined or returned neither takes nor offers work yet.
+/// The reason why a station that has just joined or returned neither accepts nor offers jobs yet.
 pub const UNSETTLED: &str =
-    "the station has just joined or returned; it first learns whether the fleet is stopped";
+    "the station has just joined or returned, and first checks whether the fleet is stopped";
 
-/// Why an arm cannot start work of its fleet now, whatever its job is; one of a station that starts it by itself where nobody
-/// has control.
+/// Returns why an arm cannot start a job of its fleet now, regardless of its current job. A station
+/// with automatic starts also requires that nobody has control.
 #[must_use]
 pub fn work_hurdle(state: &State, takes_work: TakesWork) -> Option<String> {
     if let Some(stop) = &state.stop {
@@ -263,33 +266,33 @@ pub fn work_hurdle(state: &State, takes_work: TakesWork) -> Option<String> {
         return Some(format!("locked by {}", lock.by));
     }
     if state.link.phase != LinkPhase::Up {
-        return Some("its station does not hear the arm".into());
+        return Some("its station has no connection to the arm".into());
     }
     if !state.trust.trusted {
-        return Some("its pose is to be confirmed".into());
+        return Some("its pose must be confirmed".into());
     }
     match (takes_work, &state.lease) {
         (TakesWork::Start, Some(lease)) => Some(format!("{} has control", lease.name)),
-        // A person starts it, and that one may have control.
+        // A person starts it, and may have control.
         _ => None,
     }
 }
 
 fn ending() -> Problem {
-    ENDING.problem("the station leaves its fleet")
+    ENDING.problem("the station is leaving its fleet")
 }
 
-/// Those that are meant.
+/// Returns the recipients.
 fn chosen(members: &[Arc<Member>], to: &Recipients) -> Result<Vec<Arc<Member>>, Problem> {
     let none = |detail| {
-        let hint = "`GET /api/v1/fleet` lists all that have been seen";
+        let hint = "`GET /api/v1/fleet` lists all known stations";
         NO_SUCH_MEMBER.hinted(detail, hint)
     };
     if let Recipients::Members(names) = to {
         let is_unknown = |name: &&String| members.iter().all(|member| member.name != **name);
         if let Some(name) = names.iter().find(is_unknown) {
             let name: String = name.chars().take(40).collect();
-            return Err(none(format!("no station called {name:?} has been seen")));
+            return Err(none(format!("no station with the name {name:?} is known")));
         }
     }
     let chosen: Vec<_> = members
@@ -301,9 +304,9 @@ fn chosen(members: &[Arc<Member>], to: &Recipients) -> Result<Vec<Arc<Member>>, 
         return Err(none(match to {
             Recipients::Group(group) => {
                 let group: String = group.chars().take(40).collect();
-                format!("no station belongs to a group {group:?}")
+                format!("no station belongs to the group {group:?}")
             }
-            _ => "no station is named".to_owned(),
+            _ => "no station is given".to_owned(),
         }));
     }
     Ok(chosen)

@@ -1,4 +1,4 @@
-//! What a station records, told live to Foxglove over its WebSocket protocol.
+//! Live data for Foxglove over its WebSocket protocol.
 
 use std::collections::HashMap;
 use std::net::SocketAddr;
@@ -20,46 +20,46 @@ use tokio::sync::broadcast::error::RecvError;
 use tokio::sync::mpsc;
 use tokio::task::JoinSet;
 
-/// Where Foxglove comes and looks on: the topics are those of the recordings, so that one layout serves both.
+/// The port for Foxglove. Its topics are those of the recordings, so that one layout serves both.
 ///
-/// It is on this machine only, for its protocol knows no passwords; and nothing can be asked of the arm here. Pages of
-/// other sites are refused, by their `Origin`.
+/// It is reachable on this machine only, since its protocol has no authentication, and it accepts
+/// no commands. Pages of other sites are refused by their `Origin`.
 #[derive(Debug)]
 pub struct FoxglovePort {
     server: WebSocketServerHandle,
     address: SocketAddr,
     context: Arc<Context>,
-    /// Those who want to see the ink, as they come.
+    /// New subscribers of the drawn ink.
     late: mpsc::UnboundedReceiver<SinkId>,
-    /// Checks which page a connection comes from; ends with the port.
+    /// Checks the origin of connections; ends with the port.
     front: JoinSet<()>,
 }
 
-/// Why there is no port for Foxglove.
+/// The error returned when the port for Foxglove cannot be opened.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FoxglovePortError {
-    /// Other machines could come.
+    /// The address is reachable from other machines.
     #[error(
-        "the port for Foxglove is {found}; allowed are addresses of this machine alone, as 127.0.0.1, because its protocol knows no passwords: `ssh -L 8765:127.0.0.1:8765 HOST` brings it to another one"
+        "the port for Foxglove is {found}; allowed are loopback addresses such as 127.0.0.1, because its protocol has no authentication; forward it to another machine with `ssh -L 8765:127.0.0.1:8765 HOST`"
     )]
     NotLoopback {
-        /// What was asked for.
+        /// The requested address.
         found: SocketAddr,
     },
-    /// It cannot be opened.
+    /// The port cannot be opened.
     #[error("cannot listen on the port for Foxglove {address}")]
     Listen {
-        /// What was asked for.
+        /// The requested address.
         address: SocketAddr,
-        /// Why.
+        /// The cause.
         #[source]
         source: Box<FoxgloveError>,
     },
 }
 
 impl FoxglovePort {
-    /// Listens there; port 0 is any that is free.
+    /// Listens on an address; port 0 selects a free one.
     ///
     /// # Errors
     ///
@@ -97,26 +97,33 @@ impl FoxglovePort {
         })
     }
 
-    /// Where Foxglove comes.
+    /// Returns the address of the port.
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
         self.address
     }
 
-    /// Tells what happens, until the station ends.
+    /// Publishes live data until the station ends.
     ///
     /// # Errors
     ///
+<<<<<<< HEAD
     /// A line where the clock of this machine is before 1970 or a channel cannot be made: nothing is told then.
     pub async fn serve(mut self, handle: &StationHandle) -> Result<(), String> {
+=======
+    /// A message if the clock of this machine is before 1970 or a channel cannot be created; then
+    /// nothing is published.
+    pub async fn serve(mut self, handle: &Handle) -> Result<(), String> {
+>>>>>>> fleet
         let mut teller = Teller::new(&self.context, &handle.state())?;
         let (mut passed, mut states, mut notices) =
             (handle.passed(), handle.states(), handle.notices());
-        // The state that holds now is news to those who come.
+        // The current state is new to subscribers.
         states.mark_changed();
         loop {
             tokio::select! {
-                // Whether a dialect is known, and how long tools are, is told before the packets that it matters to.
+                // The dialect and the tool lengths are published before the packets that depend on
+                // them.
                 biased;
                 changed = states.changed() => match changed {
                     Ok(()) => {
@@ -129,7 +136,7 @@ impl FoxglovePort {
                 Some(who) = self.late.recv() => teller.ink_so_far(who),
                 packet = passed.recv() => match packet {
                     Ok(packet) => teller.packet(&packet),
-                    // Foxglove drops what comes too fast, too.
+                    // Foxglove also drops data that arrive too fast.
                     Err(RecvError::Lagged(_)) => {}
                     Err(RecvError::Closed) => break,
                 },
@@ -147,30 +154,30 @@ impl FoxglovePort {
     }
 }
 
-/// Notices who comes to see the ink: what was drawn before is told to nobody else.
+/// Reports new subscribers of the ink, which get what was drawn before.
 struct Door(mpsc::UnboundedSender<SinkId>);
 
 impl ServerListener for Door {
     fn on_subscribe(&self, client: Client, channel: ChannelView) {
         if let Some(sink) = client.sink_id().filter(|_| channel.topic() == INK) {
-            // Nobody hears that when the station ends.
+            // The receiver is gone when the station ends.
             let _ = self.0.send(sink);
         }
     }
 }
 
-/// Makes messages of what happens, and gives them to those who look on.
+/// Converts events to messages and publishes them to subscribers.
 struct Teller {
     live: Live,
     channels: HashMap<String, Arc<RawChannel>>,
     states: Arc<Topic>,
     notices: Arc<Topic>,
     dialect: Option<Dialect>,
-    /// How long the tools are, as it was told last.
+    /// The last published tool lengths.
     tools: Option<ToolLengths>,
-    /// Below which height a pen draws, as it was told last.
+    /// The last published height below which a pen draws.
     pen_below_mm: Option<f64>,
-    /// When the last packet passed.
+    /// The time of the last packet.
     now: Duration,
 }
 
@@ -219,7 +226,7 @@ impl Teller {
         if self.channels.values().any(|channel| channel.has_sinks()) {
             self.record(packet.at, &record);
         } else {
-            // Nobody looks on.
+            // No subscribers.
             self.live.follow(packet.at, &record);
         }
     }
@@ -232,7 +239,7 @@ impl Teller {
         }
     }
 
-    /// Tells one who has just come what was drawn before.
+    /// Sends a new subscriber what was drawn before.
     fn ink_so_far(&self, who: SinkId) {
         for message in self.live.ink_so_far(self.now) {
             if let Some(channel) = self.channels.get(message.topic.name()) {
@@ -255,7 +262,7 @@ impl Teller {
         self.tell(state.at_s, &self.states.clone(), state);
     }
 
-    /// Tells one of the station's own messages, where somebody wants it.
+    /// Publishes one of the station's own messages, if it has subscribers.
     fn tell(&mut self, at_s: f64, topic: &Arc<Topic>, value: &impl Serialize) {
         let is_wanted = self.channels.get(topic.name());
         if !is_wanted.is_some_and(|channel| channel.has_sinks()) {

@@ -1,8 +1,8 @@
-//! The web side of the station: page, API, its document, WebSockets, and who may do what.
+//! The web side of the station: page, API, OpenAPI document, WebSockets and access control.
 //!
-//! A connection (`listen`) carries requests through authorisation (`auth`: is it meant for us, where does
-//! it come from, who asks, how often) to its route (`routes`: a row a request), or becomes a WebSocket
-//! (`socket`). Whatever is not done is answered with a problem document (`dobot_api::kinds`).
+//! A connection (`listen`) carries requests through authorisation (`auth`: host, origin, caller and
+//! rate) to its route (`routes`: a row per request), or becomes a WebSocket (`socket`). A failed
+//! request is answered with a problem document (`dobot_api::kinds`).
 
 mod access;
 #[cfg(feature = "full")]

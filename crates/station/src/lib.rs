@@ -1,14 +1,14 @@
-//! The daemon that owns an arm's port and keeps people and arm safe.
+//! The daemon that owns an arm's port and enforces its safety rules.
 //!
 //! ```text
-//!   browsers, programs      old programs
+//!   browsers, programs    legacy programs
 //!    http, WebSocket     raw port, virtual port
 //!          |                     |
 //!          `--- StationHandle ---+----> dobot_host::Host ----> the arm
 //! ```
 //!
-//! [`Station::start`] puts all of it together. The rules are those of `dobot_host`, and what is said over
-//! HTTP and WebSocket is `dobot_api`:
+//! [`Station::start`] starts everything. The rules are those of `dobot_host`, and the messages over
+//! HTTP and WebSocket are those of `dobot_api`:
 //!
 //! ```
 //! use dobot_api::{Folders, Remote, Request, StationAddress};

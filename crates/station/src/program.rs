@@ -1,51 +1,50 @@
-//! Old programs, which speak the arm's own protocol: what is known of them.
+//! Legacy programs, which speak the arm's own protocol.
 
 use std::path::PathBuf;
 
-/// What happens to the programs that speak the arm's own protocol.
+/// An event of a program that speaks the arm's own protocol.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ProgramNews {
-    /// A program came.
+    /// A program connected.
     Came {
-        /// The name by which the station knows it.
+        /// Its name at the station.
         name: String,
     },
     /// A program was turned away: one at a time is served.
     TurnedAway {
-        /// What would have been its name.
+        /// Its name, if it had been admitted.
         name: String,
-        /// The program that is served.
+        /// The program that is being served.
         by: String,
     },
-    /// The program left.
+    /// A program left.
     Left {
         /// Its name.
         name: String,
-        /// What it sent and got.
+        /// Its traffic.
         traffic: Traffic,
     },
-    /// The virtual serial port has another name now: a program that was killed left the old one
-    /// locked.
+    /// The virtual serial port has a new name: a killed program left the old one locked.
     PortMoved(PathBuf),
-    /// No program can come for now; it is tried again.
+    /// No program can connect for now; this is retried.
     Trouble(String),
 }
 
 impl ProgramNews {
-    /// What a person should know of it, in one line; `None` for what is as it should be.
+    /// Returns a line for the user; `None` if there is no problem.
     #[must_use]
     pub fn trouble(&self) -> Option<String> {
         match self {
             Self::Came { .. } => None,
             Self::TurnedAway { name, by } => Some(format!(
-                "{name} was turned away: {by} is served, and one at a time is"
+                "{name} was turned away: {by} is being served, and only one program is served at a time"
             )),
             Self::Left { name, traffic } => {
                 let trouble = traffic.trouble()?;
                 Some(format!("{name} left: {trouble}"))
             }
             Self::PortMoved(path) => Some(format!(
-                "the virtual serial port is {} now: a program that was killed left the old one locked",
+                "the virtual serial port is now {}: a killed program left the old one locked",
                 path.display()
             )),
             Self::Trouble(text) => Some(text.clone()),
@@ -53,33 +52,33 @@ impl ProgramNews {
     }
 }
 
-/// What a program that speaks the arm's own protocol sent and got.
+/// The traffic of a program that speaks the arm's own protocol.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Traffic {
-    /// Packets that it sent.
+    /// Packets sent by the program.
     pub packets: u64,
-    /// How many of them were refused.
+    /// Packets that were refused.
     pub refused: u64,
-    /// Bytes that it sent and that belong to no packet.
+    /// Bytes from the program outside of packets.
     pub damaged_bytes: u64,
-    /// Statuses that it got.
+    /// Statuses sent to the program.
     pub statuses: u64,
-    /// Statuses that it did not get, because it did not read those before.
+    /// Statuses that were lost because the program did not read earlier ones.
     pub lost_statuses: u64,
-    /// It was no program but a web page in a browser, and was cut off: its packets would have come
-    /// from anywhere.
+    /// Whether it was a web page in a browser and was disconnected: its packets could have come
+    /// from any site.
     pub web: bool,
 }
 
 impl Traffic {
-    /// What was wrong with it, in words; `None` where nothing was.
+    /// Returns the problems of a program; `None` if there were none.
     fn trouble(&self) -> Option<String> {
         if self.web {
-            return Some("it was a page in a web browser, and was cut off".into());
+            return Some("it was a page in a web browser and was disconnected".into());
         }
         let wrong = [
             (self.refused, "packets were refused"),
-            (self.damaged_bytes, "bytes belonged to no packet"),
+            (self.damaged_bytes, "bytes were outside of packets"),
             (self.lost_statuses, "statuses were not read in time"),
         ];
         let wrong: Vec<String> = wrong
@@ -113,7 +112,7 @@ mod tests {
         assert_eq!(
             told.as_deref(),
             Some(
-                "raw program 127.0.0.1:4000 left: of 3 packets and their statuses 17 bytes belonged to no packet"
+                "raw program 127.0.0.1:4000 left: of 3 packets and their statuses 17 bytes were outside of packets"
             )
         );
     }

@@ -1,4 +1,4 @@
-//! The raw port: the arm's own packets over TCP, through the rules of the station.
+//! The raw port: the arm's own packets over TCP, subject to the rules of the station.
 
 use std::io;
 use std::net::SocketAddr;
@@ -15,60 +15,60 @@ use tokio::time::{Instant, sleep, timeout};
 use crate::bridge::bridge;
 use crate::{ProgramNews, Traffic};
 
-/// The raw port: programs that speak the arm's own protocol over TCP, as the vendor's bridge did,
-/// work with the station as they are (note N26).
+/// The raw port: programs that speak the arm's own protocol over TCP, as with the vendor's bridge,
+/// work with the station unchanged (note N26).
 ///
 /// One program at a time is served, as a client of the station: the first packet takes the lease if
-/// nobody has it, every packet is checked, and each status that it gets permits one command. The
-/// protocol has no words for a refusal, so that the driver tells of it elsewhere.
+/// it is free, every packet is checked, and each status sent to the program permits one command.
+/// The protocol has no message for a refusal, so the driver reports it elsewhere.
 ///
-/// Another program is told why it is turned away, in a line that holds no header of a packet. It is
-/// told so after a moment only: a program that is started again may come before the end of the last
-/// one was seen.
+/// Another program gets the reason why it is turned away, in a line without a packet header, but
+/// only after a moment: a restarted program may connect before the end of the previous one is
+/// noticed.
 ///
-/// The port is on this machine only: the protocol knows no passwords. What begins as web browsers do
-/// is cut off, for a page from anywhere can make a browser send packets here.
+/// The port is on this machine only: the protocol has no authentication. Connections of web
+/// browsers are closed, since a page of any site can make a browser send packets here.
 ///
-/// A program on this machine that ends takes its connection with it, however it ends. So a connection
-/// that is merely silent belongs to a program that is there, perhaps one that only watches, and is not
-/// taken from it for the sake of the next.
+/// A local program that ends closes its connection in any case. So a connection that is merely
+/// silent belongs to a running program, perhaps one that only watches, and is not closed in favour
+/// of the next one.
 #[derive(Debug)]
 pub struct RawPort {
     listener: TcpListener,
     address: SocketAddr,
 }
 
-/// Why there is no raw port.
+/// The error returned when the raw port cannot be opened.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RawPortError {
-    /// Other machines could come.
+    /// The address is reachable from other machines.
     #[error(
-        "the raw port is {found}; allowed are addresses of this machine alone, as 127.0.0.1, because its protocol knows no passwords"
+        "the raw port is {found}; allowed are loopback addresses such as 127.0.0.1, because its protocol has no authentication"
     )]
     NotLoopback {
-        /// What was asked for.
+        /// The requested address.
         found: SocketAddr,
     },
     /// Another program listens there.
     #[error("the raw port {address} is in use by another program")]
     InUse {
-        /// What was asked for.
+        /// The requested address.
         address: SocketAddr,
     },
-    /// The operating system does not let it listen.
+    /// The operating system refuses to listen.
     #[error("cannot listen on the raw port {address}")]
     Listen {
-        /// What was asked for.
+        /// The requested address.
         address: SocketAddr,
-        /// What it says.
+        /// The cause.
         #[source]
         source: io::Error,
     },
 }
 
 impl RawPort {
-    /// Listens there; port 0 is any that is free.
+    /// Listens on an address; port 0 selects a free one.
     ///
     /// # Errors
     ///
@@ -86,7 +86,7 @@ impl RawPort {
         Ok(Self { listener, address })
     }
 
-    /// Where programs come.
+    /// Returns the address of the port.
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
         self.address
@@ -115,7 +115,7 @@ impl RawPort {
     ///
     /// # Errors
     ///
-    /// When the station ends.
+    /// If the station ends.
     async fn serve_one(
         &self,
         program: Program,
@@ -123,7 +123,7 @@ impl RawPort {
         tell: &mut impl FnMut(ProgramNews),
     ) -> Result<Option<Program>, Refusal> {
         let Program { mut stream, name } = program;
-        // Small packets at once; without it they are only later.
+        // Sends small packets immediately; otherwise they are only later.
         let _ = stream.set_nodelay(true);
         let statuses = handle.packets();
         let client = handle.client(&name, Role::Control).await?;
@@ -164,7 +164,7 @@ impl RawPort {
     }
 }
 
-/// A program that came.
+/// A connected program.
 #[derive(Debug)]
 struct Program {
     stream: TcpStream,
@@ -172,15 +172,15 @@ struct Program {
 }
 
 impl Program {
-    /// Says why and closes; what the program sends is read for a moment, so that the closing does not
-    /// overtake the reason.
+    /// Sends the reason and closes; data from the program are read for a moment, so that the
+    /// closing does not overtake the reason.
     async fn turn_away(mut self, reason: String) {
         let told = async {
             self.stream.write_all(reason.as_bytes()).await?;
             self.stream.shutdown().await?;
             tokio::io::copy(&mut self.stream, &mut tokio::io::sink()).await
         };
-        // Whoever does not read it does without.
+        // The program may not read it.
         let _ = timeout(TIME_TO_READ, told).await;
     }
 }
@@ -193,11 +193,11 @@ async fn accept(listener: &TcpListener, tell: &mut impl FnMut(ProgramNews)) -> P
                 let name = format!("raw program {from}");
                 return Program { stream, name };
             }
-            // It left before it was met; the next one may come.
+            // It left before it was accepted; wait for the next one.
             Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => {}
             Err(error) => {
                 tell(ProgramNews::Trouble(format!(
-                    "the raw port cannot take another program: {error}"
+                    "the raw port cannot accept another program: {error}"
                 )));
                 sleep(AGAIN_AFTER).await;
             }
@@ -207,14 +207,16 @@ async fn accept(listener: &TcpListener, tell: &mut impl FnMut(ProgramNews)) -> P
 
 /// ASCII, and so without the headers A5 and B5 of packets.
 fn reason(served: &str) -> String {
-    format!("turned away: {served} has the raw port of the station, which serves one at a time\r\n")
+    format!(
+        "turned away: {served} is using the raw port of the station, which serves one program at a time\r\n"
+    )
 }
 
-/// A program that comes before the one served was seen to leave waits so long for that.
+/// How long a program waits for the end of the previous one.
 const GRACE: Duration = Duration::from_millis(500);
-/// How long one that is turned away may take to read why.
+/// How long a program that is turned away may take to read the reason.
 const TIME_TO_READ: Duration = Duration::from_secs(1);
-/// When the system lets no more programs in, it is asked again after this time.
+/// The delay before a retry when the system accepts no more programs.
 const AGAIN_AFTER: Duration = Duration::from_secs(1);
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
-//! A state, a job and a notice for tests.
+//! A sample state, job and notice for tests.
 
 use dobot_api::{
     ArmView, JobKind, JobPhase, JobView, LinkView, NearView, News, Notice, QueueView, State,
 };
 use dobot_wire::{Dialect, Status};
 
-/// A drawing that runs.
+/// A running drawing.
 pub(crate) fn job(number: u64) -> JobView {
     JobView {
         job: number,
@@ -64,7 +64,7 @@ pub(crate) fn state(at_s: f64) -> State {
     }
 }
 
-/// Something that happened.
+/// A notice.
 pub(crate) fn notice(number: u64, news: News, text: &str) -> Notice {
     Notice {
         number,

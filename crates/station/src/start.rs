@@ -1,4 +1,4 @@
-//! Starting a station: everything is opened, and told where.
+//! Starting a station.
 
 use std::io::ErrorKind;
 use std::net::SocketAddr;
@@ -16,7 +16,7 @@ use crate::{
     Served, StationApi, Web,
 };
 
-/// A station that runs.
+/// A running station.
 #[derive(Debug)]
 pub struct Station {
     host: Host,
@@ -25,11 +25,11 @@ pub struct Station {
     raw: Option<SocketAddr>,
     pty: Option<PathBuf>,
     foxglove: Option<SocketAddr>,
-    /// What a person should know, a line each.
+    /// Messages for the user, a line each.
     notes: Vec<String>,
 }
 
-/// Why a station does not start.
+/// The error returned when a station cannot be started.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StartError {
@@ -38,33 +38,33 @@ pub enum StartError {
     PolicyFile {
         /// The file.
         file: String,
-        /// Why.
+        /// The cause.
         #[source]
         source: std::io::Error,
     },
-    /// The policy is not one.
-    #[error("the policy {file} is not one")]
+    /// The policy is invalid.
+    #[error("the policy {file} is invalid")]
     Policy {
         /// The file.
         file: String,
-        /// What is wrong with it.
+        /// The problem.
         #[source]
         source: PolicyError,
     },
-    /// The rules are not at work.
+    /// The rules cannot be started.
     #[error(transparent)]
     Host(#[from] HostError),
-    /// The raw port cannot be served.
+    /// The raw port cannot be opened.
     #[error(transparent)]
     Raw(#[from] RawPortError),
-    /// Foxglove cannot look on.
+    /// The port for Foxglove cannot be opened.
     #[error(transparent)]
     Foxglove(#[from] FoxglovePortError),
-    /// The virtual serial port cannot be made.
-    #[error("cannot make the virtual serial port")]
+    /// The virtual serial port cannot be created.
+    #[error("cannot create the virtual serial port")]
     Pty(#[source] std::io::Error),
     /// The system has no thread left for the arm.
-    #[error("the system gives the arm no thread of its own")]
+    #[error("the system cannot create a thread for the arm")]
     Thread(#[source] std::io::Error),
     /// Page and API cannot be served.
     #[error(transparent)]
@@ -76,7 +76,7 @@ impl Station {
     ///
     /// # Errors
     ///
-    /// [`StartError`]; nothing is left running then.
+    /// [`StartError`]; then nothing is left running.
     ///
     /// # Panics
     ///
@@ -86,11 +86,11 @@ impl Station {
         Self::begin(config, approach).await
     }
 
-    /// Starts a station whose arm has been told to switch its laser off already.
+    /// Starts a station whose arm has already been sent the command to switch its laser off.
     ///
     /// # Errors
     ///
-    /// [`StartError`]; nothing is left running then.
+    /// [`StartError`]; then nothing is left running.
     ///
     /// # Panics
     ///
@@ -101,7 +101,7 @@ impl Station {
 
     async fn open(config: Config, approach: PreparedArm) -> Result<Self, StartError> {
         let policy = read_policy(&config)?;
-        // The raw port first: where another station has it, nothing of its journal is touched.
+        // The raw port first: if another station has it, its journal is not touched.
         let raw = match config.raw {
             Some(address) => Some(RawPort::bind(address).await?),
             None => None,
@@ -130,90 +130,92 @@ impl Station {
                 foxglove,
             }),
             Err(error) => {
-                // Why it does not start is what counts.
+                // Report the cause, not a failed shutdown.
                 let _ = host.end().await;
                 Err(error.into())
             }
         }
     }
 
-    /// How to talk to it in this process.
+    /// Returns the handle for requests in this process.
     #[must_use]
     pub const fn handle(&self) -> &StationHandle {
         self.host.handle()
     }
 
-    /// How its fleet asks it for something.
+    /// Returns the API for the fleet.
     #[must_use]
     pub const fn api(&self) -> &StationApi {
         self.http.api()
     }
 
-    /// The address at which page and API are served.
+    /// Returns the address of page and API.
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
         self.http.address()
     }
 
-    /// Where page and API are served, as in `http://127.0.0.1:8642`.
+    /// Returns the URL of page and API, as in `http://127.0.0.1:8642`.
     #[must_use]
     pub fn url(&self) -> &str {
         self.http.url()
     }
 
-    /// The digest of the certificate, where page and API are served with TLS.
+    /// Returns the digest of the certificate, if page and API are served with TLS.
     #[must_use]
     pub fn fingerprint(&self) -> Option<&str> {
         self.http.fingerprint()
     }
 
-    /// The arm, where one was named or is the station's own; otherwise it is looked for.
+    /// Returns the arm, if it was given or is the station's own; otherwise it is being searched.
     #[must_use]
     pub const fn arm(&self) -> Option<&Address> {
         self.arm.as_ref()
     }
 
-    /// Where raw packets are served over TCP.
+    /// Returns the TCP address for raw packets.
     #[must_use]
     pub const fn raw(&self) -> Option<SocketAddr> {
         self.raw
     }
 
-    /// The virtual serial port with raw packets.
+    /// Returns the path of the virtual serial port for raw packets.
     #[must_use]
     pub fn pty(&self) -> Option<&Path> {
         self.pty.as_deref()
     }
 
-    /// Where Foxglove looks on.
+    /// Returns the address for Foxglove.
     #[must_use]
     pub const fn foxglove(&self) -> Option<SocketAddr> {
         self.foxglove
     }
 
-    /// What a person should know, a line each: why no arm was found, what cannot be recorded.
+    /// Returns the messages for the user, a line each: why no arm was found, what cannot be
+    /// recorded.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// Ends the station: laser off first, then what is under way comes to its end, then the journal
-    /// and the recording are closed.
+    /// Ends the station: switches the laser off first, finishes the in-flight commands, then closes
+    /// the journal and the recording.
     ///
     /// # Errors
     ///
-    /// [`Failed`] where something that the arm depends on had failed.
+    /// [`Failed`] if something that the arm depends on had failed.
     pub async fn end(self) -> Result<(), Failed> {
         let outcome = self.host.end().await;
-        // The file that says where it runs is found to be stale by those who try to connect.
+        // The file with its address is recognised as stale when a connection fails.
         let _ = self.http.end().await;
         outcome.map_err(Failed)
     }
 }
 
-/// Something that the arm depends on failed; the laser was switched off and the button let go.
+/// Something that the arm depends on failed; the laser was switched off and the jog button
+/// released.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{0}: the laser was switched off and the button let go")]
+#[error("{0}: the laser was switched off and the jog button released")]
 pub struct Failed(String);
 
 fn web(config: &Config, host: &Host) -> Web {
@@ -228,7 +230,7 @@ fn web(config: &Config, host: &Host) -> Web {
     }
 }
 
-/// The policy of the file that is named, or else the one that a client has put in place before.
+/// Reads the given policy file, or else the policy that a client has stored.
 fn read_policy(config: &Config) -> Result<Policy, StartError> {
     let path = policy_file(config);
     let file = path.display().to_string();
@@ -259,15 +261,24 @@ fn serve_foxglove(port: FoxglovePort, host: &Host) -> SocketAddr {
     host.spawn(async move {
         if let Err(error) = port.serve(&handle).await {
             handle
+<<<<<<< HEAD
                 .report_trouble(format!("Foxglove is told nothing: {error}"))
+=======
+                .trouble(format!("Foxglove gets no data: {error}"))
+>>>>>>> fleet
                 .await;
         }
     });
     address
 }
 
+<<<<<<< HEAD
 /// Lets those who watch know what goes wrong with an old program.
 fn tell(handle: &StationHandle, news: &ProgramNews) {
+=======
+/// Reports the problem of a legacy program to the observers.
+fn tell(handle: &Handle, news: &ProgramNews) {
+>>>>>>> fleet
     if let Some(trouble) = news.trouble() {
         handle.try_report_trouble(trouble);
     }
@@ -285,7 +296,7 @@ fn setup(config: &Config, policy: Policy) -> Setup {
     }
 }
 
-/// A virtual serial port for programs that speak nothing else.
+/// Opens a virtual serial port for programs that only support serial ports.
 #[cfg(unix)]
 fn open_pty(config: &Config) -> Result<Option<VirtualPort>, StartError> {
     let Some(link) = &config.pty else {

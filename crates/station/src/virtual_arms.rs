@@ -1,4 +1,4 @@
-//! The way between a station and what gives virtual arms to those without one.
+//! The interface between a station and the host of its virtual arms.
 
 use std::sync::Arc;
 
@@ -6,49 +6,50 @@ use dobot_api::problem_kinds::ENDING;
 use dobot_api::{GivenArm, GivenArms, Member, Problem};
 use tokio::sync::{mpsc, oneshot};
 
-/// What the station asks of what gives virtual arms.
+/// The station's requests to the host of virtual arms.
 #[derive(Clone, Debug)]
 pub struct ArmsPort(mpsc::Sender<ArmWish>);
 
-/// What is wanted of what gives virtual arms.
+/// A request to the host of virtual arms.
 #[derive(Debug)]
 pub enum ArmWish {
-    /// To know those that are given.
+    /// List the arms.
     List(oneshot::Sender<GivenArms>),
-    /// To be given one.
+    /// Start an arm.
     Give(WantedArm, oneshot::Sender<Result<GivenArm, Problem>>),
-    /// That the one of this name ends.
+    /// End the arm of this name.
     End(String, oneshot::Sender<Result<(), Problem>>),
 }
 
-/// A virtual arm that somebody wants.
+/// A request for a virtual arm.
 #[derive(Debug)]
 pub struct WantedArm {
-    /// What it is to be called in the fleet.
+    /// Its name in the fleet.
     pub name: String,
-    /// The station of the fleet that is called so already.
+    /// The station of the fleet that already has this name.
     pub seen: Option<Arc<Member>>,
 }
 
 impl ArmsPort {
-    /// The two ends.
+    /// Returns both ends.
     #[must_use]
     pub fn new() -> (Self, mpsc::Receiver<ArmWish>) {
-        // Each one who asks waits for its answer.
+        // Each requester waits for its reply.
         let (wishes, wished) = mpsc::channel(64);
         (Self(wishes), wished)
     }
 
-    /// Wants something, and waits for what comes of it.
+    /// Sends a request, and waits for the reply.
     ///
     /// # Errors
     ///
-    /// [`ENDING`] where no arms are given any more.
+    /// [`ENDING`] if no arms are hosted any more.
     pub async fn wish<T>(
         &self,
         wish: impl FnOnce(oneshot::Sender<T>) -> ArmWish,
     ) -> Result<T, Problem> {
-        let ending = || ENDING.problem("the station gives no virtual arms any more: it ends");
+        let ending =
+            || ENDING.problem("the station hosts no virtual arms any more, because it is ending");
         let (reply, answer) = oneshot::channel();
         let sent = self.0.send(wish(reply)).await;
         sent.map_err(|_| ending())?;

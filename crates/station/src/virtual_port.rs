@@ -1,4 +1,4 @@
-//! A virtual serial port that leads to the station, for programs that only speak serial.
+//! A virtual serial port to the station, for programs that only support serial ports.
 
 use std::io;
 use std::path::Path;
@@ -13,18 +13,18 @@ use tokio::time::{MissedTickBehavior, interval};
 use crate::ProgramNews;
 use crate::bridge::bridge;
 
-/// A virtual serial port that leads to the station: the same as the [raw port](crate::RawPort), for
-/// programs that only speak serial.
+/// A virtual serial port to the station, for programs that only support serial ports; otherwise
+/// like the [raw port](crate::RawPort).
 ///
-/// A serial port cannot turn anybody away: a second program that opens it shares the first one's
-/// conversation, as with a real port that nobody has locked.
+/// A serial port cannot turn programs away: a second program that opens it shares the connection of
+/// the first one, as with an unlocked real port.
 #[derive(Debug)]
 pub struct VirtualPort {
     pty: Pty,
 }
 
 impl VirtualPort {
-    /// Makes the port, and a symbolic link to it where one is asked for.
+    /// Creates the port, and a symbolic link to it if requested.
     ///
     /// # Errors
     ///
@@ -34,7 +34,7 @@ impl VirtualPort {
         Ok(Self { pty })
     }
 
-    /// The name by which a program opens it.
+    /// Returns the path of the port.
     #[must_use]
     pub fn path(&self) -> &Path {
         self.pty.path()
@@ -44,7 +44,7 @@ impl VirtualPort {
     ///
     /// # Errors
     ///
-    /// What the operating system says about the port.
+    /// The error of the operating system.
     pub async fn serve(
         mut self,
         handle: &StationHandle,
@@ -64,7 +64,7 @@ impl VirtualPort {
         }
     }
 
-    /// Waits for a program: somebody has to look whether it is there.
+    /// Waits for a program by polling.
     async fn program(&self) -> io::Result<PtyClient> {
         let mut looks = interval(LOOK_AGAIN);
         looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -80,7 +80,7 @@ impl VirtualPort {
     ///
     /// # Errors
     ///
-    /// When the station ends.
+    /// If the station ends.
     async fn serve_one(
         &self,
         program: PtyClient,
@@ -98,7 +98,7 @@ impl VirtualPort {
     }
 }
 
-/// Whoever opens the port is noticed so soon.
+/// The interval at which a new program is noticed.
 const LOOK_AGAIN: Duration = Duration::from_millis(50);
 
 #[cfg(test)]

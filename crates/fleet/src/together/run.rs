@@ -110,7 +110,7 @@ pub async fn run(
         tokio::select! {
             order = orders.recv(), if has_orders => match order {
                 None => has_orders = false,
-                Some(Order::Hold) => run.engine.hold_all("a person has them all hold"),
+                Some(Order::Hold) => run.engine.hold_all("held on request"),
                 Some(Order::GoOn) => run.is_to_go_on = true,
                 Some(Order::Leave) => return Ok(Outcome::Held),
             },
@@ -139,7 +139,7 @@ async fn queue(home: &Home, parts: &[Part]) -> Result<Vec<u64>, RunError> {
             Err(why) => {
                 for (part, job) in parts.iter().zip(&jobs) {
                     let path = format!("/api/v1/jobs/{job}/forget");
-                    // One that stays queued moves nothing; its station lists it.
+                    // A job that stays queued moves nothing; its station lists it.
                     let forgotten = home.ask::<Reply>(&part.arm, &Asked::post(&path)).await;
                     drop(forgotten);
                 }
@@ -161,7 +161,7 @@ async fn queue_one(home: &Home, part: &Part, id: &str) -> Result<u64, String> {
     let reply = home.ask(&part.arm, &asked).await;
     match reply.map_err(|error| error.to_string())? {
         Reply::Job { job } => Ok(job.job),
-        _ => Err("its station answers what nobody understands".to_owned()),
+        _ => Err("its station sent an unreadable response".to_owned()),
     }
 }
 
@@ -182,7 +182,7 @@ struct Actor {
     home: Home,
     part: Part,
     job: u64,
-    /// It was asked for something since its state was heard last: an older state says nothing.
+    /// Whether a request was sent after the last received state, which is therefore outdated.
     is_unsure: bool,
 }
 
@@ -190,12 +190,12 @@ struct Run {
     actors: Vec<Actor>,
     engine: Engine,
     since: Instant,
-    /// A person has decided so; first all come to rest.
+    /// Whether a resume was requested; first all parts come to rest.
     is_to_go_on: bool,
 }
 
 impl Run {
-    /// Looks at all parts.
+    /// Observes all parts.
     async fn look(&mut self) {
         let seen = self.all(0..self.actors.len(), Actor::see).await;
         let now = self.since.elapsed();
@@ -210,7 +210,7 @@ impl Run {
         }
     }
 
-    /// Does what is to be done now.
+    /// Carries out the pending actions.
     async fn act(&mut self, say: &mut impl FnMut(Said)) {
         self.tell(say);
         let wishes: Vec<Wish> = std::iter::from_fn(|| self.engine.poll_wish()).collect();
@@ -248,15 +248,16 @@ impl Run {
     async fn pause(&mut self, parts: Vec<usize>) {
         for (part, paused) in self.all(parts, Actor::pause).await {
             self.actors[part].is_unsure = true;
-            // One that does not run any more need not be paused.
+            // A job that does not run any more need not be paused.
             if matches!(paused, Err(AskError::Unclear(_))) {
                 self.engine.handle_not_paused(part);
             }
         }
     }
 
-    /// Takes control of all, then starts all at once, then gives control back: whoever is at an arm may pause it. Gives the
-    /// time that the starts took, in milliseconds, where all were started.
+    /// Takes control of all arms, starts all jobs simultaneously, then releases control, so that a
+    /// person at an arm may pause it. Returns the time that the starts took, in milliseconds, if
+    /// all were started.
     async fn start(&mut self, parts: &[usize]) -> Option<f64> {
         let leases = self.all(parts.iter().copied(), Actor::take_control).await;
         let has_failed = leases.iter().any(|entry| entry.1.is_err());
@@ -294,14 +295,14 @@ impl Run {
         for (part, lease) in leases {
             if let Ok(lease) = lease {
                 let actor = self.actors[part].clone();
-                // A lease that nobody uses ends by itself.
+                // An unused lease expires.
                 all.spawn(async move { drop(actor.give_back(lease).await) });
             }
         }
         all.join_all().await;
     }
 
-    /// Asks several parts at the same time.
+    /// Runs a request for several parts concurrently.
     async fn all<T: Send + 'static, F>(
         &self,
         parts: impl IntoIterator<Item = usize>,
@@ -320,15 +321,15 @@ impl Run {
 }
 
 impl Actor {
-    /// What its station shows of it, if it does so soon.
+    /// Returns the state of the part, within a timeout.
     async fn see(self) -> Result<Seen, AskError> {
         let within_s = SEEN_WITHIN.as_secs();
-        let late = |_| AskError::Unclear(format!("no answer came within {within_s} s"));
+        let late = |_| AskError::Unclear(format!("no response within {within_s} s"));
         timeout(SEEN_WITHIN, self.look()).await.map_err(late)?
     }
 
     async fn look(self) -> Result<Seen, AskError> {
-        // What a station answers about a job is newer than all that it was asked for before.
+        // A response about a job is newer than all previous requests.
         let known = if self.is_unsure {
             Some(self.look_up().await?)
         } else {
@@ -343,11 +344,11 @@ impl Actor {
         };
         Ok(match job {
             Some(job) => Seen::of(&self.part, &job, &state),
-            None => Seen::Ended("its station has forgotten its job".into()),
+            None => Seen::Ended("its station does not know its job any more".into()),
         })
     }
 
-    /// Its job; nothing where its station does not know it any more.
+    /// Returns its job; `None` if its station does not know it any more.
     async fn look_up(&self) -> Result<Option<JobView>, AskError> {
         let path = format!("/api/v1/jobs/{}", self.job);
         match self.ask(Asked::get(&path)).await {
@@ -362,7 +363,7 @@ impl Actor {
         Ok(())
     }
 
-    /// Gives the token of the lease.
+    /// Takes control and returns the token of the lease.
     async fn take_control(self) -> Result<String, AskError> {
         let asked = Asked {
             body: Some(json!({ "name": "dobot fleet together" })),
@@ -370,9 +371,9 @@ impl Actor {
         };
         let granted: serde_json::Value = self.ask(asked).await?;
         let token = granted["token"].as_str();
-        token.map(str::to_owned).ok_or_else(|| {
-            AskError::Unclear("its station answers what nobody understands".to_owned())
-        })
+        token
+            .map(str::to_owned)
+            .ok_or_else(|| AskError::Unclear("its station sent an unreadable response".to_owned()))
     }
 
     async fn start(self, lease: Option<String>) -> Start {
@@ -380,7 +381,7 @@ impl Actor {
             lease: lease.clone(),
             ..Asked::post(&format!("/api/v1/jobs/{}/{action}", self.job))
         };
-        // It waits for the other arms here, as for a person.
+        // The job waits for the other arms here, as for a person.
         if let Err(error) = self.ask::<Reply>(post("confirm")).await {
             return error.start();
         }
@@ -420,7 +421,7 @@ impl AskError {
     }
 }
 
-/// Without control of all of them none is started.
+/// The result for all parts if control of one arm is missing.
 fn not_started(lease: &Result<String, AskError>) -> Start {
     match lease {
         Ok(_) => Start::NotTried,
@@ -428,9 +429,9 @@ fn not_started(lease: &Result<String, AskError>) -> Start {
     }
 }
 
-/// The time within which the station also sees that the arm is at rest.
+/// The timeout of an observation; meanwhile the other parts are not neglected.
 const SEEN_WITHIN: Duration = Duration::from_secs(2);
-/// The interval of observations.
+/// The time within which the station also sees that the arm is at rest.
 const RESTS_WITHIN: Duration = Duration::from_secs(5);
-/// So often the parts are looked at.
+/// The interval of observations.
 const LOOK_EVERY: Duration = Duration::from_millis(100);

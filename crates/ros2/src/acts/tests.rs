@@ -14,7 +14,7 @@ fn never() -> watch::Receiver<bool> {
     watch::Sender::new(false).subscribe()
 }
 
-/// A trajectory that begins where the arm stands.
+/// Plans a trajectory that begins at the arm's position.
 async fn planned(
     station: &mut StationClient,
     points: &[(&[f64], f64)],
@@ -137,7 +137,7 @@ async fn pump_and_gripper_do_as_they_are_told_and_the_arm_stays() {
 async fn an_arm_that_is_stopped_goes_nowhere_and_says_who_has_to_look() {
     let mut station = station(Personality::Specification);
     let told = stop(&mut station, "a hand").await.expect("anyone may");
-    assert!(told.contains("a person looks"), "{told}");
+    assert!(told.contains("a person must check"), "{told}");
     let target = Target {
         place: TargetPlace::Point {
             mm: [220.0, 0.0, 50.0],

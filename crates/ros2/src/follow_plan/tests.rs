@@ -36,7 +36,7 @@ fn targets(plan: &FollowPlan) -> Vec<MoveJoints> {
         .collect()
 }
 
-/// A swing of the base that no straight line of joints is near to.
+/// A swing of the base that is far from any straight line of joints.
 fn wave(points: u32, within_s: f64) -> Wanted {
     let at = |n: u32| {
         let share = f64::from(n) / f64::from(points);
@@ -74,12 +74,12 @@ fn a_straight_way_of_many_points_is_one_target_in_the_time_that_was_wanted() {
 
 #[test]
 fn no_more_targets_are_sent_than_there_are_permits_and_the_deviation_is_told() {
-    // 2 s are 25 periods of 80 ms, which are 12 targets with a speed each.
+    // 2 s are 25 periods of 80 ms: 12 targets with a speed each.
     let plan = plan(&wave(400, 2.0)).expect("it can be followed");
     assert_eq!(targets(&plan).len(), 12);
     assert!(
         plan.told
-            .starts_with("12 targets for 400 points, at most 0."),
+            .starts_with("12 targets for 400 points, deviation at most 0."),
         "{}",
         plan.told
     );
@@ -96,10 +96,10 @@ fn a_path_tolerance_that_the_link_cannot_keep_is_told_before_anything_moves() {
 
 #[test]
 fn a_time_that_the_arm_cannot_keep_is_told_before_anything_moves_where_it_matters() {
-    // 90 degrees in a second: 100 degrees/s2 reach 25 in that time.
+    // 90 degrees in a second: 100 degrees/s2 reach only 25 in that time.
     let mut fast = wanted(&[(&[90.0, 45.0, 45.0, 0.0], 1.0)]);
     let late = plan(&fast).expect("nobody said that it matters");
-    // 90 degrees at 100 degrees/s and 100 degrees/s2: the whole way is ramps.
+    // 90 degrees at 100 degrees/s and 100 degrees/s2: acceleration and deceleration only.
     let expected = 2.0 * (90.0_f64 / 100.0).sqrt();
     assert!((late.takes_s - expected).abs() < 1e-6, "{}", late.takes_s);
     fast.late_s = Some(0.5);
@@ -133,7 +133,7 @@ fn a_slow_way_is_divided_so_that_the_arm_can_hold_soon() {
         .collect();
     assert_eq!(found, [10.0, 20.0, 30.0, 40.0, 50.0, 60.0]);
     assert!((plan.takes_s - 11.0).abs() < 1e-6, "{}", plan.takes_s);
-    // One speed for all of them, and the one of power-up.
+    // One speed for all of them, and that of power-up.
     assert_eq!(plan.job.commands.len(), 8);
 }
 
@@ -197,7 +197,7 @@ proptest! {
         let told: Vec<(&[f64], f64)> = places.iter().map(|place| &place[..]).zip(times).collect();
         let wanted = wanted(&told);
         let plan = plan(&wanted).expect("it can be followed");
-        // A last wait of less than a tick of 20 ms is left out.
+        // A last pause of less than a tick of 20 ms is left out.
         prop_assert!(plan.takes_s > wanted.duration_s() - 0.021, "{} of {}", plan.takes_s, wanted.duration_s());
         for it in &plan.job.commands {
             if let Command::PlaybackAdjustment(it) = it {

@@ -8,7 +8,7 @@ use crate::messages::{
 
 const STANDS: [f64; 4] = [0.0, 45.0, 45.0, 0.0];
 
-/// A goal through places in degrees, each with its time.
+/// A goal through positions in degrees, each with its time.
 pub(crate) fn goal(names: &[&str], points: &[(&[f64], f64)]) -> FollowGoal {
     let header = || Header {
         stamp: Time::ZERO,
@@ -69,7 +69,7 @@ fn joints_come_in_any_order_and_those_without_a_name_stay() {
 fn a_first_point_at_zero_is_where_the_arm_stands_or_the_goal_is_refused() {
     let begins = |base: f64| goal(&["base"], &[(&[base], 0.0), (&[20.0], 2.0)]);
     let found = wanted(&begins(0.4)).expect("it is near enough");
-    // From where it really stands.
+    // From its actual position.
     near(found.places[0], STANDS);
     assert_eq!(found.at_s, [0.0, 2.0]);
     let fault = wanted(&begins(5.0)).unwrap_err();

@@ -1,11 +1,12 @@
-//! What the station adds between a command and the serial port, against a plain byte bridge.
+//! The latency that the station adds between a command and the serial port, compared with a plain
+//! byte bridge.
 //!
-//! The time from a client's call of `write` to the last of the 42 bytes at the other end of the
-//! serial port (a pseudo-terminal), through the station's WebSocket and through its raw port, and
-//! through `socat` beside it in turn. Station and `socat` are processes of their own. The station
-//! checks every command against the policy, records it, and has 100 clients that watch 12.5 states
-//! in a second. Behind the port is a virtual arm in real time; the commands are vectors of 0.2 mm,
-//! over before the next one comes, so that each finds a permit.
+//! Measures the time from a client's call of `write` to the last of the 42 bytes at the other end
+//! of the serial port (a pseudo-terminal), alternately through the station's WebSocket, its raw
+//! port, and `socat`. Station and `socat` are separate processes. The station checks every command
+//! against the policy, records it, and has 100 clients that watch 12.5 states per second. The arm
+//! is a virtual one in real time; the commands are vectors of 0.2 mm, which finish before the next
+//! one is sent, so that each finds a permit.
 
 use std::io::Write;
 use std::net::{TcpListener, TcpStream};
@@ -53,7 +54,7 @@ pub(crate) fn measure() {
     println!("{}", load());
 }
 
-/// One command through the station and one through the bridge, who comes first by turns.
+/// One command through the station and one through the bridge, in alternating order.
 fn one_turn(
     turn: usize,
     way: &mut dyn Way,
@@ -61,7 +62,7 @@ fn one_turn(
     words: &mut Words,
 ) -> (Duration, Option<Duration>) {
     let command = words.next();
-    // The statuses come every 80 ms; this falls on all parts of that period.
+    // Statuses arrive every 80 ms; the pauses cover all phases of that period.
     let pause = Duration::from_millis(50 + (turn as u64 * 7) % 20);
     let mut beside = None;
     if turn.is_multiple_of(2) {
@@ -74,7 +75,7 @@ fn one_turn(
         std::thread::sleep(pause);
         beside = bridge.as_mut().map(|bridge| bridge.way.time(&command));
     }
-    // A status permits one command: the next one comes more than a period after this.
+    // A status permits one command: the next one is sent more than a period after this.
     std::thread::sleep(Duration::from_millis(40));
     (time, beside)
 }
@@ -96,9 +97,9 @@ fn report(what: &str, (through, beside): (Vec<Duration>, Vec<Option<Duration>>))
     );
 }
 
-/// A way for a command to a serial port.
+/// A path for a command to a serial port.
 trait Way {
-    /// How long one takes.
+    /// Returns the time of one command.
     fn time(&mut self, command: &Command) -> Duration;
 }
 
@@ -150,7 +151,7 @@ impl Way for OwnTcp {
 }
 
 impl Bridge {
-    /// Starts it, where it is installed.
+    /// Starts it, if it is installed.
     fn start() -> Option<Self> {
         let port = Port::open(None);
         let free = TcpListener::bind("127.0.0.1:0").and_then(|listener| listener.local_addr());
@@ -161,7 +162,7 @@ impl Bridge {
             .stdin(Stdio::null())
             .spawn();
         let Ok(child) = child else {
-            println!("socat is not installed: nothing to compare with (apt-get install socat)");
+            println!("socat is not installed, no comparison (apt-get install socat)");
             return None;
         };
         let way = OwnTcp(connect(free), port);
@@ -188,7 +189,7 @@ fn connect(address: std::net::SocketAddr) -> TcpStream {
     panic!("nobody listens at {address}");
 }
 
-/// Waits for the arm, and leads it to where it can write.
+/// Waits for the arm, and moves it to a position where it can write.
 fn get_ready(socket: &mut WebSocket) {
     socket.take_control();
     let command = START.into();
@@ -201,7 +202,7 @@ fn get_ready(socket: &mut WebSocket) {
     });
 }
 
-/// Commands of which no two in a row are the same.
+/// Commands of which no two in a row are equal.
 struct Words(u32);
 
 impl Words {

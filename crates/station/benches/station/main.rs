@@ -1,4 +1,4 @@
-//! A station in a process of its own, an arm at a pseudo-terminal, and clients.
+//! Benchmarks with a station in a separate process, an arm at a pseudo-terminal, and clients.
 //!
 //! `cargo bench -p dobot-station`, or some of them: `cargo bench -p dobot-station -- stop`.
 
@@ -33,5 +33,5 @@ fn main() {
 
 #[cfg(not(unix))]
 fn main() {
-    println!("there are no pseudo-terminals here: nothing is measured");
+    println!("no pseudo-terminals available, nothing is measured");
 }

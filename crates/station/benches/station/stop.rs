@@ -1,8 +1,8 @@
-//! How soon a stop reaches the arm while it draws.
+//! The latency of a stop while the arm draws.
 //!
-//! The time from the call (the `write` of a WebSocket client; the `connect` of a client of `POST
+//! Measures the time from the call (`write` of a WebSocket client; `connect` of a client of `POST
 //! /api/v1/stop`) to the last byte of the laser-off packet, with which every stop begins, at the
-//! other end of the serial port. The station is a process of its own, the arm a virtual one in real
+//! other end of the serial port. The station is a separate process, the arm a virtual one in real
 //! time at a pseudo-terminal; it draws a job.
 
 use std::io::{Read, Write};
@@ -42,7 +42,7 @@ pub(crate) fn measure() {
     println!("{}", load());
 }
 
-/// Lets the arm draw for a while: a stop falls into any part of a vector.
+/// Lets the arm draw for a while, so that a stop falls into any part of a vector.
 fn draw(socket: &mut WebSocket, job: u64, turn: usize) {
     socket.ask(&Request::StartJob { job });
     socket.wait(|message| message["state"]["job"]["phase"] == "running");
@@ -74,7 +74,7 @@ fn stop_by_post(station: &str, port: &Port) -> Duration {
     arrived.expect("the arm is told") - began
 }
 
-/// Waits until the arm rests, and lets it move again.
+/// Waits until the arm rests, and resets the stop.
 fn reset(socket: &mut WebSocket) {
     socket.wait(|message| message["state"]["stop"]["at_rest"] == true);
     socket.ask(&Request::ResetStop);

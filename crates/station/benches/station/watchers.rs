@@ -1,9 +1,9 @@
-//! A thousand clients that watch: is anything lost, how late is it, what does it cost?
+//! A thousand watching clients: losses, latency, and cost.
 //!
-//! A station in a process of its own has an arm at a pseudo-terminal that tells 12.5 statuses in a
-//! second. 1000 WebSocket clients, all in one thread of this process, get a state for each. Late is
-//! how long after the arm wrote the status a client has read the state with it. The station's share
-//! of a core is that of its process.
+//! A station in a separate process has an arm at a pseudo-terminal that sends 12.5 statuses per
+//! second. 1000 WebSocket clients, all in one thread of this process, get a state for each. The
+//! latency is the time from the arm's writing of a status to a client's reading of its state. The
+//! station's share of a core is that of its process.
 
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
@@ -27,7 +27,7 @@ pub(crate) fn measure() {
     let mut first = WebSocket::connect(&station.http, "notices=false");
     first.wait(|message| message["state"]["link"]["phase"] == "up");
     let crowd = Crowd::gather(clients, &station.http, "notices=false");
-    // So that all of them have settled down.
+    // Lets all clients settle.
     std::thread::sleep(SETTLE);
     let (began, station_before, own_before) = (Instant::now(), cpu_time(station.pid()), own());
     std::thread::sleep(time);
@@ -49,7 +49,7 @@ pub(crate) fn measure() {
     assert_eq!((lost, dropped), (0, 0), "nothing is to be lost");
 }
 
-/// How many states of that time were lost, and how late each of the others was.
+/// Returns the number of lost states of that time, and the latency of each of the others.
 fn judge(
     watched: &[Watched],
     sent: &[Instant],
@@ -59,7 +59,7 @@ fn judge(
     for client in watched {
         let mut seen = HashMap::new();
         for (at, number) in &client.states {
-            // A state that comes again, with other news, was not awaited.
+            // A repeated state, with other news, does not count.
             seen.entry(*number).or_insert(*at);
         }
         for (number, sent) in (0..).zip(sent) {
@@ -79,7 +79,7 @@ fn own() -> Duration {
     cpu_time(std::process::id())
 }
 
-/// As many descriptors as the system lets this process and its station have.
+/// Raises the limit of descriptors of this process and its station to the system's maximum.
 fn allow_descriptors() {
     let Rlimit { maximum, .. } = getrlimit(Resource::Nofile);
     let all = Rlimit {

@@ -1,26 +1,26 @@
-//! How long a program has to wait that sends what is of no use.
+//! Back-off for a program that sends useless bytes.
 
 use std::time::Duration;
 
-/// The back-off for a program that sends what is of no use: refused packets, noise.
+/// Back-off for a program that sends useless bytes: refused packets or noise.
 ///
-/// It is told of as many bytes as an arm's line would have carried, and no faster. A program that
-/// sends one command for each status never waits, even if every one of them is refused; nor does
-/// one that sends half a second of noise at once.
+/// Useless bytes are accepted at the speed of an arm's line. A program that sends one command for
+/// each status never waits, even if all of them are refused; nor does one that sends half a second
+/// of noise in one burst.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Backoff {
-    /// When all useless bytes so far would have come over a line.
+    /// The time at which an arm's line would have carried all useless bytes so far.
     carried_by: Duration,
 }
 
 impl Backoff {
-    /// Takes so many bytes that were of no use; `now` never goes back.
+    /// Counts useless bytes; `now` never decreases.
     pub(crate) fn handle_bytes(&mut self, now: Duration, count: u64) {
         let begins = self.carried_by.max(now);
         self.carried_by = begins.saturating_add(BYTE_TIME.saturating_mul(saturated(count)));
     }
 
-    /// When the next bytes may be read.
+    /// Returns the time at which the next bytes may be read.
     pub(crate) const fn poll_wakeup(&self) -> Duration {
         self.carried_by.saturating_sub(AT_ONCE)
     }
@@ -32,7 +32,7 @@ fn saturated(count: u64) -> u32 {
 
 /// A byte at 9600 baud, 8N1, rounded up: 22.7 packets a second, of which flow control uses 12.5.
 const BYTE_TIME: Duration = Duration::from_micros(1042);
-/// So much may come at once.
+/// The length of a burst that is free.
 const AT_ONCE: Duration = Duration::from_millis(500);
 
 #[cfg(test)]
@@ -63,7 +63,7 @@ mod tests {
             taken += 4096;
             now = now.max(backoff.poll_wakeup());
         }
-        // What a line of 960 bytes a second carries in a minute, and two reads that it had free.
+        // The bytes of a line of 960 bytes/s in a minute, and two free reads.
         assert!((50_000..60 * 960 + 2 * 4096).contains(&taken), "{taken}");
     }
 

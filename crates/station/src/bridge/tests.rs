@@ -7,7 +7,7 @@ use tokio::task::JoinHandle;
 use super::*;
 use crate::fake::{FakeDriver, packet};
 
-/// A program, its bridge and the driver at the other end of it.
+/// A program, its bridge and the driver at the other end.
 struct Bridged {
     program: DuplexStream,
     driver: FakeDriver,
@@ -15,7 +15,7 @@ struct Bridged {
     handle: StationHandle,
 }
 
-/// What a program has that reads and writes through buffers of so many bytes.
+/// A program that reads and writes through buffers of this size.
 async fn bridged(buffer: usize) -> Bridged {
     let (handle, mut driver) = FakeDriver::new(4);
     let (program, ours) = duplex(buffer);
@@ -104,7 +104,7 @@ async fn what_is_read_ahead_while_the_driver_has_not_answered_has_an_end() {
     assert!(it.driver.idle(), "one packet at a time");
     it.bridge.abort();
     drop(unanswered);
-    // Those ahead, one read of 4096 bytes at the most, and what the stream holds.
+    // The packets read ahead, at most one read of 4096 bytes, and the contents of the stream.
     let sent = flood.await.expect("it runs");
     assert!(
         sent <= AHEAD as u64 + 4096 / 42 + 11,
@@ -157,7 +157,7 @@ async fn refused_packets_are_counted_and_taken_no_faster_than_a_line_carries_the
         it.driver.answer(refusal()).await;
         refused += 1;
     }
-    // 960 bytes a second are 22.9 packets, and half a second is free.
+    // 960 bytes/s are 22.9 packets, and half a second is free.
     assert!((1300..=1390).contains(&refused), "{refused} in a minute");
     it.bridge.abort();
     flood.await.expect("it runs");
@@ -253,7 +253,7 @@ proptest! {
         // A first byte that no web request has.
         let mut bytes = vec![0];
         bytes.extend(noise);
-        // As many zeros as a packet is long end any false beginning in the noise.
+        // A packet's length of zeros ends any false start in the noise.
         bytes.extend([0; 42]);
         let len = bytes.len() as u64;
         bytes.extend(packet(1));

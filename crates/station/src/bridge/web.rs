@@ -1,10 +1,10 @@
-//! Web pages that pretend to be programs.
+//! Detection of web browsers on the port for programs.
 
-/// Whether a connection begins as those of web browsers do.
+/// Whether a connection begins like that of a web browser.
 ///
-/// Any page on the internet can make its visitor's browser send a request to this machine, with any
-/// bytes in it, packets too. It begins with a method in capitals or with a TLS handshake; neither
-/// begins a packet.
+/// Any page on the internet can make its visitor's browser send a request to this machine with
+/// arbitrary bytes, packets included. It begins with a method in capitals or with a TLS handshake;
+/// neither begins a packet.
 pub(super) fn is_web(beginning: &[u8]) -> bool {
     beginning.starts_with(&TLS_HANDSHAKE)
         || METHODS
@@ -12,7 +12,7 @@ pub(super) fn is_web(beginning: &[u8]) -> bool {
             .any(|method| beginning.starts_with(method.as_bytes()))
 }
 
-/// What browsers let pages choose; the HTTP/2 preface is `PRI`.
+/// The methods that browsers allow pages to choose; the HTTP/2 preface is `PRI`.
 const METHODS: [&str; 9] = [
     "GET ", "POST ", "PUT ", "HEAD ", "DELETE ", "OPTIONS ", "PATCH ", "CONNECT ", "PRI ",
 ];

@@ -1,4 +1,4 @@
-//! A port for old programs with the driver behind it.
+//! A port for legacy programs with the driver behind it.
 
 use dobot_api::Role;
 use dobot_host::StationHandle;
@@ -7,7 +7,7 @@ use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 use super::FakeDriver;
 use crate::{ProgramNews, Traffic};
 
-/// A port for old programs, at an address or a path, with the driver behind it.
+/// A port for legacy programs, at an address or a path, with the driver behind it.
 pub(crate) struct Harness<At> {
     pub(crate) at: At,
     pub(crate) driver: FakeDriver,
@@ -15,18 +15,23 @@ pub(crate) struct Harness<At> {
 }
 
 impl<At> Harness<At> {
+<<<<<<< HEAD
     /// With what the port is to be served: the way to the driver, and where to tell.
     pub(crate) fn new(at: At) -> (Self, StationHandle, impl Fn(ProgramNews) + use<At>) {
+=======
+    /// Returns the harness, the handle of the driver and the callback for events.
+    pub(crate) fn new(at: At) -> (Self, Handle, impl Fn(ProgramNews) + use<At>) {
+>>>>>>> fleet
         let (handle, driver) = FakeDriver::new(16);
         let (tell, told) = unbounded_channel();
         let tell = move |news| {
-            // A test that has seen enough listens no more.
+            // The test may have ended.
             let _ = tell.send(news);
         };
         (Self { at, driver, told }, handle, tell)
     }
 
-    /// Lets the next program in, and says what it is called.
+    /// Admits the next program and returns its name.
     pub(crate) async fn admit(&mut self) -> String {
         let (_, name, role) = self.driver.admit().await;
         assert_eq!(role, Role::Control);
@@ -35,12 +40,12 @@ impl<At> Harness<At> {
         name
     }
 
-    /// What is told next.
+    /// Returns the next event.
     pub(crate) async fn news(&mut self) -> ProgramNews {
         self.told.recv().await.expect("the port is served")
     }
 
-    /// What went through a program that has left, which is told next.
+    /// Returns the traffic of a program that has left, which must be the next event.
     pub(crate) async fn left(&mut self) -> Traffic {
         self.driver.left().await;
         match self.news().await {

@@ -10,15 +10,15 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::task::JoinSet;
 use tokio::time::timeout;
 
-/// Longer than the head of a request of any browser.
+/// The maximum length of a request head; browsers send less.
 const HEAD_LIMIT: usize = 16 * 1024;
 const HEAD_TIMEOUT: Duration = Duration::from_secs(10);
-/// How long to wait when the system has no more connections to give.
+/// The delay before a retry when the system is out of connections.
 const RETRY_AFTER: Duration = Duration::from_millis(50);
 
-/// A loopback address for the server behind the proxy, at which no page finds it.
+/// Returns a loopback address for the server behind the proxy, which pages cannot guess.
 ///
-/// On Linux all of 127.0.0.0/8 is this machine; elsewhere only the port is unknown.
+/// On Linux all of 127.0.0.0/8 is loopback; elsewhere only the port is unknown.
 pub(super) fn hidden_address() -> io::Result<Ipv4Addr> {
     let mut parts = [0; 3];
     if cfg!(target_os = "linux") {
@@ -26,13 +26,14 @@ pub(super) fn hidden_address() -> io::Result<Ipv4Addr> {
     }
     let [a, b, c] = parts;
     Ok(match parts {
-        // The network itself, and its broadcast address.
+        // The network address and its broadcast address.
         [0, 0, 0] | [255, 255, 255] => Ipv4Addr::LOCALHOST,
         _ => Ipv4Addr::new(127, a, b, c),
     })
 }
 
-/// Forwards connections of Foxglove and of this machine, and refuses all others, until it is dropped.
+/// Forwards connections of Foxglove and of this machine, and refuses all others, until it is
+/// dropped.
 pub(super) async fn serve(listener: TcpListener, inner: SocketAddr) {
     let mut open = JoinSet::new();
     loop {
@@ -68,7 +69,7 @@ async fn pass(mut client: TcpStream, inner: SocketAddr) -> io::Result<()> {
     Ok(())
 }
 
-/// Reads until the empty line, and what came with it.
+/// Reads up to the empty line; returns the head and any bytes after it.
 async fn read_head(client: &mut TcpStream) -> io::Result<Vec<u8>> {
     let mut head = Vec::new();
     while !head.windows(4).any(|window| window == b"\r\n\r\n") {
@@ -97,11 +98,11 @@ fn check(head: &[u8]) -> Result<(), &'static str> {
     if texts.all(is_allowed) {
         Ok(())
     } else {
-        Err("this connection comes from the page of another site")
+        Err("the connection comes from a page of another site")
     }
 }
 
-/// Foxglove in a browser and as a program, and pages of this machine.
+/// Whether the origin is Foxglove, in a browser or as an application, or a page of this machine.
 fn is_allowed(origin: &str) -> bool {
     if origin == "file://" {
         return true;

@@ -11,10 +11,10 @@ use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 use super::*;
 use crate::fake::FakeDriver;
 
-/// One that speaks the protocol as it is published.
+/// A client of the published protocol.
 struct Onlooker {
     socket: Socket,
-    /// The number of each topic.
+    /// The channel id of each topic.
     channels: HashMap<String, u64>,
     advertised: Vec<Value>,
 }
@@ -46,7 +46,7 @@ impl Onlooker {
         onlooker
     }
 
-    /// What it is told in words, if it is.
+    /// Returns the next text message, if the message is text.
     async fn said(&mut self) -> Option<Value> {
         match self.socket.next().await?.expect("it is open") {
             Message::Text(text) => Some(serde_json::from_str(&text).expect("it is JSON")),
@@ -54,7 +54,7 @@ impl Onlooker {
         }
     }
 
-    /// Wants to be told a topic, whose channel is the number of the subscription.
+    /// Subscribes to a topic, with the channel's id as subscription id.
     async fn want(&mut self, topic: &str) {
         let id = self.channels[topic];
         let words = json!({ "op": "subscribe", "subscriptions": [{ "id": id, "channelId": id }] });
@@ -62,8 +62,9 @@ impl Onlooker {
         self.socket.send(words).await.expect("it is open");
     }
 
-    /// The next message of a topic, and when it was, in nanoseconds since 1970. `again` is done until it comes: what
-    /// was wanted is wanted only when the station has read it.
+    /// Returns the next message of a topic with its time, in nanoseconds since 1970. `again` is
+    /// repeated until it arrives, since a subscription is only effective after the station has read
+    /// it.
     async fn told(&mut self, topic: &str, mut again: impl FnMut()) -> (u64, Value) {
         let id = self.channels[topic];
         loop {
@@ -91,7 +92,7 @@ impl Onlooker {
 
 type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
 
-/// Opens a socket as a page of this origin does, or a program without one.
+/// Opens a socket like a page of this origin, or like a program without one.
 async fn connect(address: SocketAddr, origin: Option<&str>) -> Result<Socket, Error> {
     let mut request = format!("ws://{address}").into_client_request()?;
     let headers = [
@@ -107,7 +108,7 @@ async fn connect(address: SocketAddr, origin: Option<&str>) -> Result<Socket, Er
     connect_async(request).await.map(|(socket, _)| socket)
 }
 
-/// A station whose arm does what the test says.
+/// A station with a scripted arm.
 async fn served() -> (FakeDriver, SocketAddr) {
     let (handle, driver) = FakeDriver::new(16);
     let port = FoxglovePort::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, 0))).await;
@@ -117,7 +118,8 @@ async fn served() -> (FakeDriver, SocketAddr) {
     (driver, address)
 }
 
-/// The arm at zero with its base turned: rear arm upright, forearm level, the tool 215.07 mm from the axis.
+/// The arm at zero with its base turned: rear arm upright, forearm level, the tool 215.07 mm from
+/// the axis.
 fn turned(base_deg: f32) -> PassedPacket {
     let (sine, cosine) = base_deg.to_radians().sin_cos();
     let status = Status {
@@ -135,7 +137,7 @@ fn turned(base_deg: f32) -> PassedPacket {
     }
 }
 
-/// Forearm and tool, from the axis of the base.
+/// The length of forearm and tool, from the axis of the base.
 const OUT_MM: f32 = 215.07;
 
 #[tokio::test]
@@ -213,12 +215,12 @@ async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
     onlooker.want("/tf").await;
     let mut base_deg = 30.0;
     let again = || {
-        // Each status shows another place, until one is shown.
+        // Each status has another angle, until one is published.
         base_deg += 0.25;
         driver.tell_passed(turned(base_deg));
     };
     let (_, told) = onlooker.told("/tf", again).await;
-    // What turns with the base alone: rear arm upright, forearm level.
+    // The turret turns with the base only: rear arm upright, forearm level.
     let turret = &told["transforms"][0];
     assert_eq!(turret["parent_frame_id"], "base");
     assert_eq!(turret["child_frame_id"], "turret");
@@ -240,7 +242,8 @@ async fn foxglove_is_told_the_state_of_the_station_at_its_time() {
         .told("/station/state", || driver.tell(crate::sample::state(60.0)))
         .await;
     assert_eq!(state["at_s"], 60.0);
-    // The sample's station has run for a minute by then: the time is that of the state, not that of the message.
+    // The sample station has run for a minute by then: the time is that of the state, not that of
+    // the message.
     let ahead_s = (i128::from(at_ns) - begun) / 1_000_000_000;
     assert!((50..=60).contains(&ahead_s), "{ahead_s}");
 }

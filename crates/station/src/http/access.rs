@@ -1,4 +1,4 @@
-//! Who may do what: tokens, the check of each request, rate limits, and control without a connection.
+//! Access control: tokens, the check of each request, rate limits, and leases over plain HTTP.
 
 pub(crate) mod auth;
 pub(crate) mod http_leases;

@@ -1,4 +1,4 @@
-//! Agents, which come over HTTP to the tools of `dobot_mcp`.
+//! Agents, which use the tools of `dobot_mcp` over HTTP.
 
 use std::sync::Arc;
 
@@ -16,14 +16,14 @@ use crate::http::access::auth::presented;
 use crate::http::app::{App, Peer};
 use crate::http::exchange::answer::{NotDone, collect};
 
-/// Answers an agent: what it asks for is done with its own token, as for every client of the station.
+/// Serves an agent: its calls are made with its own token, as for every client of the station.
 pub(super) async fn agents(
     State(app): State<Arc<App>>,
     Extension(peer): Extension<Peer>,
     request: Request,
 ) -> Result<Response, NotDone> {
     if peer.by_fleet {
-        let text = "path: agents come to each station by themselves, and not through a fleet";
+        let text = "path: agents must connect to each station directly, not through a fleet";
         return Err(INVALID.problem(text).into());
     }
     let place = app.place()?;
@@ -36,7 +36,8 @@ pub(super) async fn agents(
     told(answer).await
 }
 
-/// What is wrong with a request is told as everywhere here, unless the protocol tells it in a message of its own.
+/// Converts an error response to a problem document, unless the protocol reports it in its own
+/// message.
 async fn told(answer: Response) -> Result<Response, NotDone> {
     let status = answer.status();
     let kind = answer.headers().get(CONTENT_TYPE);
@@ -51,20 +52,20 @@ async fn told(answer: Response) -> Result<Response, NotDone> {
 fn problem(status: StatusCode, text: &str) -> Problem {
     match status {
         StatusCode::NOT_FOUND => UNKNOWN_PATH.hinted(
-            "there is no such session: it is over, or the station was started again",
-            "begin another one with `initialize`",
+            "there is no such session: it has ended, or the station was restarted",
+            "start a new session with `initialize`",
         ),
         StatusCode::NOT_ACCEPTABLE => MALFORMED.hinted(
-            "the Accept header does not name what agents are answered in",
+            "the Accept header does not allow the response formats for agents",
             "send `Accept: application/json, text/event-stream`",
         ),
         StatusCode::UNSUPPORTED_MEDIA_TYPE => MEDIA_TYPE.hinted(
-            "the body is no JSON",
+            "the body is not JSON",
             "send `Content-Type: application/json`",
         ),
         _ => MALFORMED.problem(text),
     }
 }
 
-/// How long a text about what is wrong may be, in bytes.
+/// The maximum length of an error text, in bytes.
 const LONGEST_TEXT: usize = 4096;

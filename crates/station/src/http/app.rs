@@ -1,4 +1,4 @@
-//! What all requests share.
+//! State shared by all requests.
 
 use std::collections::HashSet;
 use std::net::SocketAddr;
@@ -22,59 +22,59 @@ use crate::http::resources::recordings::Recordings;
 use crate::http::serve::listen::ConnectionSlot;
 use crate::{ArmsPort, FleetPort};
 
-/// What all requests share.
+/// State shared by all requests.
 #[derive(Debug)]
 pub(super) struct App {
     pub(super) handle: StationHandle,
     tokens: Mutex<Tokens>,
-    /// What those may do who come without a token; nobody may where there is none.
+    /// The role of callers without a token; none if absent.
     pub(super) without_token: Option<Role>,
-    /// The names that the station goes by, besides its addresses.
+    /// The names of the station, besides its addresses.
     pub(super) names: Vec<String>,
-    /// Where the policy is kept.
+    /// The file of the policy.
     pub(super) policy_file: PathBuf,
-    /// The station's own virtual arm, if the arm is that.
+    /// The station's own virtual arm, if its arm is virtual.
     pub(super) virtual_arm: Option<OwnVirtualArm>,
-    /// What goes wrong with it, as it was asked for.
+    /// Its active faults, as requested.
     pub(super) faults: Mutex<Vec<String>>,
     pub(super) http_leases: HttpLeases,
-    /// The drawings that are planned.
+    /// The planned drawings.
     pub(super) drawings: Drawings,
     pub(super) recordings: Recordings,
     /// The tools for agents.
     pub(super) agents: HttpAgents,
     learners: Mutex<Learners>,
-    /// The way to the fleet, once the station belongs to one.
+    /// The connection to the fleet, if the station belongs to one.
     pub(super) fleet: OnceLock<FleetPort>,
-    /// What gives virtual arms to those without one, if the station has that.
+    /// The host of virtual arms, if the station has one.
     pub(super) arms: OnceLock<ArmsPort>,
     /// The keys of the offers whose drawings are being planned.
     pub(super) planning: Mutex<HashSet<String>>,
     pub(super) addresses: Addresses,
-    /// How many more WebSockets there may be.
+    /// The remaining number of WebSockets.
     pub(super) sockets: Arc<Semaphore>,
-    /// Turns true when the station ends.
+    /// Becomes true when the station ends.
     pub(super) ending: watch::Receiver<bool>,
-    /// The changes of the tokens for which those who stay were checked.
+    /// The change count of the tokens for which long-lived callers were checked.
     refreshed: watch::Sender<u64>,
     began: Instant,
 }
 
-/// By what the station is reached.
+/// The addresses of the station.
 #[derive(Debug)]
 pub(super) struct Reach {
-    /// The address for itself, without a token.
+    /// Its address for itself, without a token.
     pub(super) own: StationAddress,
-    /// The names that it goes by, besides its addresses.
+    /// Its names, besides its addresses.
     pub(super) names: Vec<String>,
 }
 
-/// Where lies what requests read and change.
+/// The files that requests read and change.
 #[derive(Debug)]
 pub(super) struct AppFiles {
-    /// The file with the policy.
+    /// The file of the policy.
     pub(super) policy: PathBuf,
-    /// The folder with the recordings.
+    /// The folder of the recordings.
     pub(super) recordings: PathBuf,
 }
 
@@ -112,18 +112,18 @@ impl App {
         })
     }
 
-    /// For which arm to plan now.
+    /// Returns the arm for which to plan now.
     pub(super) fn planned_for(&self) -> PlannedFor {
         PlannedFor::of(self.handle.rules(), self.handle.state().state())
     }
 
-    /// The time since the start.
+    /// Returns the time since the start.
     pub(super) fn now(&self) -> Duration {
         self.began.elapsed()
     }
 
-    /// Name and role of whoever has the token of this digest. Only for one that is not known yet the file is looked at: a stop waits
-    /// for no disk.
+    /// Returns name and role of the token with this digest. The file is only checked for an unknown
+    /// one: a stop must not wait for the disk.
     pub(super) fn holder(&self, token: &[u8; 32]) -> Option<(String, Role)> {
         let known = self.tokens().known(token);
         known.or_else(|| {
@@ -132,7 +132,8 @@ impl App {
         })
     }
 
-    /// The digest of the token of which this is a proof. Only for one that is not known yet the file is looked at.
+    /// Returns the digest of the token that this proof is made with. The file is only checked for
+    /// an unknown one.
     #[cfg(feature = "proofs")]
     pub(super) fn proved(&self, statement: &[u8], proof: &[u8]) -> Option<[u8; 32]> {
         let proved = self.tokens().proved(statement, proof);
@@ -142,7 +143,8 @@ impl App {
         })
     }
 
-    /// Reads the tokens anew if they have changed. Whoever may do less than before loses what he holds.
+    /// Reads the tokens again if they have changed. Callers whose role was reduced lose what they
+    /// hold.
     pub(super) fn refresh_tokens(&self) {
         let file = self.tokens().source();
         let read = file.read();
@@ -157,7 +159,7 @@ impl App {
         }
     }
 
-    /// Whether a caller may still do what he was let in for.
+    /// Whether a caller still has the rights with which it was admitted.
     fn may_still(&self, caller: &Caller) -> bool {
         let known = |token| self.tokens().known(token);
         caller
@@ -166,7 +168,7 @@ impl App {
             .is_none_or(|token| known(token).is_some_and(|(_, role)| role >= caller.role))
     }
 
-    /// Waits until a caller may not do any more what he was let in for.
+    /// Waits until a caller loses the rights with which it was admitted.
     pub(super) async fn revoked(&self, caller: &Caller) {
         let mut refreshed = self.refreshed.subscribe();
         while self.may_still(caller) {
@@ -176,29 +178,29 @@ impl App {
         }
     }
 
-    /// A place for one who stays: on a WebSocket, or to listen to events.
+    /// Reserves a place for a long-lived connection: a WebSocket or an event stream.
     pub(super) fn place(&self) -> Result<OwnedSemaphorePermit, Problem> {
         let place = self.sockets.clone().try_acquire_owned();
         place.map_err(|_| {
-            let many = format!("{MOST_SOCKETS} connections are open already");
+            let many = format!("{MOST_SOCKETS} connections are already open");
             TOO_MANY_CLIENTS.problem(many)
         })
     }
 
-    /// The students in lessons; nobody else changes them meanwhile.
+    /// Locks the students in lessons.
     pub(super) fn learners(&self) -> MutexGuard<'_, Learners> {
         self.learners.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The tokens; nobody else changes them meanwhile.
+    /// Locks the tokens.
     pub(super) fn tokens(&self) -> MutexGuard<'_, Tokens> {
         self.tokens.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-/// How often the tokens are looked at while somebody may hold something by one.
+/// The interval at which the tokens are checked while a caller may hold something.
 pub(super) const REFRESH_EVERY: Duration = Duration::from_millis(100);
-/// How many WebSockets there may be at once.
+/// The maximum number of WebSockets.
 pub(super) const MOST_SOCKETS: usize = 2000;
 
 /// The two ends of a connection.
@@ -208,21 +210,22 @@ pub(super) struct Peer {
     pub(super) to: SocketAddr,
     /// Whether it is encrypted.
     pub(super) secure: bool,
-    /// Whether it is the fleet: whoever comes so without a token may watch and stop, wherever the station is served.
+    /// Whether it is the fleet: callers without a token may then watch and stop, wherever the
+    /// station is served.
     pub(super) by_fleet: bool,
-    /// Its place among all connections, for as long as any part of it is there; the fleet has none.
+    /// Its slot among all connections, while any part of it exists; the fleet has none.
     pub(super) _slot: Option<Arc<ConnectionSlot>>,
 }
 
-/// Who asks.
+/// The caller of a request.
 #[derive(Clone, PartialEq, Eq)]
 pub(super) struct Caller {
-    /// What it is called until it says better.
+    /// Its default name.
     pub(super) name: String,
     pub(super) role: Role,
-    /// Its token is that of one person, whose name that of the token is.
+    /// Whether its token belongs to one person, identified by the token's name.
     pub(super) is_person: bool,
-    /// The digest of its token, if it came with one.
+    /// The digest of its token, if any.
     pub(super) token: Option<[u8; 32]>,
 }
 
@@ -234,7 +237,7 @@ impl std::fmt::Debug for Caller {
     }
 }
 
-/// How long a caller stays: until the station ends, or he may not do any more what he was let in for.
+/// The lifetime of a caller: until the station ends, or the caller loses its rights.
 pub(super) struct Stay {
     pub(super) app: Arc<App>,
     pub(super) caller: Caller,
@@ -251,13 +254,13 @@ impl Stay {
 }
 
 impl Caller {
-    /// By which name time slots know it, when it calls itself so.
+    /// Returns the name by which time slots identify the caller, if it gives this name.
     pub(super) fn person<'a>(&'a self, name: &'a str) -> &'a str {
         if self.is_person { &self.name } else { name }
     }
 }
 
-/// Waits until the station ends, or nobody is left who could end it.
+/// Waits until the station ends.
 pub(super) async fn ended(mut ending: watch::Receiver<bool>) {
     drop(ending.wait_for(|&ends| ends).await);
 }

@@ -1,4 +1,4 @@
-//! The facts of the arm that a client draws it by and computes with.
+//! Facts of the arm for clients that draw it or compute with it.
 
 use dobot_api::State;
 use dobot_arm::{TICK_S, Tool};
@@ -10,74 +10,75 @@ use dobot_wire::{Dialect, PACKET_GAP};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// The facts of the arm: they hold until the policy or the dialect changes.
+/// Facts of the arm; valid until the policy or the dialect changes.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub(super) struct ArmFacts {
     /// The lengths of its links and rods.
     dimensions: Dimensions,
     /// The tools that were sold with it.
     tools: [ToolFacts; 4],
-    /// How far its joints may turn, by the policy that holds.
+    /// The ranges of its joints, by the current policy.
     joints: JointLimits,
-    /// Where its tool may be, by the policy that holds.
+    /// The workspace of its tool, by the current policy.
     workspace: Workspace,
-    /// From one status to the next while there is room in its queue, in seconds; over Bluetooth they come sooner.
+    /// The period of statuses while its queue has space, in seconds; over Bluetooth it is shorter.
     status_period_s: f64,
-    /// From one tick of its controller to the next, in seconds.
+    /// The period of its controller's ticks, in seconds.
     tick_s: f64,
-    /// From a packet to the next one that must not get lost, in seconds.
+    /// The minimum gap between packets that must not get lost, in seconds.
     packet_gap_s: f64,
-    /// What mouse and gesture packets mean to it; none while nobody knows its dialect.
+    /// The meaning of mouse and gesture packets; absent while the dialect is unknown.
     dialect: Option<DialectFacts>,
 }
 
 /// A tool.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 struct ToolFacts {
-    /// What it is.
+    /// The kind of tool.
     kind: Tool,
-    /// From the wrist to the axis of the tool, level, in mm.
+    /// The distance from the wrist to the axis of the tool, horizontally, in mm.
     reach_mm: f64,
-    /// From the height of the wrist down to the tip, by the policy that holds, in mm.
+    /// The distance from the wrist down to the tip, by the current policy, in mm.
     length_mm: f64,
-    /// What an arm with this tool makes of gesture packets (note N18); none while nobody knows its dialect.
+    /// The meaning of gesture packets with this tool (note N18); absent while the dialect is
+    /// unknown.
     gesture: Option<GestureFacts>,
 }
 
-/// What the dialect of the arm means for one who leads it by hand.
+/// The effect of the arm's dialect on leading it by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 struct DialectFacts {
     /// The dialect.
     name: Dialect,
-    /// Whether Y of a mouse packet swings the base, to the right where it is positive, and its rotation is the angle of the
-    /// servo (note N9).
+    /// Whether Y of a mouse packet swings the base, to the right if it is positive, and its
+    /// rotation is the servo angle (note N9).
     mouse_swings: bool,
-    /// How often the same gesture packet has to be sent until the arm is where the hand is (note N49).
+    /// How many times a gesture packet must be sent until the arm is where the hand is (note N49).
     gesture_samples: usize,
 }
 
 /// The units of a gesture packet.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 struct GestureFacts {
-    /// Along X.
+    /// The X axis.
     x: GestureAxis,
-    /// Along Y.
+    /// The Y axis.
     y: GestureAxis,
-    /// Along Z.
+    /// The Z axis.
     z: GestureAxis,
 }
 
-/// One axis of a gesture packet: its number is (place in mm - `zero_mm`) times `units_per_mm`.
+/// One axis of a gesture packet: its number is (position in mm - `zero_mm`) times `units_per_mm`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 struct GestureAxis {
-    /// The place that the number 0 means, in mm.
+    /// The position of the number 0, in mm.
     zero_mm: f64,
-    /// What is counted for each mm beyond that.
+    /// The number of units per mm.
     units_per_mm: f64,
 }
 
 impl ArmFacts {
-    /// Those of the arm of a station.
+    /// Returns the facts of a station's arm.
     pub(super) fn of(rules: &Rules, state: &State) -> Self {
         let (policy, dialect) = (&rules.policy, state.dialect.as_ref());
         let period = dialect.unwrap_or(&Dialect::SPECIFICATION).status_period();

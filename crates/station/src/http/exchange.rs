@@ -1,4 +1,4 @@
-//! Requests and answers as bytes: strict JSON, messages of the WebSocket, pages of lists, the OpenAPI document.
+//! Requests and responses as bytes: strict JSON, WebSocket messages, paging, the OpenAPI document.
 
 pub(crate) mod answer;
 pub(crate) mod document;

@@ -1,4 +1,4 @@
-//! A stand-in for the driver of an arm: it grants everything, and remembers what it was asked.
+//! A fake driver, which grants everything and records its requests.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
@@ -10,7 +10,7 @@ use tokio::sync::mpsc;
 
 use crate::sample::{job, state};
 
-/// What the stand-in has been asked for so far.
+/// The requests that the driver received.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Asked(Arc<Mutex<Vec<(ClientId, Request)>>>);
 
@@ -26,8 +26,13 @@ impl Asked {
     }
 }
 
+<<<<<<< HEAD
 /// A stand-in for the driver, and what tells states and notices in its name.
 pub(super) fn driver() -> (StationHandle, Arc<FakeNews>, Asked) {
+=======
+/// Returns a fake driver, and the means to publish states and notices.
+pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
+>>>>>>> fleet
     let rules = Rules::of(&dobot_safety::Policy::default());
     let (handle, mut ends) = StationHandle::new(state(0.0), rules);
     let (_, nothing) = mpsc::channel(1);
@@ -44,17 +49,22 @@ pub(super) fn driver() -> (StationHandle, Arc<FakeNews>, Asked) {
     (handle, telling, asked)
 }
 
-/// What tells states and notices in the name of the driver.
+/// Publishes states and notices in the name of the driver.
 #[derive(Debug)]
 pub(super) struct FakeNews {
+<<<<<<< HEAD
     pub(super) ends: DriverChannels,
     /// Clients that came: what each is called, and by which name time slots know it.
+=======
+    pub(super) ends: Ends,
+    /// Clients that connected: their names, and their names for time slots.
+>>>>>>> fleet
     pub(super) came: Mutex<Vec<(String, String)>>,
     /// Clients that left.
     pub(super) gone: Mutex<Vec<ClientId>>,
-    /// What those who watch were to know.
+    /// Reported troubles.
     pub(super) trouble: Mutex<Vec<String>>,
-    /// Who has let the whole fleet move again.
+    /// Who has reset the fleet's stop.
     pub(super) resets: Mutex<Vec<String>>,
 }
 
@@ -75,7 +85,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
                 }
                 assert!(role >= Role::Watch);
                 telling.came.lock().expect("as above").push((name, person));
-                // Nobody may be waiting any more, here and below.
+                // The receiver may be gone, here and below.
                 let _ = reply.send(ClientId(next));
                 next += 1;
             }
@@ -137,7 +147,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
     }
 }
 
-/// Takes one offer, and refuses all others.
+/// Accepts one offer, and refuses all others.
 fn answer(offers: &mut HashMap<String, OfferAnswer>, key: String, ask: OfferAsk) -> OfferAnswer {
     let refused = |reason: &str, busy| OfferAnswer::Refused {
         reason: reason.into(),

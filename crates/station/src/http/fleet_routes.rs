@@ -1,4 +1,4 @@
-//! The parts of the API that serve a fleet: members, virtual arms, offers, work and learners.
+//! The routes that serve a fleet: members, virtual arms, offers, jobs for any arm and learners.
 
 pub(crate) mod learners;
 pub(crate) mod members;

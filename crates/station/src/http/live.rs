@@ -1,4 +1,4 @@
-//! What goes on while a client watches: WebSockets, server-sent events, packets.
+//! Live data: WebSockets, server-sent events, packets.
 
 pub(crate) mod events;
 pub(crate) mod packets;

@@ -1,14 +1,15 @@
-//! Proofs that a client holds a token. A station that checks one cannot make another from it.
+//! Proofs that a client holds a token. A station that verifies a proof cannot create another one
+//! from it.
 
 use ring::signature::{ED25519, Ed25519KeyPair, KeyPair, UnparsedPublicKey};
 use sha2::{Digest, Sha256};
 
 use crate::http::access::tokens::hex;
 
-/// The length of a proof in bytes.
+/// The length of a proof, in bytes.
 pub const PROOF: usize = 64;
 
-/// Signs a statement with a token (Ed25519), which proves that the sender holds it.
+/// Signs a statement with a token (Ed25519), as a proof that the sender holds it.
 ///
 /// # Panics
 ///
@@ -20,12 +21,12 @@ pub fn prove(token: &str, statement: &[u8]) -> [u8; PROOF] {
     bytes.expect("a signature of Ed25519 has 64 bytes")
 }
 
-/// By what proofs with a token are checked, in hexadecimal digits.
+/// Returns the key that verifies proofs of a token, in hexadecimal digits.
 pub(super) fn public_key(token: &str) -> String {
     hex(key_pair(token).public_key().as_ref())
 }
 
-/// Whether a proof about a statement is made with the token of this public key.
+/// Whether a proof for a statement is made with the token of this public key.
 pub(super) fn is_proved(public_key: &str, statement: &[u8], proof: &[u8]) -> bool {
     let key = data_encoding::HEXLOWER.decode(public_key.as_bytes());
     key.is_ok_and(|key| {
@@ -35,7 +36,7 @@ pub(super) fn is_proved(public_key: &str, statement: &[u8], proof: &[u8]) -> boo
 }
 
 fn key_pair(token: &str) -> Ed25519KeyPair {
-    // Not the digest that is kept of a token, by which nobody may prove anything.
+    // Not the stored digest of the token, which must not suffice for a proof.
     let seed = Sha256::new()
         .chain_update(b"dobot token proof\0")
         .chain_update(token.to_ascii_lowercase())

@@ -1,4 +1,4 @@
-//! What the API serves besides the arm itself.
+//! Resources of the API other than the arm.
 
 pub(crate) mod drawings;
 pub(crate) mod metrics;

@@ -1,4 +1,4 @@
-//! One route: what it takes, does and answers, for the router and the document alike.
+//! One route: its request, action and responses, for the router and the document.
 
 use std::fmt;
 use std::pin::Pin;
@@ -22,7 +22,7 @@ use crate::http::exchange::requester::Asker;
 #[cfg(test)]
 use crate::http::exchange::strict_json;
 
-/// Makes the schema of a type.
+/// Generates the schema of a type.
 type SchemaOf = fn(&mut SchemaGenerator) -> Schema;
 
 /// One route.
@@ -31,11 +31,11 @@ pub(super) struct Route {
     pub(super) method: Method,
     pub(super) path: &'static str,
     pub(super) summary: &'static str,
-    /// Whether it is for everyone, even without a token.
+    /// Whether it is public, even without a token.
     pub(super) open: bool,
-    /// Whether it acts for a client, so that it takes the header `Dobot-Lease`.
+    /// Whether it acts for a client, so that it accepts the header `Dobot-Lease`.
     pub(super) asks: bool,
-    /// Whether it queues a job, so that it takes the header `Idempotency-Key`.
+    /// Whether it queues a job, so that it accepts the header `Idempotency-Key`.
     pub(super) queues: bool,
     pub(super) takes: Option<Takes>,
     pub(super) gives: Vec<Gives>,
@@ -44,11 +44,12 @@ pub(super) struct Route {
     pub(super) action: Action,
 }
 
-/// What a route does. It is one type for all routes, since `axum` is compiled anew for each type of handler.
+/// The handler of a route. One type for all routes, since `axum` is compiled again for each type of
+/// handler.
 #[derive(Clone)]
 pub(super) struct Action(Arc<dyn Fn(HttpRequest, Arc<App>) -> Answering + Send + Sync>);
 
-/// An answer on its way.
+/// A pending response.
 type Answering = Pin<Box<dyn Future<Output = Response> + Send>>;
 
 impl Action {
@@ -73,11 +74,11 @@ impl fmt::Debug for Action {
     }
 }
 
-/// A body.
+/// A request body.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Takes {
     pub(super) schema: SchemaOf,
-    /// Whether the body is as it has to be.
+    /// Parses the body, for tests.
     #[cfg(test)]
     pub(super) reads: fn(&[u8]) -> Result<(), Problem>,
     pub(super) required: bool,
@@ -85,16 +86,16 @@ pub(super) struct Takes {
     pub(super) example: &'static str,
 }
 
-/// An answer that is no problem.
+/// A response that is not a problem.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gives {
     pub(super) status: u16,
     pub(super) what: &'static str,
-    /// Its content type and its schema, where it has a body.
+    /// Its content type and schema, if it has a body.
     pub(super) body: Option<(&'static str, SchemaOf)>,
 }
 
-/// A parameter of the query.
+/// A query parameter.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Query {
     pub(super) name: &'static str,
@@ -102,9 +103,9 @@ pub(super) struct Query {
     pub(super) schema: SchemaOf,
 }
 
-/// What comes with a request that asks for something.
+/// The body of a request to the driver.
 pub(super) trait Entry: FromRequest<Arc<App>, Rejection = NotDone> + Send + 'static {
-    /// Its body.
+    /// Returns its description.
     fn takes() -> Takes;
 }
 
@@ -146,7 +147,7 @@ impl Takes {
 }
 
 impl Route {
-    /// A route that does what a handler says.
+    /// Returns a route with a handler.
     pub(super) fn new<T: 'static>(
         method: Method,
         path: &'static str,
@@ -177,7 +178,7 @@ impl Route {
         }
     }
 
-    /// The route for the router.
+    /// Returns the handler for the router.
     pub(super) fn handler(&self) -> MethodRouter<Arc<App>> {
         let filter = MethodFilter::try_from(self.method.clone()).expect("it is a method of HTTP");
         on(filter, self.action.clone())
@@ -188,7 +189,7 @@ impl Route {
         self
     }
 
-    /// A route that asks the driver of the arm for what its body says.
+    /// Returns a route that sends the driver a request made from its body.
     pub(super) fn asks<E: Entry>(
         method: Method,
         path: &'static str,
@@ -199,27 +200,30 @@ impl Route {
         Self::new(method, path, summary, ask).brings::<E>()
     }
 
-    /// The body of one who asks the driver of the arm for something.
+    /// Sets the body of a request to the driver.
     pub(super) fn brings<E: Entry>(mut self) -> Self {
         self.asks = true;
         self.takes = Some(E::takes());
         self
     }
 
-    /// A route that queues a job, once for each key.
+    /// Makes the route queue a job, once for each key.
     pub(super) fn queues(self) -> Self {
         self.keyed()
-            .gives::<Reply>(201, "the job is queued; the header Location names it")
+            .gives::<Reply>(
+                201,
+                "the job is queued; the header Location contains its path",
+            )
             .problems(&[MALFORMED, KEY_REUSED])
     }
 
-    /// A route that does what is asked once for each key.
+    /// Makes the route carry out a request once for each key.
     pub(super) fn keyed(mut self) -> Self {
         self.queues = true;
         self
     }
 
-    /// An example of the body.
+    /// Sets an example of the body.
     pub(super) fn example(mut self, example: &'static str) -> Self {
         if let Some(takes) = &mut self.takes {
             takes.example = example;
@@ -235,8 +239,8 @@ impl Route {
         self.gives_as::<String>(status, content, what)
     }
 
-    /// An answer with a body that is written as `content` says; that of server-sent events is the
-    /// schema of each.
+    /// Adds a response with a body of this content type; for server-sent events the schema is that
+    /// of each event.
     pub(super) fn gives_as<T: JsonSchema>(
         mut self,
         status: u16,
@@ -251,7 +255,7 @@ impl Route {
         self
     }
 
-    /// An answer without a body.
+    /// Adds a response without a body.
     pub(super) fn gives_nothing(mut self, status: u16, what: &'static str) -> Self {
         self.gives.push(Gives {
             status,

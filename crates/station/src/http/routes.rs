@@ -1,6 +1,10 @@
-//! The table of all routes: router and document both come from it.
+//! The table of all routes, from which router and document are generated.
 //!
+<<<<<<< HEAD
 //! A request is a row of it, with its body beside it: see `docs/recipes.md`, "Add a request".
+=======
+//! Each request is a row, with its body type next to it: see `CONTRIBUTING.md`, "a new request".
+>>>>>>> fleet
 
 mod agents;
 mod arm;
@@ -32,7 +36,7 @@ use crate::http::app::App;
 use crate::http::route::Route;
 use crate::http::{access::auth, exchange::requester, resources::page};
 
-/// The router with everything.
+/// Returns the router.
 pub(super) fn router(app: Arc<App>) -> Router {
     let all = ROUTES.iter().fold(Router::new(), |router, route| {
         router.route(route.path, route.handler())
@@ -43,18 +47,18 @@ pub(super) fn router(app: Arc<App>) -> Router {
         .with_state(app)
 }
 
-/// Whether a route is for everyone, even without a token.
+/// Whether a route is public, even without a token.
 pub(super) fn is_open(method: &Method, path: &str) -> bool {
     let same =
         |route: &&Route| route.path == path && (route.method == *method || method == Method::HEAD);
     ROUTES.iter().find(same).is_some_and(|route| route.open)
 }
 
-/// Where the arm is stopped.
+/// The stop of the arm.
 pub(super) const STOP: &str = "/api/v1/stop";
-/// Where the arms of the fleet are.
+/// The stop of the fleet's arms.
 const FLEET_STOP: &str = "/api/v1/fleet/stop";
-/// Whoever asks for one of these is never told to wait.
+/// Requests that are exempt from the rate limit.
 pub(super) const STOPS: [&str; 2] = [STOP, FLEET_STOP];
 
 /// All routes.
@@ -85,7 +89,7 @@ const POST: Method = Method::POST;
 const PUT: Method = Method::PUT;
 const DELETE: Method = Method::DELETE;
 
-/// What moving the arm may be refused for.
+/// The problems of requests that move the arm.
 const MOVES: &[ProblemKind] = &[
     NO_LEASE,
     LOCKED,
@@ -102,7 +106,7 @@ const MOVES: &[ProblemKind] = &[
     NO_LINK,
 ];
 
-/// What changing a job while it runs may be refused for.
+/// The problems of requests that change a running job.
 const ADJUSTS: &[ProblemKind] = &[
     NO_LEASE,
     LOCKED,

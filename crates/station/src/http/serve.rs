@@ -1,4 +1,4 @@
-//! The web server: it takes connections and lets them go.
+//! The web server.
 
 pub(crate) mod listen;
 pub(crate) mod server;

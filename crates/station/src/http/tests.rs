@@ -1,4 +1,4 @@
-//! The web side against a stand-in for the driver of the arm.
+//! The web side with a fake driver of the arm.
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
@@ -61,7 +61,7 @@ struct Harness {
     folder: tempfile::TempDir,
 }
 
-/// What has come of a body that does not end.
+/// Returns the available part of an endless body.
 fn what_is_there(body: Body) -> Vec<u8> {
     let mut frames = body.into_data_stream();
     let mut found = Vec::new();
@@ -71,7 +71,7 @@ fn what_is_there(body: Body) -> Vec<u8> {
     found
 }
 
-/// An answer.
+/// A response.
 #[derive(Debug)]
 struct Answer {
     status: u16,
@@ -80,7 +80,7 @@ struct Answer {
 }
 
 impl Harness {
-    /// On loopback, where everyone may do everything.
+    /// On loopback, where everyone has all rights.
     fn near() -> Self {
         Self::with("127.0.0.1:8642", false, Some(Role::Admin))
     }
@@ -134,7 +134,7 @@ impl Harness {
         }
     }
 
-    /// A request that a well-behaved client would begin with.
+    /// Returns the start of a well-formed request.
     fn request(&self, method: &str, path: &str) -> Builder {
         Request::builder()
             .method(method)
@@ -142,12 +142,12 @@ impl Harness {
             .header("host", self.peer.to.to_string())
     }
 
-    /// The Authorization header of a role.
+    /// Returns the Authorization header of a role.
     fn bearer(&self, role: Role) -> String {
         format!("Bearer {}", self.tokens[role as usize].secret())
     }
 
-    /// Sends a request; the status has to be one that the document lists.
+    /// Sends a request, and checks that the document lists the status of the response.
     async fn send(&self, mut request: Request<Body>) -> Answer {
         let route = format!("{} {}", request.method(), request.uri().path());
         request.extensions_mut().insert(self.peer.clone());
@@ -212,7 +212,7 @@ impl Answer {
         serde_json::from_str(&self.body).unwrap()
     }
 
-    /// Kind and detail of a problem, which has to be a whole problem document.
+    /// Returns kind and detail of a problem, and checks that the problem document is complete.
     #[track_caller]
     fn problem(&self) -> (String, String) {
         assert_eq!(

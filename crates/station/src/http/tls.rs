@@ -1,4 +1,4 @@
-//! The certificate.
+//! TLS certificates.
 
 use std::fs;
 use std::io;
@@ -16,19 +16,19 @@ pub(super) use tokio_rustls::TlsAcceptor;
 use crate::TlsFiles;
 use crate::http::access::tokens::hex;
 
-/// A certificate that can be served.
+/// A certificate for the server.
 pub(super) struct Certificate {
     pub(super) acceptor: TlsAcceptor,
-    /// Its SHA-256 digest in hexadecimal digits, by which a person recognises it.
+    /// Its SHA-256 digest in hexadecimal digits, for people to compare.
     pub(super) fingerprint: String,
 }
 
 impl Certificate {
-    /// Reads a certificate that somebody made.
+    /// Reads a given certificate.
     ///
     /// # Errors
     ///
-    /// [`TlsError`] where the files cannot be read or do not belong together.
+    /// [`TlsError`] if the files cannot be read or do not match.
     pub(super) fn read(files: &TlsFiles) -> Result<Self, TlsError> {
         let chain = CertificateDer::pem_file_iter(&files.certificate)
             .and_then(Iterator::collect::<Result<Vec<_>, _>>)
@@ -44,11 +44,11 @@ impl Certificate {
         })
     }
 
-    /// The station's own certificate, which is made where there is none yet for these names.
+    /// Returns the station's self-signed certificate, creating it if there is none for these names.
     ///
     /// # Errors
     ///
-    /// [`TlsError`] where it cannot be made, written or read.
+    /// [`TlsError`] if it cannot be created, written or read.
     pub(super) fn own(folder: &Path, names: &[String], address: IpAddr) -> Result<Self, TlsError> {
         let files = TlsFiles {
             certificate: folder.join("certificate.pem"),
@@ -66,12 +66,12 @@ impl Certificate {
     }
 }
 
-/// Why a station cannot be served with TLS.
+/// The error returned when a station cannot be served with TLS.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TlsError {
-    /// A file holds no certificate.
-    #[error("{file} holds no certificate")]
+    /// A file contains no certificate.
+    #[error("{file} contains no certificate")]
     Empty {
         /// The file.
         file: String,
@@ -81,7 +81,7 @@ pub enum TlsError {
     Pem {
         /// The file.
         file: String,
-        /// Why.
+        /// The cause.
         #[source]
         source: rustls::pki_types::pem::Error,
     },
@@ -90,15 +90,15 @@ pub enum TlsError {
     Write {
         /// The file.
         file: String,
-        /// Why.
+        /// The cause.
         #[source]
         source: io::Error,
     },
-    /// A certificate cannot be made.
-    #[error("no certificate can be made")]
+    /// A certificate cannot be created.
+    #[error("cannot create a certificate")]
     Make(#[from] rcgen::Error),
-    /// Certificate and key do not belong together, or are of a kind that is not known.
-    #[error("certificate and key cannot be used")]
+    /// Certificate and key do not match, or are of an unsupported kind.
+    #[error("the certificate and the key do not match or are not supported")]
     Use(#[from] rustls::Error),
 }
 
@@ -114,7 +114,7 @@ impl TlsError {
     }
 }
 
-/// What the station is reached by.
+/// Returns the names and addresses of the station.
 fn subjects(names: &[String], address: IpAddr) -> Vec<String> {
     let mut all = vec!["localhost".into(), "127.0.0.1".into(), "::1".into()];
     if !address.is_unspecified() && !address.is_loopback() {
@@ -191,6 +191,9 @@ mod tests {
         fs::copy(folder.path().join("key.pem"), &files.key).unwrap();
         fs::write(&files.certificate, "").unwrap();
         let error = Certificate::read(&files).err().map(told).unwrap();
-        assert!(error.ends_with("mine.pem holds no certificate"), "{error}");
+        assert!(
+            error.ends_with("mine.pem contains no certificate"),
+            "{error}"
+        );
     }
 }

@@ -10,11 +10,11 @@ use dobot_host::StationHandle;
 #[derive(Debug)]
 pub struct FoxglovePort(Infallible);
 
-/// Why there is no port for Foxglove.
+/// The error returned when the port for Foxglove cannot be opened.
 pub use dobot_api::NotBuilt as FoxglovePortError;
 
 impl FoxglovePort {
-    /// Opens nothing.
+    /// Always fails.
     ///
     /// # Errors
     ///
@@ -24,7 +24,7 @@ impl FoxglovePort {
         Err(NotBuilt("Foxglove"))
     }
 
-    /// The address that is listened on.
+    /// Returns the address of the port.
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
         match self.0 {}

@@ -14,12 +14,12 @@ impl Harness<SocketAddr> {
         harness
     }
 
-    /// Comes, and is not let in yet.
+    /// Connects without being admitted.
     async fn come(&self) -> TcpStream {
         TcpStream::connect(self.at).await.expect("it listens")
     }
 
-    /// Comes and is let in.
+    /// Connects and is admitted.
     async fn program(&mut self) -> TcpStream {
         let program = self.come().await;
         let from = program.local_addr().expect("it is connected");
@@ -28,7 +28,7 @@ impl Harness<SocketAddr> {
     }
 }
 
-/// Lets everything happen that can happen now.
+/// Lets all pending tasks run.
 async fn settle() {
     for _ in 0..1000 {
         tokio::task::yield_now().await;
@@ -44,7 +44,7 @@ async fn assert_served(harness: &mut Harness<SocketAddr>, program: &mut TcpStrea
     assert_eq!(status, [9; 42]);
 }
 
-/// What it is told before it is closed.
+/// Returns what it receives before the connection is closed.
 async fn read_to_end(program: &mut TcpStream) -> String {
     let mut text = String::new();
     program.read_to_string(&mut text).await.expect("it is text");
@@ -75,7 +75,7 @@ async fn a_second_program_is_told_why_it_is_turned_away_and_the_first_is_served_
     let mut harness = Harness::served().await;
     let mut first = harness.program().await;
     let mut second = harness.come().await;
-    // What it sends at once does not keep the reason from it.
+    // Data that it sends immediately do not hide the reason from it.
     second.write_all(&packet(50)).await.expect("it is open");
     let reason = read_to_end(&mut second).await;
     let [first_name, second_name] = [&first, &second].map(|socket| {
@@ -97,11 +97,11 @@ async fn a_program_that_is_started_again_at_once_is_served_though_the_last_end_w
     let mut harness = Harness::served().await;
     let mut first = harness.program().await;
     first.write_all(&packet(50)).await.expect("it is open");
-    // Nothing more is read from the first one, and so not its end, until this is answered.
+    // Nothing more is read from the first program, and so not its end, until this is answered.
     let (_, _, answer) = harness.driver.asked().await;
     drop(first);
     let mut second = harness.come().await;
-    // The port has met the second one by then, and waits.
+    // The port has accepted the second program by then, and waits.
     settle().await;
     tokio::time::advance(Duration::from_millis(400)).await;
     settle().await;
@@ -158,6 +158,6 @@ async fn the_port_closes_with_the_station() {
     drop(harness.driver);
     program.write_all(&packet(50)).await.expect("it is open");
     assert_eq!(read_to_end(&mut program).await, "");
-    // The telling ends with the serving.
+    // The callback is dropped with the server.
     while harness.told.recv().await.is_some() {}
 }

@@ -15,7 +15,7 @@ impl Harness<PathBuf> {
         harness
     }
 
-    /// Opens the port as a serial program does, and is let in.
+    /// Opens the port like a serial program, and is admitted.
     async fn program(&mut self) -> Link {
         let path = self.at.display().to_string();
         let name = format!("serial program {path}");

@@ -1,4 +1,4 @@
-//! A virtual arm at a real pseudo-terminal, and when each packet arrived there.
+//! A virtual arm at a real pseudo-terminal, and the arrival times of packets.
 
 use std::fs::{File, OpenOptions};
 use std::io::{Read, Write};
@@ -27,11 +27,11 @@ pub(crate) struct Arrival {
 #[derive(Debug)]
 pub(crate) struct Port {
     pub(crate) path: String,
-    /// What arrives.
+    /// The arriving packets.
     pub(crate) arrivals: Receiver<Arrival>,
     /// The other end.
     master: File,
-    /// While one program has the port open, nothing ends when another one closes it.
+    /// Keeps the port open when other programs close it.
     _open: File,
 }
 
@@ -41,7 +41,7 @@ pub(crate) struct Arm {
     pub(crate) port: Port,
 }
 
-/// An arm at rest that counts its statuses: each tells its number as the angle of its gripper.
+/// An arm at rest that counts its statuses: each has its number as the gripper angle.
 #[derive(Debug)]
 pub(crate) struct CountingArm {
     pub(crate) port: Port,
@@ -50,7 +50,7 @@ pub(crate) struct CountingArm {
 }
 
 impl CountingArm {
-    /// An arm with a status every 80 ms.
+    /// Starts an arm with a status every 80 ms.
     pub(crate) fn start() -> Self {
         let port = Port::open(None);
         let mut writer = port.master.try_clone().expect("there are descriptors left");
@@ -76,14 +76,14 @@ impl CountingArm {
         Self { port, over, thread }
     }
 
-    /// Ends it; when it sent which status.
+    /// Ends it; returns the sending times of its statuses.
     pub(crate) fn end(self) -> Vec<Instant> {
         self.over.store(true, Ordering::Relaxed);
         self.thread.join().expect("nobody panics")
     }
 }
 
-/// Where a virtual arm stands when it has been switched on.
+/// The status of a virtual arm after power-up.
 fn at_rest() -> Status {
     let controller = Controller::power_up(PowerUp::new(Personality::default()));
     let mut arm = VirtualArm::new(controller, SerialLine::STOCK);
@@ -91,12 +91,12 @@ fn at_rest() -> Status {
     arm.handle_time(Duration::from_secs(5));
     arm.poll_bytes(&mut bytes);
     let mut decoder = Decoder::statuses(|_| true);
-    let frame = decoder.feed(&bytes).last().expect("it has told something");
-    Status::parse(&frame).expect("it tells statuses")
+    let frame = decoder.feed(&bytes).last().expect("it has sent a packet");
+    Status::parse(&frame).expect("it sends statuses")
 }
 
 impl Port {
-    /// Opens a port; what arrives is also passed on to `also`.
+    /// Opens a port; packets are also forwarded to `also`.
     pub(crate) fn open(also: Option<Sender<[u8; PACKET_LEN]>>) -> Self {
         let (master, path, open) = pair().expect("the system has a pseudo-terminal left");
         let (tell, arrivals) = channel();
@@ -121,7 +121,7 @@ impl Port {
         }
     }
 
-    /// When this very packet arrived.
+    /// Returns the arrival time of this packet.
     pub(crate) fn arrival_of(&self, packet: &[u8; PACKET_LEN]) -> Option<Instant> {
         let until = Instant::now() + PATIENCE;
         loop {
@@ -133,14 +133,14 @@ impl Port {
         }
     }
 
-    /// Forgets what has arrived so far.
+    /// Drops the packets that have arrived so far.
     pub(crate) fn forget(&self) {
         while self.arrivals.try_recv().is_ok() {}
     }
 }
 
 impl Arm {
-    /// A virtual arm in real time.
+    /// Starts a virtual arm in real time.
     pub(crate) fn start(personality: Personality) -> Self {
         let (tell, packets) = channel();
         let port = Port::open(Some(tell));
@@ -152,7 +152,7 @@ impl Arm {
     }
 }
 
-/// Lets time pass for an arm. A status leaves in one piece, as USB chips pass them on.
+/// Advances an arm in real time. A status is written in one piece, as by USB chips.
 fn live(mut arm: VirtualArm, packets: &Receiver<[u8; PACKET_LEN]>, mut writer: File) {
     let began = Instant::now();
     let mut bytes = Vec::new();
@@ -190,8 +190,8 @@ fn pair() -> std::io::Result<(File, String, File)> {
     Ok((master.into(), path, open))
 }
 
-/// What is not there by then does not come.
+/// The time after which a packet is considered lost.
 const PATIENCE: Duration = Duration::from_secs(3);
 const SHORTEST: Duration = Duration::from_millis(1);
-/// As a stock arm's.
+/// The status period of a stock arm.
 const PERIOD: Duration = Duration::from_millis(80);

@@ -1,4 +1,4 @@
-//! A WebSocket client without any machinery of its own that could be measured along.
+//! A minimal WebSocket client, with little overhead in the measurements.
 
 use std::net::TcpStream;
 use std::time::Duration;
@@ -7,7 +7,7 @@ use dobot_api::Request;
 use serde_json::{Value, json};
 use tokio_tungstenite::tungstenite::{Message, WebSocket as Socket, client};
 
-/// A client that waits for each answer.
+/// A client that waits for each response.
 pub(crate) struct WebSocket {
     socket: Socket<TcpStream>,
     id: u64,
@@ -25,7 +25,7 @@ impl WebSocket {
         Self { socket, id: 0 }
     }
 
-    /// A message that [`WebSocket::send`] sends.
+    /// Returns a message for [`WebSocket::send`].
     pub(crate) fn message(&mut self, request: &Request) -> Message {
         self.id += 1;
         Message::text(json!({ "id": self.id, "request": request }).to_string())
@@ -36,7 +36,7 @@ impl WebSocket {
         self.socket.send(message).expect("the station takes it");
     }
 
-    /// The answer to the last request.
+    /// Returns the response to the last request.
     pub(crate) fn answer(&mut self) -> Value {
         loop {
             let said = self.receive();
@@ -46,14 +46,14 @@ impl WebSocket {
         }
     }
 
-    /// Asks for something that is granted.
+    /// Sends a request that must be granted.
     pub(crate) fn ask(&mut self, request: &Request) -> Value {
         let answer = self.try_ask(request);
         assert!(answer["problem"].is_null(), "{request:?}: {answer}");
         answer
     }
 
-    /// Asks for something.
+    /// Sends a request.
     pub(crate) fn try_ask(&mut self, request: &Request) -> Value {
         let message = self.message(request);
         self.send(message);
@@ -67,7 +67,7 @@ impl WebSocket {
         self.ask(&Request::ConfirmPose);
     }
 
-    /// Waits for a state or notice that is as it should be.
+    /// Waits for a state or notice that meets the condition.
     pub(crate) fn wait(&mut self, is_it: impl Fn(&Value) -> bool) -> Value {
         loop {
             let said = self.receive();

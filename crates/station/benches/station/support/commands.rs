@@ -2,7 +2,7 @@
 
 use dobot_wire::{Command, MoveTo, MovingMode, WriteVector};
 
-/// A place at which the arm can write.
+/// A position at which the arm can write.
 pub(crate) const START: MoveTo = MoveTo::to(200.0, 0.0, 50.0).with_mode(MovingMode::MovJ);
 
 /// A level vector from rest to rest.

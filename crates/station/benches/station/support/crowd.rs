@@ -1,4 +1,4 @@
-//! Clients that watch, all in one thread of their own.
+//! Many watching clients in one thread.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,24 +13,24 @@ use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
 use tokio_tungstenite::{WebSocketStream, client_async_with_config};
 
-/// Clients that watch, all in one thread of their own.
+/// Many watching clients in one thread.
 #[derive(Debug)]
 pub(crate) struct Crowd {
     thread: JoinHandle<Vec<Watched>>,
     over: watch::Sender<bool>,
 }
 
-/// What one client saw.
+/// The data that one client received.
 #[derive(Debug, Default)]
 pub(crate) struct Watched {
-    /// When which state came; the number is that of the status in it.
+    /// The arrival times of states, with the numbers of their statuses.
     pub(crate) states: Vec<(Instant, u32)>,
     /// Whether the station closed the connection.
     pub(crate) dropped: bool,
 }
 
 impl Crowd {
-    /// Connects so many clients.
+    /// Connects this many clients.
     pub(crate) fn gather(size: usize, station: &str, query: &str) -> Self {
         let url = format!("ws://{station}/api/v1/ws?{query}");
         let station = station.to_owned();
@@ -63,7 +63,7 @@ impl Crowd {
         Self { thread, over }
     }
 
-    /// Sends them home.
+    /// Disconnects all clients.
     pub(crate) fn leave(self) -> Vec<Watched> {
         let _ = self.over.send(true);
         self.thread.join().expect("nobody panics")
@@ -91,7 +91,7 @@ async fn look(mut socket: WebSocketStream<TcpStream>, mut over: watch::Receiver<
     }
 }
 
-/// The number of a status, told as the angle of its gripper.
+/// Returns the number of a status, sent as the gripper angle.
 fn number(text: &str) -> Option<u32> {
     let (_, rest) = text.split_once("\"gripper_deg\":")?;
     let (digits, _) = rest.split_once(['.', ',', '}'])?;

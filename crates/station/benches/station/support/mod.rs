@@ -1,5 +1,5 @@
-//! What the station's benchmarks share: an arm at a serial port that notes when packets arrive, a
-//! station in a process of its own, clients.
+//! Shared parts of the station's benchmarks: an arm at a serial port that records arrival times, a
+//! station in a separate process, clients.
 
 mod arm;
 mod client;
@@ -15,8 +15,7 @@ pub(crate) use crowd::{Crowd, Watched};
 pub(crate) use station::{StationProcess, serve};
 pub(crate) use times::{Times, cpu_time, load};
 
-/// Whether numbers are wanted: `cargo test` runs benchmarks without the word, to see that they
-/// work.
+/// Whether to measure: `cargo test` runs benchmarks without the argument, as smoke tests.
 pub(crate) fn is_measuring() -> bool {
     std::env::args().any(|word| word == "--bench")
 }

@@ -1,5 +1,4 @@
-//! A station in a process of its own, as it is when people use it: this program once more, with
-//! another word.
+//! A station in a separate process, as in normal use: this program, started with another argument.
 
 use std::io::{BufRead, BufReader, Read};
 use std::net::SocketAddr;
@@ -11,7 +10,7 @@ use dobot_session::Address;
 use dobot_station::{Config, Station};
 use tempfile::TempDir;
 
-/// A station in a process of its own; it ends with this.
+/// A station in a separate process; it ends when this is dropped.
 #[derive(Debug)]
 pub(crate) struct StationProcess {
     child: Child,
@@ -55,13 +54,13 @@ impl StationProcess {
 
 impl Drop for StationProcess {
     fn drop(&mut self) {
-        // It ends when nobody holds the other end of its standard input.
+        // It ends when its standard input is closed.
         drop(self.child.stdin.take());
         let _ = self.child.wait();
     }
 }
 
-/// Runs a station if this is the process for it.
+/// Runs a station if this is its process.
 pub(crate) fn serve() -> bool {
     let mut words = std::env::args().skip(1);
     if words.next().as_deref() != Some(WORD) {
@@ -79,7 +78,7 @@ pub(crate) fn serve() -> bool {
         raw: Some(([127, 0, 0, 1], 0).into()),
         ..Config::new(Folders::at(folder))
     };
-    // As the program's.
+    // Like that of the program.
     let runtime = tokio::runtime::Runtime::new().expect("threads");
     runtime.block_on(async {
         let station = Box::pin(Station::start(config))

@@ -1,8 +1,8 @@
-//! Times, and what is told of many.
+//! Statistics of measured times.
 
 use std::time::Duration;
 
-/// Many times of the same thing, the shortest first.
+/// Measured times, in ascending order.
 #[derive(Clone, Debug)]
 pub(crate) struct Times(Vec<Duration>);
 
@@ -17,7 +17,7 @@ impl Times {
         self.0.len()
     }
 
-    /// The time that so many percent of them do not exceed.
+    /// Returns the percentile of the times.
     pub(crate) fn percentile(&self, percent: usize) -> Duration {
         self.0[((self.0.len() * percent).div_ceil(100)).max(1) - 1]
     }
@@ -30,7 +30,7 @@ impl Times {
         self.percentile(99)
     }
 
-    /// A line for a person.
+    /// Prints a line of statistics.
     pub(crate) fn print(&self, what: &str) {
         println!(
             "{what:42} median {:>9.1?}  p90 {:>9.1?}  p99 {:>9.1?}  longest {:>9.1?}  of {}",
@@ -43,10 +43,10 @@ impl Times {
     }
 }
 
-/// How long a process has been calculating, all its threads together.
+/// Returns the CPU time of all threads of a process.
 pub(crate) fn cpu_time(pid: u32) -> Duration {
     let threads = std::fs::read_dir(format!("/proc/{pid}/task"));
-    let threads = threads.expect("the system tells of its threads");
+    let threads = threads.expect("the system lists its threads");
     let ns = threads.flatten().filter_map(|thread| {
         let told = std::fs::read_to_string(thread.path().join("schedstat")).ok()?;
         told.split_whitespace().next()?.parse::<u64>().ok()
@@ -54,7 +54,7 @@ pub(crate) fn cpu_time(pid: u32) -> Duration {
     Duration::from_nanos(ns.sum())
 }
 
-/// How busy the machine was in the last minute, as the system tells.
+/// Returns the load of the machine in the last minute.
 pub(crate) fn load() -> String {
     let load = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
     let minute = load.split_whitespace().next().unwrap_or("unknown");

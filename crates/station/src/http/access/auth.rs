@@ -1,4 +1,4 @@
-//! Who comes in: each request passes here before it reaches its route.
+//! Authorisation: each request passes through here before it reaches its route.
 
 use std::net::IpAddr;
 use std::sync::Arc;
@@ -19,10 +19,10 @@ use crate::http::exchange::answer::{self, NotDone, TooSoon};
 use crate::http::resources::page;
 use crate::http::routes;
 
-/// The start of the subprotocol by which a browser's WebSocket says its token.
+/// The prefix of the subprotocol that carries the token of a browser's WebSocket.
 pub(crate) const TOKEN_PROTOCOL: &str = "dobot.token.";
 
-/// Lets a request in, or answers it with what is wrong with it.
+/// Passes a request on, or answers it with a problem.
 pub(crate) async fn pass(
     State(app): State<Arc<App>>,
     mut request: Request,
@@ -44,8 +44,8 @@ pub(crate) async fn pass(
     answer::guarded(answer)
 }
 
-/// Logs a request: an error of ours as a warning, one that was not let in for all, the rest for those who
-/// look closely. What it said, and its token, are not logged.
+/// Logs a request: a server error as a warning, a refused one at level info, others at level debug.
+/// Bodies and tokens are not logged.
 fn log(peer: &Peer, method: &Method, path: &str, status: StatusCode, took: Duration) {
     let (from, status) = (peer.from, status.as_u16());
     let took_ms = took.as_secs_f64() * 1e3;
@@ -67,7 +67,7 @@ fn look(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Response> {
         Ok(_) => 1.0,
     };
     match app.addresses.take(peer.from.ip(), app.now(), cost) {
-        // Whoever may stop the arm may always stop it.
+        // A caller who may stop the arm may always stop it.
         Err(wait) if caller.is_err() || !is_stop(request) => Err(TooSoon(wait).into_response()),
         _ => caller.map_err(refused),
     }
@@ -77,18 +77,16 @@ fn refused(problem: Problem) -> Response {
     NotDone(problem).into_response()
 }
 
-/// What a file of the page costs, in requests: a visit asks for all of them at once.
+/// The cost of a file of the page, in requests: a visit requests all of them together.
 const FILE: f64 = 0.05;
-/// What a wrong token costs, in requests: guessing is expensive.
+/// The cost of a wrong token, in requests, against guessing.
 const WRONG_TOKEN: f64 = 20.0;
 
-/// By which name or address the client means to reach the station.
+/// Returns the host that the client addresses.
 fn host(request: &Request) -> Result<Authority, Problem> {
     let mut hosts = request.headers().get_all(HOST).iter();
     let (Some(host), None) = (hosts.next(), hosts.next()) else {
-        return Err(
-            MALFORMED.problem("a request has one Host header; this one has none or several")
-        );
+        return Err(MALFORMED.problem("a request must have exactly one Host header"));
     };
     let text = host.to_str().unwrap_or_default();
     let parsed = text
@@ -96,7 +94,7 @@ fn host(request: &Request) -> Result<Authority, Problem> {
         .ok()
         .filter(|authority| !authority.as_str().contains('@'));
     let Some(host) = parsed else {
-        return Err(MALFORMED.problem("the Host header is no name or address with a port"));
+        return Err(MALFORMED.problem("the Host header is not a name or address with a port"));
     };
     match request.uri().authority() {
         Some(other) if *other != host => {
@@ -106,7 +104,7 @@ fn host(request: &Request) -> Result<Authority, Problem> {
     }
 }
 
-/// Against pages that let a name of their own lead here.
+/// Protects against DNS rebinding: pages whose own name resolves to this station.
 fn check_host(app: &App, peer: &Peer, host: &Authority) -> Result<(), Problem> {
     let default = if peer.secure { 443 } else { 80 };
     let port = host.port_u16().unwrap_or(default);
@@ -114,7 +112,7 @@ fn check_host(app: &App, peer: &Peer, host: &Authority) -> Result<(), Problem> {
         return Ok(());
     }
     Err(FORBIDDEN_HOST.hinted(
-        format!("this station is not called {host}"),
+        format!("this station does not have the name {host}"),
         format!("use its address, {}", peer.to),
     ))
 }
@@ -129,7 +127,7 @@ fn is_ours(app: &App, peer: &Peer, name: &str) -> bool {
     }
 }
 
-/// Against pages of other sites.
+/// Protects against pages of other sites.
 fn check_origin(peer: &Peer, host: &Authority, headers: &HeaderMap) -> Result<(), Problem> {
     let scheme = if peer.secure { "https" } else { "http" };
     let own = format!("{scheme}://{host}");
@@ -140,7 +138,7 @@ fn check_origin(peer: &Peer, host: &Authority, headers: &HeaderMap) -> Result<()
         .iter()
         .any(|origin| strange(&origin))
     {
-        return Err(FORBIDDEN_ORIGIN.problem("this request comes from the page of another site"));
+        return Err(FORBIDDEN_ORIGIN.problem("the request comes from a page of another site"));
     }
     match headers
         .get(FETCH_SITE)
@@ -151,7 +149,7 @@ fn check_origin(peer: &Peer, host: &Authority, headers: &HeaderMap) -> Result<()
                 .get(FETCH_MODE)
                 .is_none_or(|mode| mode != "navigate") =>
         {
-            Err(FORBIDDEN_ORIGIN.problem("a page of another site asks for this"))
+            Err(FORBIDDEN_ORIGIN.problem("the request comes from a page of another site"))
         }
         _ => Ok(()),
     }
@@ -160,7 +158,7 @@ fn check_origin(peer: &Peer, host: &Authority, headers: &HeaderMap) -> Result<()
 const FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
 
-/// Who asks, by the token or for want of one.
+/// Returns the caller, by its token or by the default role.
 fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem> {
     let anyone = |role| Caller {
         name: if peer.by_fleet { "fleet" } else { "http" }.into(),
@@ -187,11 +185,11 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
     }
 }
 
-/// The digest of a token of which a proof came with a request, and was checked.
+/// The digest of a token that was proved with the request.
 #[derive(Clone, Copy)]
 pub(crate) struct Proved(pub(crate) [u8; 32]);
 
-/// The token that comes with a request.
+/// Returns the token of a request.
 pub(crate) fn presented(headers: &HeaderMap) -> Result<Option<String>, Problem> {
     if let Some(value) = headers.get(AUTHORIZATION) {
         let text = value.to_str().unwrap_or_default();
@@ -206,7 +204,7 @@ pub(crate) fn presented(headers: &HeaderMap) -> Result<Option<String>, Problem> 
         .find_map(|protocol| protocol.strip_prefix(TOKEN_PROTOCOL).map(Into::into)))
 }
 
-/// The subprotocols that a WebSocket offers.
+/// Returns the subprotocols that a WebSocket offers.
 pub(crate) fn protocols(headers: &HeaderMap) -> impl Iterator<Item = &str> {
     let lines = headers.get_all(SEC_WEBSOCKET_PROTOCOL).iter();
     lines
@@ -217,12 +215,12 @@ pub(crate) fn protocols(headers: &HeaderMap) -> impl Iterator<Item = &str> {
 
 fn no_token() -> Problem {
     UNAUTHORISED.hinted(
-        "this takes a token, and none came with it",
+        "this request requires a token",
         "send it as `Authorization: Bearer <token>`",
     )
 }
 
-/// Whether the route is for everyone.
+/// Whether the route is public.
 fn is_open(request: &Request) -> bool {
     let path = request.extensions().get::<MatchedPath>();
     path.is_some_and(|path| routes::is_open(request.method(), path.as_str()))

@@ -1,4 +1,4 @@
-//! Clients that have control and come over plain HTTP, one request after another.
+//! Leases of clients that use plain HTTP, one request after another.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,24 +11,24 @@ use dobot_host::Client;
 use crate::http::access::tokens::{Token, digest};
 use crate::http::app::Caller;
 
-/// Clients that are kept between requests, known by their lease tokens.
+/// Clients that exist between requests, by lease token.
 #[derive(Debug, Default)]
 pub(crate) struct HttpLeases(Mutex<HashMap<[u8; 32], HttpLease>>);
 
 #[derive(Debug)]
 struct HttpLease {
     client: Arc<Client>,
-    /// Who took it.
+    /// The caller that took the lease.
     caller: Caller,
     used: Duration,
 }
 
 impl HttpLeases {
-    /// Keeps a client; it is found by the token that comes back.
+    /// Stores a client under its lease token.
     ///
     /// # Errors
     ///
-    /// [`TOO_MANY_CLIENTS`] where too many are kept already.
+    /// [`TOO_MANY_CLIENTS`] if there are too many clients.
     pub(crate) fn keep(
         &self,
         client: Arc<Client>,
@@ -38,7 +38,7 @@ impl HttpLeases {
         let token = Token::random().map_err(|error| ENDING.problem(error.to_string()))?;
         self.with(|http_leases| {
             if http_leases.len() >= MOST {
-                let detail = format!("{MOST} clients hold lease tokens already");
+                let detail = format!("{MOST} clients already hold lease tokens");
                 return Err(TOO_MANY_CLIENTS.problem(detail));
             }
             http_leases.insert(
@@ -53,12 +53,12 @@ impl HttpLeases {
         })
     }
 
-    /// The client of a token, which this renews.
+    /// Returns the client of a lease token, and renews it.
     ///
     /// # Errors
     ///
-    /// [`LEASE_GONE`] where there is none (any more), [`ROLE`] for one who may do less than the
-    /// client.
+    /// [`LEASE_GONE`] if there is none (any more), [`ROLE`] if the caller's role is below that of
+    /// the client.
     pub(crate) fn find(
         &self,
         token: &str,
@@ -71,7 +71,7 @@ impl HttpLeases {
             if role < http_lease.client.role() {
                 let needed = http_lease.client.role();
                 return Err(ROLE.problem(format!(
-                    "this lease belongs to the role {needed}; the token is for {role}"
+                    "this lease requires the role {needed}; the token has the role {role}"
                 )));
             }
             http_lease.used = now;
@@ -79,17 +79,17 @@ impl HttpLeases {
         })
     }
 
-    /// Ends a client: its lease ends too.
+    /// Removes a client: its lease ends too.
     pub(crate) fn end(&self, token: &str) {
         self.with(|http_leases| http_leases.remove(&digest(token)));
     }
 
-    /// Ends those of callers who may not hold them any more.
+    /// Removes the clients of callers that have lost their rights.
     pub(crate) fn end_where(&self, may_not: impl Fn(&Caller) -> bool) {
         self.with(|http_leases| http_leases.retain(|_, it| !may_not(&it.caller)));
     }
 
-    /// Ends those that have not been used for too long.
+    /// Removes the clients that have not been used for too long.
     pub(crate) fn sweep(&self, now: Duration) {
         self.with(|http_leases| {
             http_leases.retain(|_, http_lease| {
@@ -106,18 +106,18 @@ impl HttpLeases {
     }
 }
 
-/// How long a lease token lasts without being used.
+/// The time after which an unused lease token expires.
 pub(crate) const LASTS: Duration = Duration::from_secs(10);
 
-/// How many clients are kept at most.
+/// The maximum number of clients.
 const MOST: usize = 64;
 
 fn gone() -> Problem {
     LEASE_GONE.hinted(
         format!(
-            "no lease has this token; one ends when it is not used for {} s",
+            "no lease has this token; a lease expires when it is unused for {} s",
             LASTS.as_secs()
         ),
-        "take it again with `POST /api/v1/lease`",
+        "take control again with `POST /api/v1/lease`",
     )
 }

@@ -1,20 +1,20 @@
-//! How often somebody may do something.
+//! Rate limits.
 
 use std::collections::HashMap;
 use std::net::{IpAddr, Ipv6Addr};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// How often somebody may do something.
+/// A rate limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rate {
-    /// How often in a second, in the long run.
+    /// The sustained rate, per second.
     pub(crate) per_s: f64,
-    /// How often at once.
+    /// The burst.
     pub(crate) burst: f64,
 }
 
-/// What somebody has used up of a rate. Time counts from any moment, and never goes back.
+/// The used part of a rate limit. Times are relative to any origin and never decrease.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Used {
     amount: f64,
@@ -26,7 +26,7 @@ impl Used {
     ///
     /// # Errors
     ///
-    /// How long to wait until that is allowed; nothing is used up then.
+    /// The time to wait until the cost is allowed; nothing is used up then.
     pub(crate) fn take(&mut self, rate: Rate, now: Duration, cost: f64) -> Result<(), Duration> {
         let amount = self.left(rate, now) + cost;
         if amount > rate.burst {
@@ -36,14 +36,14 @@ impl Used {
         Ok(())
     }
 
-    /// What of it still counts.
+    /// Returns the part that still counts.
     fn left(&self, rate: Rate, now: Duration) -> f64 {
         let passed = now.saturating_sub(self.at).as_secs_f64();
         (self.amount - passed * rate.per_s).max(0.0)
     }
 }
 
-/// What each address has used up.
+/// The used part per address.
 #[derive(Debug, Default)]
 pub(crate) struct Addresses(Mutex<HashMap<IpAddr, Used>>);
 
@@ -52,7 +52,7 @@ impl Addresses {
     ///
     /// # Errors
     ///
-    /// How long to wait until that is allowed.
+    /// The time to wait until the cost is allowed.
     pub(crate) fn take(&self, from: IpAddr, now: Duration, cost: f64) -> Result<(), Duration> {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let rate = rate_of(from);
@@ -67,25 +67,25 @@ impl Addresses {
     }
 }
 
-/// What programs on the same machine may do, which have other means to do harm.
+/// The limit for programs on the same machine, which have other means to do harm.
 const NEAR: Rate = Rate {
     per_s: 2000.0,
     burst: 4000.0,
 };
 
-/// What others may do.
+/// The limit for other addresses.
 const FAR: Rate = Rate {
     per_s: 50.0,
     burst: 200.0,
 };
 
-/// What all members of the fleet may do together, who come without an address.
+/// The shared limit of all members of the fleet, which have no address.
 const FLEET: Rate = Rate {
     per_s: 500.0,
     burst: 1000.0,
 };
 
-/// How many addresses are known at once; those that have been quiet are forgotten then.
+/// The maximum number of tracked addresses; idle ones are dropped beyond it.
 const MOST_ADDRESSES: usize = 10_000;
 
 fn rate_of(from: IpAddr) -> Rate {
@@ -96,7 +96,8 @@ fn rate_of(from: IpAddr) -> Rate {
     }
 }
 
-/// Whom an address stands for: in IPv6 everybody has a whole network of addresses.
+/// Returns the network that an address stands for: in IPv6 each user has a whole network of
+/// addresses.
 fn network(from: IpAddr) -> IpAddr {
     match from.to_canonical() {
         IpAddr::V6(address) => {

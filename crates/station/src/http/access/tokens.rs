@@ -1,4 +1,4 @@
-//! Who may do what: tokens.
+//! Access tokens.
 
 use std::fs;
 use std::io;
@@ -9,7 +9,7 @@ use dobot_api::{Role, write_private};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-/// The tokens that a station accepts: the file `tokens.toml`, which holds their digests only.
+/// The accepted tokens of a station: the file `tokens.toml`, which contains only their digests.
 ///
 /// ```
 /// use dobot_api::{Role, write_private};
@@ -27,18 +27,18 @@ pub struct Tokens {
     file: PathBuf,
     version: Option<Version>,
     known: Vec<Known>,
-    /// How often the known tokens changed.
+    /// The number of changes.
     changes: u64,
-    /// The token of programs on the same machine, which is in no file of tokens.
+    /// The token of local programs, which is not in the file.
     local: Option<[u8; 32]>,
 }
 
 impl Tokens {
-    /// Reads the file; where there is none, no token is accepted.
+    /// Reads the file; without a file, no token is accepted.
     ///
     /// # Errors
     ///
-    /// [`TokensError`] where it cannot be read or understood.
+    /// [`TokensError`] if it cannot be read or parsed.
     pub fn open(file: &Path) -> Result<Self, TokensError> {
         let mut tokens = Self {
             file: file.to_owned(),
@@ -51,22 +51,23 @@ impl Tokens {
         Ok(tokens)
     }
 
-    /// Makes a token of 256 random bits. Only its digest is kept: it can be shown this once.
+    /// Creates a token of 256 random bits. Only its digest is stored, so the token can be shown
+    /// only now.
     ///
     /// # Errors
     ///
-    /// [`TokensError`] where the name is taken or is no name, or the file cannot be written.
+    /// [`TokensError`] if the name is used or invalid, or the file cannot be written.
     pub fn add(&mut self, role: Role, name: &str) -> Result<Token, TokensError> {
         let token = Token::random().map_err(TokensError::Random)?;
         self.accept(role, name, &token)?;
         Ok(token)
     }
 
-    /// Accepts a token that another station has made, so that its holder is known to both.
+    /// Accepts a token that another station has created, so that its holder is known to both.
     ///
     /// # Errors
     ///
-    /// As with [`add`](Self::add), and [`TokensError::Known`] where a token is accepted that is the same.
+    /// As with [`add`](Self::add), and [`TokensError::Known`] if the token is already accepted.
     pub fn accept(&mut self, role: Role, name: &str, token: &Token) -> Result<(), TokensError> {
         self.follow()?;
         if !is_name(name) {
@@ -92,12 +93,12 @@ impl Tokens {
         self.write()
     }
 
-    /// Has the token of that name be for several people: each of them is who he calls himself. Any other token is that of one
-    /// person, by its name.
+    /// Marks a token as shared by several people: each is identified by the name that they give.
+    /// Any other token belongs to one person, identified by its name.
     ///
     /// # Errors
     ///
-    /// [`TokensError`] where there is none of that name, or the file cannot be written.
+    /// [`TokensError`] if there is no token of that name, or the file cannot be written.
     pub fn share(&mut self, name: &str) -> Result<(), TokensError> {
         self.follow()?;
         let found = self.known.iter_mut().find(|token| token.name == name);
@@ -106,7 +107,7 @@ impl Tokens {
         self.write()
     }
 
-    /// Whether the token of that name is for several people.
+    /// Whether the token of that name is shared by several people.
     #[must_use]
     pub fn is_shared(&self, name: &str) -> bool {
         self.known
@@ -114,16 +115,16 @@ impl Tokens {
             .any(|token| token.name == name && token.shared)
     }
 
-    /// Whether this is the token of programs on the same machine.
+    /// Whether this is the token of local programs.
     pub(crate) fn is_local(&self, token: &[u8; 32]) -> bool {
         self.local.is_some_and(|local| same(&local, token))
     }
 
-    /// Removes a token: it is refused from now on.
+    /// Removes a token, which is refused from then on.
     ///
     /// # Errors
     ///
-    /// [`TokensError`] where there is none of that name, or the file cannot be written.
+    /// [`TokensError`] if there is no token of that name, or the file cannot be written.
     pub fn remove(&mut self, name: &str) -> Result<(), TokensError> {
         self.follow()?;
         let before = self.known.len();
@@ -134,19 +135,19 @@ impl Tokens {
         self.write()
     }
 
-    /// The names of all tokens, and what each may do.
+    /// Returns the names and roles of all tokens.
     pub fn list(&self) -> impl Iterator<Item = (&str, Role)> {
         self.known.iter().map(|token| (&*token.name, token.role))
     }
 
-    /// Makes the token of programs on the same machine.
+    /// Creates the token of local programs.
     pub(crate) fn make_local(&mut self) -> Result<Token, TokensError> {
         let token = Token::random().map_err(TokensError::Random)?;
         self.local = Some(digest(token.secret()));
         Ok(token)
     }
 
-    /// The file as it was read last, to be read anew without holding up those who ask for tokens meanwhile.
+    /// Returns a copy of the file's state, to be read again without blocking requests for tokens.
     pub(crate) fn source(&self) -> TokensFile {
         TokensFile {
             file: self.file.clone(),
@@ -154,7 +155,7 @@ impl Tokens {
         }
     }
 
-    /// Takes what the file says now; while it cannot be understood, no token of it is accepted.
+    /// Applies the contents of the file; while it is invalid, none of its tokens is accepted.
     pub(crate) fn apply(&mut self, read: Result<Option<TokensRead>, TokensError>) {
         match read {
             Ok(None) => {}
@@ -164,7 +165,7 @@ impl Tokens {
         }
     }
 
-    /// How often the known tokens changed: whoever was let in before has to be checked again.
+    /// Returns the number of changes: after a change admitted callers must be checked again.
     pub(crate) const fn changes(&self) -> u64 {
         self.changes
     }
@@ -174,7 +175,7 @@ impl Tokens {
         self.changes += 1;
     }
 
-    /// Name and role of whoever has the token with this digest, as the file was read last.
+    /// Returns name and role of the token with this digest, as last read.
     pub(crate) fn known(&self, token: &[u8; 32]) -> Option<(String, Role)> {
         if self.local.is_some_and(|local| same(&local, token)) {
             return Some(("local program".into(), Role::Admin));
@@ -190,7 +191,7 @@ impl Tokens {
         found.map(|token| (token.name.clone(), token.role))
     }
 
-    /// The digest of the token of which this is a proof, as the file was read last.
+    /// Returns the digest of the token that this proof is made with, as last read.
     #[cfg(feature = "proofs")]
     pub(crate) fn proved(&self, statement: &[u8], proof: &[u8]) -> Option<[u8; 32]> {
         let is_proved = |token: &&Known| {
@@ -202,7 +203,7 @@ impl Tokens {
         digest.ok()?.try_into().ok()
     }
 
-    /// Reads the file if it is not the one that was read last.
+    /// Reads the file if it has changed.
     pub(crate) fn follow(&mut self) -> Result<(), TokensError> {
         if let Some(read) = self.source().read()? {
             self.set(read.version, read.known);
@@ -226,14 +227,14 @@ impl Tokens {
     }
 }
 
-/// The file of tokens, as it was read last.
+/// The state of the file when it was last read.
 #[derive(Debug)]
 pub(crate) struct TokensFile {
     file: PathBuf,
     version: Option<Version>,
 }
 
-/// What a file of tokens says.
+/// The parsed contents of the file.
 #[derive(Debug)]
 pub(crate) struct TokensRead {
     version: Option<Version>,
@@ -241,7 +242,7 @@ pub(crate) struct TokensRead {
 }
 
 impl TokensFile {
-    /// What it says now, if it is not the one that was read last.
+    /// Returns the contents if the file has changed.
     pub(crate) fn read(&self) -> Result<Option<TokensRead>, TokensError> {
         let io = |error| TokensError::io(&self.file, error);
         let version = Version::of(&self.file).map_err(io)?;
@@ -270,29 +271,29 @@ impl TokensError {
     }
 }
 
-/// A secret that says who a client is. It shows itself when it is asked to, and never in a log.
+/// The secret of a token. It is shown on request only, never in a log.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Token(String);
 
 impl Token {
-    /// The secret: 64 hexadecimal digits.
+    /// Returns the secret: 64 hexadecimal digits.
     #[must_use]
     pub fn secret(&self) -> &str {
         &self.0
     }
 
-    /// One that a station has made.
+    /// Parses a token that a station has created.
     ///
     /// # Errors
     ///
-    /// [`TokensError::NoToken`] where it has not 64 hexadecimal digits.
+    /// [`TokensError::NoToken`] if it is not 64 hexadecimal digits.
     pub fn of_secret(secret: &str) -> Result<Self, TokensError> {
         let is_secret = secret.len() == 64 && secret.bytes().all(|byte| byte.is_ascii_hexdigit());
         let token = is_secret.then(|| Self(secret.to_ascii_lowercase()));
         token.ok_or(TokensError::NoToken)
     }
 
-    /// A new one of 256 random bits.
+    /// Creates a token of 256 random bits.
     pub(crate) fn random() -> Result<Self, getrandom::Error> {
         let mut bits = [0; 32];
         getrandom::fill(&mut bits)?;
@@ -306,7 +307,7 @@ impl std::fmt::Debug for Token {
     }
 }
 
-/// Why the tokens are not as they were asked to be.
+/// The error returned when tokens cannot be read or changed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TokensError {
@@ -315,41 +316,41 @@ pub enum TokensError {
     Io {
         /// The file.
         file: String,
-        /// Why.
+        /// The cause.
         #[source]
         source: io::Error,
     },
-    /// The file holds something else.
-    #[error("{file} does not hold tokens: {why}")]
+    /// The file has invalid contents.
+    #[error("{file} is not a valid token file: {why}")]
     Content {
         /// The file.
         file: String,
-        /// What is wrong with it.
+        /// The problem.
         why: String,
     },
-    /// A name is no name.
+    /// Invalid name.
     #[error(
-        "{0:?} is no name for a token; names have 1 to 40 letters, digits, dots, dashes and spaces"
+        "{0:?} is not a valid token name; names have 1 to 40 letters, digits, dots, dashes and spaces"
     )]
     Name(String),
-    /// A name is given already.
-    #[error("there is a token of the name {0:?} already; remove it first")]
+    /// The name is in use.
+    #[error("a token with the name {0:?} already exists; remove it first")]
     Taken(String),
-    /// The same token is accepted under another name.
-    #[error("this token is accepted already, under the name {0:?}")]
+    /// The token is already accepted under another name.
+    #[error("this token is already accepted under the name {0:?}")]
     Known(String),
-    /// It is no token.
-    #[error("a token is 64 hexadecimal digits, as `dobot token add` shows them; this is none")]
+    /// Not a token.
+    #[error("not a token; a token has 64 hexadecimal digits, as shown by `dobot token add`")]
     NoToken,
-    /// No token has this name.
-    #[error("there is no token of the name {0:?}")]
+    /// Unknown name.
+    #[error("there is no token with the name {0:?}")]
     Unknown(String),
-    /// The system has no random bits.
-    #[error("the system gives no random bits")]
+    /// The system has no random numbers.
+    #[error("the system has no random numbers")]
     Random(#[source] getrandom::Error),
 }
 
-/// The file.
+/// The contents of the file.
 #[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Content {
@@ -357,30 +358,27 @@ struct Content {
     token: Vec<Known>,
 }
 
-/// What is kept of a token.
+/// The stored data of a token.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Known {
     name: String,
     role: Role,
-    /// It is for several people.
+    /// Whether it is shared by several people.
     #[serde(default, skip_serializing_if = "is_not")]
     shared: bool,
     sha256: String,
-    /// By what proofs with the token are checked; absent where the program that accepted it could not make them.
+    /// The key that verifies proofs of the token; absent if an older program accepted the token.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     key: Option<String>,
 }
 
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "this is how serde asks for it"
-)]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "required by serde")]
 const fn is_not(it: &bool) -> bool {
     !*it
 }
 
-/// What changes when the file changes.
+/// Identifies a version of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Version {
     written: SystemTime,
@@ -418,7 +416,7 @@ pub(crate) fn hex(bytes: &[u8]) -> String {
     data_encoding::HEXLOWER.encode(bytes)
 }
 
-/// Compares all bytes, whatever they are, so that the time that it takes tells nothing.
+/// Compares all bytes in constant time, so that the time reveals nothing.
 fn same(one: &[u8], other: &[u8]) -> bool {
     let differences = one.iter().zip(other).fold(0, |all, (a, b)| all | (a ^ b));
     one.len() == other.len() && std::hint::black_box(differences) == 0
@@ -435,7 +433,7 @@ mod tests {
         (folder, tokens)
     }
 
-    /// Whose token this is, by the file as it is now.
+    /// Returns the holder of a token, by the current file.
     fn holder(tokens: &mut Tokens, secret: &str) -> Option<(String, Role)> {
         let read = tokens.source().read();
         tokens.apply(read);
@@ -492,7 +490,7 @@ mod tests {
         assert_eq!(holder(&mut station, token.secret()), None);
         let error = Tokens::open(&folder.path().join("tokens.toml")).unwrap_err();
         assert!(
-            error.to_string().contains("does not hold tokens"),
+            error.to_string().contains("is not a valid token file"),
             "{error}"
         );
     }

@@ -1,4 +1,4 @@
-//! Answers, and what requests are read into.
+//! Responses, and extractors for requests.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -27,19 +27,19 @@ use serde::de::DeserializeOwned;
 use crate::http::app::App;
 use crate::http::exchange::strict_json;
 
-/// How large a body may be, unless its route takes more.
+/// The maximum size of a body, unless its route allows more.
 pub(crate) const BODY: usize = 64 * 1024;
 
-/// How large a job may be.
+/// The maximum size of a job.
 pub(crate) const JOB: usize = 64 * 1024 * 1024;
 
-/// How long a body may take to arrive.
+/// The timeout for receiving a body.
 const BODY_WITHIN: Duration = Duration::from_secs(30);
 
-/// From which length on text is read beside everything else.
+/// The length from which a text is parsed in a separate thread.
 const LONG: usize = 256 * 1024;
 
-/// What is not done is answered with why.
+/// A failed request, answered with its problem.
 #[derive(Debug)]
 pub(crate) struct NotDone(pub(crate) Problem);
 
@@ -74,15 +74,15 @@ impl IntoResponse for NotDone {
 
 const PROBLEM_JSON: HeaderValue = HeaderValue::from_static("application/problem+json");
 
-/// Requests come too fast; they may go on after this time.
+/// A request above the rate limit; the next one is allowed after this time.
 pub(crate) struct TooSoon(pub(crate) Duration);
 
 impl IntoResponse for TooSoon {
     fn into_response(self) -> Response {
         let wait_s = self.0.as_secs_f64().ceil().max(1.0);
         let problem = TOO_MANY_REQUESTS.hinted(
-            "requests of this address come faster than the station takes them",
-            format!("wait for {wait_s} s"),
+            "requests from this address exceed the rate limit",
+            format!("wait {wait_s} s"),
         );
         let mut response = NotDone(problem).into_response();
         let value = HeaderValue::from_str(&wait_s.to_string()).expect("a number is a header");
@@ -91,12 +91,12 @@ impl IntoResponse for TooSoon {
     }
 }
 
-/// JSON that is written already.
+/// Returns a response of serialised JSON.
 pub(crate) fn json(text: impl Into<HttpBody>) -> Response {
     ([(CONTENT_TYPE, "application/json")], text.into()).into_response()
 }
 
-/// Adds the headers that keep browsers from doing harm.
+/// Adds the security headers for browsers.
 pub(crate) fn guarded(mut response: Response) -> Response {
     let headers = response.headers_mut();
     for (name, value) in GUARDS {
@@ -123,7 +123,7 @@ const GUARDS: [(HeaderName, &str); 6] = [
     ),
 ];
 
-/// A body of JSON of up to `LIMIT` bytes.
+/// A JSON body of at most `LIMIT` bytes.
 #[derive(Debug)]
 pub(crate) struct Body<T, const LIMIT: usize = BODY>(pub(crate) T);
 
@@ -139,7 +139,7 @@ where
     }
 }
 
-/// A body of JSON that may be missing.
+/// An optional JSON body.
 #[derive(Debug)]
 pub(crate) struct Maybe<T>(pub(crate) T);
 
@@ -157,7 +157,7 @@ where
     }
 }
 
-/// The text of a body.
+/// Reads a required body.
 async fn required(request: Request, limit: usize) -> Result<Bytes, Problem> {
     let (parts, body) = request.into_parts();
     let text = collect(body, limit).await?;
@@ -165,7 +165,7 @@ async fn required(request: Request, limit: usize) -> Result<Bytes, Problem> {
     Ok(text)
 }
 
-/// The text of a body that may be missing.
+/// Reads an optional body.
 async fn optional(request: Request, limit: usize) -> Result<Option<Bytes>, Problem> {
     let (parts, body) = request.into_parts();
     let text = collect(body, limit).await?;
@@ -181,17 +181,17 @@ pub(crate) async fn collect(body: HttpBody, limit: usize) -> Result<Bytes, Probl
     let arrived = tokio::time::timeout(BODY_WITHIN, arriving).await;
     arrived.unwrap_or_else(|_| {
         let within_s = BODY_WITHIN.as_secs();
-        Err(TIMEOUT.problem(format!("the body was not there within {within_s} s")))
+        Err(TIMEOUT.problem(format!("the body did not arrive within {within_s} s")))
     })
 }
 
 async fn collect_slowly(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
     let too_large = || {
         TOO_LARGE.problem(format!(
-            "the body has more than {limit} bytes, and this takes no more"
+            "the body has more than {limit} bytes, the maximum for this request"
         ))
     };
-    // What is told to be too long is not even read.
+    // A body with a too large declared size is not read.
     if body.size_hint().lower() > limit as u64 {
         return Err(too_large());
     }
@@ -199,7 +199,7 @@ async fn collect_slowly(body: HttpBody, limit: usize) -> Result<Bytes, Problem> 
     let mut all = Vec::new();
     while let Some(chunk) = chunks.next().await {
         let chunk =
-            chunk.map_err(|error| MALFORMED.problem(format!("the body breaks off: {error}")))?;
+            chunk.map_err(|error| MALFORMED.problem(format!("the body is incomplete: {error}")))?;
         if all.len() + chunk.len() > limit {
             return Err(too_large());
         }
@@ -231,7 +231,7 @@ async fn read<T: DeserializeOwned + JsonSchema + Send + 'static>(
     read_beside(text, strict_json::read).await?
 }
 
-/// Reads text, beside everything else if it is long.
+/// Parses text, in a separate thread if it is long.
 pub(crate) async fn read_beside<T: Send + 'static>(
     text: Bytes,
     read: fn(&[u8]) -> T,
@@ -242,7 +242,7 @@ pub(crate) async fn read_beside<T: Send + 'static>(
     beside(move || read(&text)).await
 }
 
-/// Does what may take long beside everything else.
+/// Runs a slow computation in a separate thread.
 pub(crate) async fn beside<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> Result<T, Problem> {
@@ -265,12 +265,12 @@ impl FromRequestParts<Arc<App>> for Number {
             .map_err(|error| MALFORMED.problem(error.body_text()))?;
         text.parse().map(Self).map_err(|_| {
             let text: String = text.chars().take(40).collect();
-            NotDone(MALFORMED.problem(format!("{text:?} in the path is no number")))
+            NotDone(MALFORMED.problem(format!("{text:?} in the path is not a number")))
         })
     }
 }
 
-/// The number of a job in the path, and no body.
+/// The number of a job in the path, without a body.
 #[derive(Debug)]
 pub(crate) struct OfJob(pub(crate) u64);
 
@@ -286,7 +286,7 @@ impl FromRequest<Arc<App>> for OfJob {
     }
 }
 
-/// Nothing.
+/// An empty object.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Nothing {}

@@ -1,4 +1,4 @@
-//! The OpenAPI 3.1 document, made of the table of routes and of the types.
+//! The OpenAPI 3.1 document, generated from the table of routes and the types.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -21,7 +21,7 @@ use crate::http::routes::ROUTES;
 /// The document as text.
 pub(crate) static TEXT: LazyLock<String> = LazyLock::new(|| document().to_string());
 
-/// The document.
+/// Generates the document.
 pub(crate) fn document() -> Value {
     let settings = SchemaSettings::draft2020_12().with(|generator| {
         generator.definitions_path = "/components/schemas".into();
@@ -33,7 +33,7 @@ pub(crate) fn document() -> Value {
         let path = paths.entry(route.path).or_insert_with(|| json!({}));
         path[route.method.as_str().to_lowercase()] = operation(route, &mut schemas);
     }
-    // Nothing refers to them: they go over the WebSocket.
+    // Not referenced by a route: they are used over the WebSocket.
     schemas.subschema_for::<ToClient>();
     schemas.subschema_for::<PacketView>();
     schemas.subschema_for::<FromClient>();
@@ -60,13 +60,13 @@ pub(crate) fn document() -> Value {
     })
 }
 
-/// Whether a route stands in the document: the interface does, and the page itself, but not the files that it is made of.
+/// Whether a route is in the document: the API and the page itself are, the page's files are not.
 pub(crate) fn is_told(route: &Route) -> bool {
     route.path == "/" || !page::has(route.path)
 }
 
-/// A configuration is a choice within the choice of commands: that neither of them has any other field
-/// can only be said outside of both.
+/// A configuration is a choice within the choice of commands: that neither has other fields can
+/// only be stated outside of both.
 fn closed(mut schemas: Map<String, Value>) -> Map<String, Value> {
     let commands = schemas
         .get_mut("Command")
@@ -79,7 +79,7 @@ fn closed(mut schemas: Map<String, Value>) -> Map<String, Value> {
     schemas
 }
 
-const ABOUT: &str = "One client at a time has control of the arm and may move it: it takes the lease. Everyone may watch, and anyone may stop the arm at any time. Lengths are in millimetres, angles in degrees, times in seconds. Whatever is not done is answered with a problem document (RFC 9457).";
+const ABOUT: &str = "One client at a time has control of the arm and may move it: it takes the lease. Everyone may watch, and anyone may stop the arm at any time. Lengths are in millimetres, angles in degrees, times in seconds. A failed request is answered with a problem document (RFC 9457).";
 
 fn operation(route: &Route, schemas: &mut SchemaGenerator) -> Value {
     let mut operation = json!({
@@ -95,7 +95,7 @@ fn operation(route: &Route, schemas: &mut SchemaGenerator) -> Value {
     operation
 }
 
-/// As in `post_jobs_id_start`.
+/// Returns an operation id, as in `post_jobs_id_start`.
 fn operation_id(route: &Route) -> String {
     let path = route
         .path
@@ -131,7 +131,7 @@ fn parameters(route: &Route, schemas: &mut SchemaGenerator) -> Vec<Value> {
         all.push(json!({
             "name": "Idempotency-Key",
             "in": "header",
-            "description": "What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there",
+            "description": "The sender's key of this request: repeated with the same key it queues no second job and returns the existing one",
             "schema": {"type": "string", "minLength": 1, "maxLength": 64},
         }));
         debug_assert_eq!(KEY, "idempotency-key");
@@ -195,7 +195,7 @@ fn responses(route: &Route, schemas: &mut SchemaGenerator) -> Map<String, Value>
         .collect()
 }
 
-/// All kinds of problems that a route can answer.
+/// Returns all problems with which a route can respond.
 pub(crate) fn problems_of(route: &Route) -> Vec<ProblemKind> {
     let mut kinds = route.problems.clone();
     kinds.extend([

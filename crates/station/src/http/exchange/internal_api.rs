@@ -1,5 +1,4 @@
-//! The API for those who come by another way than a connection: what they ask passes all that a request of HTTP
-//! passes.
+//! The API for callers inside the process: their requests pass the same checks as HTTP requests.
 
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
@@ -27,8 +26,8 @@ use crate::http::exchange::requester::{KEY, LEASE};
 use crate::http::routes;
 use crate::{ArmsPort, FleetPort};
 
-/// A station's API, for its fleet: the same routes, tokens and roles as over HTTP. One who comes without a token
-/// may watch and stop, wherever the station is served.
+/// A station's API for its fleet: the same routes, tokens and roles as over HTTP. A caller without
+/// a token may watch and stop, wherever the station is served.
 #[derive(Clone, Debug)]
 pub struct StationApi {
     app: Arc<App>,
@@ -49,30 +48,30 @@ impl StationApi {
         Self { app, router, to }
     }
 
-    /// The states, notices and packets of the station.
+    /// Returns the states, notices and packets of the station.
     #[must_use]
     pub fn handle(&self) -> &StationHandle {
         &self.app.handle
     }
 
-    /// Lets the station know the others.
+    /// Connects the station to its fleet.
     pub fn join(&self, fleet: FleetPort) {
-        // A station joins once, before anybody asks for its fleet.
+        // A station joins once, before any request for its fleet.
         let _ = self.app.fleet.set(fleet);
     }
 
-    /// Lets the station give virtual arms to those without one.
+    /// Makes the station host virtual arms.
     pub fn give_arms(&self, arms: ArmsPort) {
-        // There is one that gives them, from the start on.
+        // Set once, at the start.
         let _ = self.app.arms.set(arms);
     }
 
-    /// Asks the station.
+    /// Sends a request to the station.
     pub async fn call(&self, request: &ApiRequest) -> ApiAnswer {
         self.call_as(request, None).await
     }
 
-    /// Asks the station with a proof of a token, which is one about this statement.
+    /// Sends a request with a proof of a token for this statement.
     #[cfg(feature = "proofs")]
     pub async fn call_proved(
         &self,
@@ -83,8 +82,8 @@ impl StationApi {
         match self.app.proved(statement, proof) {
             Some(token) => self.call_as(request, Some(Proved(token))).await,
             None => ApiAnswer::of_problem(&UNAUTHORISED.hinted(
-                "the station does not know the token of this proof",
-                "on the asked station: `dobot token add ROLE NAME --same-as FILE`; one that an older program accepted has to be removed first",
+                "the station does not know this token",
+                "on the receiving station, run `dobot token add ROLE NAME --same-as FILE`; first remove a token that an older version accepted",
             )),
         }
     }
@@ -104,13 +103,13 @@ impl StationApi {
     }
 }
 
-/// The request of HTTP.
+/// Converts a request to an HTTP request.
 fn read(asked: &ApiRequest, to: SocketAddr) -> Result<Request, Problem> {
     let method = asked.method.parse::<Method>();
-    let method = method.map_err(|_| INVALID.problem("method: this is no method of HTTP"))?;
+    let method = method.map_err(|_| INVALID.problem("method: not an HTTP method"))?;
     let header = |name: &str, text: String| {
         let value = HeaderValue::from_str(&text);
-        value.map_err(|_| INVALID.problem(format!("{name}: this takes visible characters")))
+        value.map_err(|_| INVALID.problem(format!("{name}: allowed are visible characters")))
     };
     let mut request = Request::builder()
         .method(method)
@@ -133,17 +132,17 @@ fn read(asked: &ApiRequest, to: SocketAddr) -> Result<Request, Problem> {
         }
     };
     let request = request.body(body);
-    request.map_err(|_| MALFORMED.problem("path: this is no path, as in /api/v1/state"))
+    request.map_err(|_| MALFORMED.problem("path: not a valid path, as in /api/v1/state"))
 }
 
-/// The answer, as far as it ends.
+/// Reads the whole response.
 async fn answer(response: Response) -> Result<ApiAnswer, Problem> {
     let status = response.status();
     let kind = response.headers().get(CONTENT_TYPE);
     let kind = kind.and_then(|kind| kind.to_str().ok()).unwrap_or_default();
     if status.is_informational() || kind.starts_with("text/event-stream") {
         return Err(INVALID.hinted(
-            "path: this does not end, and a fleet carries only answers",
+            "path: event streams are not available through a fleet",
             "the members' states are at `GET /api/v1/fleet/events`",
         ));
     }
@@ -151,10 +150,10 @@ async fn answer(response: Response) -> Result<ApiAnswer, Problem> {
     let body = timeout(WITHIN, to_bytes(response.into_body(), JOB)).await;
     let body = body.map_err(|_| {
         let within_s = WITHIN.as_secs();
-        TIMEOUT.problem(format!("the answer was not there within {within_s} s"))
+        TIMEOUT.problem(format!("the response did not arrive within {within_s} s"))
     })?;
     let body =
-        body.map_err(|_| TOO_LARGE.problem(format!("the answer has more than {JOB} bytes")))?;
+        body.map_err(|_| TOO_LARGE.problem(format!("the response has more than {JOB} bytes")))?;
     let text = || Value::String(String::from_utf8_lossy(&body).into_owned());
     let read = is_json
         .then(|| serde_json::from_slice(&body).ok())
@@ -169,5 +168,5 @@ async fn answer(response: Response) -> Result<ApiAnswer, Problem> {
     })
 }
 
-/// How long an answer may take to be told.
+/// The timeout for reading a response.
 const WITHIN: Duration = Duration::from_secs(30);

@@ -5,16 +5,16 @@ use serde::Deserialize;
 
 use crate::http::exchange::strict_json;
 
-/// A message to a client.
+/// Serialises a message to a client.
 pub(crate) fn text(message: &ToClient<'_>) -> String {
     serde_json::to_string(message).expect("structures with text keys are JSON")
 }
 
-/// Reads a message of a client.
+/// Parses a message of a client.
 ///
 /// # Errors
 ///
-/// The problem, and the number of the request if it could be read.
+/// The problem, and the id of the request if it could be read.
 pub(crate) fn read(text: &[u8]) -> Result<FromClient, (Option<u64>, Problem)> {
     strict_json::read(text).map_err(|problem| {
         let numbered = serde_json::from_slice::<Numbered>(text);
@@ -22,7 +22,7 @@ pub(crate) fn read(text: &[u8]) -> Result<FromClient, (Option<u64>, Problem)> {
     })
 }
 
-/// The number of a message whose rest may be anything.
+/// A message of which only the id is read.
 #[derive(Deserialize)]
 struct Numbered {
     id: u64,

@@ -1,4 +1,4 @@
-//! Long lists, a page at a time.
+//! Paging of long lists.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::http::app::App;
 use crate::http::exchange::answer::NotDone;
 use crate::http::route::Query;
 
-/// Which page of a list.
+/// The requested page of a list.
 #[derive(Debug)]
 pub(crate) struct Page {
     path: String,
@@ -31,16 +31,16 @@ struct Asked {
     after: Option<String>,
 }
 
-/// What of it can be asked for.
+/// The query parameters of paging.
 pub(crate) const PAGES: &[Query] = &[
     Query {
         name: "limit",
-        what: "How many at the most, 1 to 1000; without it all",
+        what: "Maximum number of items, 1 to 1000 (default: all)",
         schema: SchemaGenerator::subschema_for::<usize>,
     },
     Query {
         name: "after",
-        what: "The number or name of the last one of the page before; the header Link has the address of the next page",
+        what: "Number or name of the last item of the previous page; the header Link contains the address of the next page",
         schema: SchemaGenerator::subschema_for::<String>,
     },
 ];
@@ -62,7 +62,7 @@ impl FromRequestParts<Arc<App>> for Page {
 }
 
 impl Page {
-    /// This page of a list, and where the next one is. Each item has a name in the list.
+    /// Returns this page of a list, with a link to the next one. Each item has a unique name.
     pub(crate) fn of<T: Serialize>(
         self,
         all: &[T],
@@ -73,7 +73,7 @@ impl Page {
             Some(after) => {
                 let at = all.iter().position(|item| name(item) == *after);
                 let gone = || {
-                    OUT_OF_RANGE.problem(format!("after is {after:?}, and the list has no such one any more: begin anew without it"))
+                    OUT_OF_RANGE.problem(format!("after is {after:?}, which is not in the list any more; start again without it"))
                 };
                 at.ok_or_else(gone)? + 1
             }
@@ -90,12 +90,12 @@ impl Page {
         let next = format!("{}?limit={limit}&after={}", self.path, name(last));
         let next: Uri = next
             .parse()
-            .map_err(|_| MALFORMED.problem("a name that is no part of an address"))?;
+            .map_err(|_| MALFORMED.problem("the name cannot be part of an address"))?;
         Ok(([(LINK, format!("<{next}>; rel=\"next\""))], body).into_response())
     }
 }
 
-/// So many in a page are enough.
+/// The maximum size of a page.
 const MOST: usize = 1000;
 
 #[cfg(test)]
@@ -113,7 +113,7 @@ mod tests {
         }
     }
 
-    /// What a page has, and what its header Link says.
+    /// Returns the body and the Link header of a page.
     async fn shown(page: Page) -> (String, Option<String>) {
         let answer = page.of(&ALL, |page| (*page).to_owned()).unwrap();
         let next = answer.headers().get(LINK).cloned();

@@ -1,4 +1,4 @@
-//! Who asks the driver of the arm, and what everyone may see.
+//! The requester of a route, and the routes of the policy.
 
 use std::sync::Arc;
 
@@ -21,22 +21,22 @@ use crate::http::app::{App, Caller};
 use crate::http::arm_facts::ArmFacts;
 use crate::http::exchange::answer::{Body, NotDone, json};
 
-/// The header with the token of a lease that was taken over plain HTTP.
+/// The header for a lease token that was granted over plain HTTP.
 pub(crate) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
 
-/// The header with what a sender calls a request that may be sent again.
+/// The header for the key of a repeatable request.
 pub(crate) const KEY: HeaderName = HeaderName::from_static("idempotency-key");
 
-/// One who asks the driver of the arm for something.
+/// The caller of a route, with the means to send requests to the driver.
 #[derive(Debug)]
 pub(crate) struct Asker {
     pub(crate) app: Arc<App>,
     pub(crate) caller: Caller,
-    /// The token that came with the request, if one did.
+    /// The token of the request, if any.
     pub(crate) token: Option<String>,
     /// The token of a lease.
     pub(crate) lease: Option<String>,
-    /// What the sender calls the request.
+    /// The sender's key of the request.
     pub(crate) key: Option<String>,
 }
 
@@ -45,7 +45,7 @@ impl FromRequestParts<Arc<App>> for Asker {
 
     async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
         let caller = parts.extensions.get::<Caller>().cloned();
-        // What is no text is no token and no key either.
+        // A header that is not text is not a token or key.
         let header = |name| {
             let found = parts.headers.get(name)?;
             Some(found.to_str().unwrap_or_default().to_owned())
@@ -61,7 +61,7 @@ impl FromRequestParts<Arc<App>> for Asker {
 }
 
 impl Asker {
-    /// Whether the caller's role is enough.
+    /// Checks the caller's role.
     pub(crate) fn check_role(&self, needed: Role) -> Result<(), Refusal> {
         let found = self.caller.role;
         if found < needed {
@@ -70,20 +70,20 @@ impl Asker {
         Ok(())
     }
 
-    /// Asks for something.
+    /// Sends a request to the driver.
     pub(crate) async fn ask(&self, request: Request) -> Result<Json<Reply>, NotDone> {
         let client = self.client().await?;
         Ok(Json(client.request(request).await?))
     }
 
-    /// Queues a job; the header Location names it.
+    /// Queues a job; the header Location contains its path.
     pub(crate) async fn queue(&self, job: NewJob) -> Result<Response, NotDone> {
         let key = self.key.clone();
         let reply = self.ask(Request::SubmitJob { job, key }).await?;
         Ok(queued(reply))
     }
 
-    /// The client that has the lease token, or one for this request only.
+    /// Returns the client of the lease token, or one for this request only.
     pub(crate) async fn client(&self) -> Result<Arc<Client>, NotDone> {
         match &self.lease {
             Some(token) => {
@@ -94,7 +94,7 @@ impl Asker {
         }
     }
 
-    /// A new client.
+    /// Registers a new client.
     pub(crate) async fn come(&self, name: &str) -> Result<Arc<Client>, NotDone> {
         let (role, person) = (self.caller.role, self.caller.person(name));
         let client = self.app.handle.client_of(name, role, person).await?;
@@ -102,7 +102,7 @@ impl Asker {
     }
 }
 
-/// What is answered when a job was queued.
+/// Returns the response for a queued job.
 pub(crate) fn queued(reply: Json<Reply>) -> Response {
     let place = match &reply.0 {
         Reply::Job { job } => format!("/api/v1/jobs/{}", job.job),
@@ -111,7 +111,7 @@ pub(crate) fn queued(reply: Json<Reply>) -> Response {
     (StatusCode::CREATED, [(LOCATION, place)], reply).into_response()
 }
 
-/// Whether a client may be called so.
+/// Whether a client may have this name.
 pub(crate) fn is_name(name: &str) -> bool {
     (1..=60).contains(&name.chars().count()) && name.chars().all(is_plain)
 }
@@ -138,7 +138,7 @@ pub(crate) async fn arm(State(app): State<Arc<App>>) -> Response {
     .into_response()
 }
 
-/// A change of a keep-out in a draft of a policy.
+/// A change of a keep-out zone in a draft of a policy.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct EditPolicy {
@@ -155,7 +155,7 @@ pub(crate) struct PolicyDraft {
     text: String,
 }
 
-/// Changes a keep-out in a draft of a policy; the policy that holds stays.
+/// Changes a keep-out zone in a draft of a policy; the active policy is unchanged.
 pub(crate) async fn edit_policy(
     Body(asked): Body<EditPolicy>,
 ) -> Result<Json<PolicyDraft>, NotDone> {
@@ -164,18 +164,18 @@ pub(crate) async fn edit_policy(
     Ok(Json(PolicyDraft { text }))
 }
 
-/// A text that is to be the policy.
+/// A new policy.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct PolicyText {
-    /// The TOML text, as `dobot policy` shows one.
+    /// The TOML text, as shown by `dobot policy`.
     text: String,
-    /// Only look whether it is one.
+    /// Whether to only check the text.
     #[serde(default)]
     check: bool,
 }
 
-/// The text of the policy that holds, with its comments where it came from a file.
+/// Returns the text of the active policy, with its comments if it came from a file.
 pub(crate) async fn policy_text(State(app): State<Arc<App>>) -> Response {
     let policy = &app.handle.rules().policy;
     let kept = std::fs::read_to_string(&app.policy_file).ok();
@@ -187,7 +187,7 @@ pub(crate) async fn policy_text(State(app): State<Arc<App>>) -> Response {
     text.into_response()
 }
 
-/// Puts another policy in place of the one that holds, and keeps it for the next start.
+/// Replaces the active policy and stores the new one.
 pub(crate) async fn set_policy(
     asker: Asker,
     Body(new): Body<PolicyText>,
@@ -209,7 +209,7 @@ pub(crate) async fn set_policy(
 pub(crate) async fn problem(
     Path(name): Path<String>,
 ) -> Result<Json<&'static ProblemKind>, NotDone> {
-    let unknown = || UNKNOWN_PATH.problem("there is no kind of problem of this name");
+    let unknown = || UNKNOWN_PATH.problem("there is no problem type with this name");
     Ok(Json(problem_kinds::named(&name).ok_or_else(unknown)?))
 }
 
@@ -219,7 +219,7 @@ pub(crate) async fn document() -> Response {
 
 pub(crate) async fn unknown_path(uri: Uri) -> NotDone {
     let path: String = uri.path().chars().take(80).collect();
-    let hint = "`/api/v1/openapi.json` lists all addresses";
+    let hint = "`/api/v1/openapi.json` lists all paths";
     NotDone(UNKNOWN_PATH.hinted(format!("there is nothing at {path}"), hint))
 }
 

@@ -1,4 +1,4 @@
-//! JSON, read strictly: what is wrong is told with its place, and nothing is dropped or guessed.
+//! Strict JSON: errors have a location, and nothing is dropped or guessed.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -13,12 +13,12 @@ use serde::de::{
 };
 use serde_json::{Map, Value};
 
-/// Reads a body or a message.
+/// Parses a body or a message.
 ///
 /// # Errors
 ///
-/// [`MALFORMED`] with line and column where it is no JSON, [`INVALID`] with the field where it is
-/// not what it has to be: missing, unknown, there twice, of another type, too large for the arm's numbers.
+/// [`MALFORMED`] with line and column if it is not JSON, [`INVALID`] with the field if it is
+/// missing, unknown, duplicated, of another type, or too large for the arm's numbers.
 pub(crate) fn read<T: DeserializeOwned + JsonSchema>(text: &[u8]) -> Result<T, Problem> {
     let body = plain(text, &lists_of::<T>()).map_err(|error| not_plain(&error))?;
     if text.len() > LARGEST_SEARCH {
@@ -45,7 +45,7 @@ fn parse<'de, T: DeserializeOwned>(
     })
 }
 
-/// What is wrong with a value, and where.
+/// A problem with a value, and its location.
 struct Wrong {
     path: String,
     message: String,
@@ -70,11 +70,11 @@ fn not_plain(error: &serde_json::Error) -> Problem {
     kind.problem(format!("{place}: {message}"))
 }
 
-/// The field that is wrong inside of a value whose type is told by one of its fields: then the path of the error ends
-/// above it.
+/// Finds the invalid field inside a value whose type depends on one of its fields: the path of the
+/// error then ends above it.
 ///
-/// Fields are looked at in their order, so the wrong one is the last one whose replacement makes a
-/// difference to the message.
+/// Fields are checked in order, so the invalid one is the last one whose replacement changes the
+/// message.
 fn culprit(mut body: Value, wrong: &Wrong, differs: impl Fn(&Value) -> bool) -> Option<String> {
     if !wrong.message.starts_with("invalid ") {
         return None;
@@ -85,23 +85,23 @@ fn culprit(mut body: Value, wrong: &Wrong, differs: impl Fn(&Value) -> bool) -> 
         .into_iter()
         .filter(|leaf| leaf.name.starts_with(wrong.path.trim_start_matches('.')));
     let is_culprit = |leaf: &Leaf| {
-        let value = body.pointer_mut(&leaf.pointer).expect("it was found there");
+        let value = body.pointer_mut(&leaf.pointer).expect("found above");
         let found = std::mem::replace(value, Value::Array(vec![Value::Null]));
         let differs = differs(&body);
-        *body.pointer_mut(&leaf.pointer).expect("it is still there") = found;
+        *body.pointer_mut(&leaf.pointer).expect("found above") = found;
         differs
     };
     below.rfind(is_culprit).map(|leaf| leaf.name)
 }
 
-/// How long a text may be of which the wrong field is searched for, in bytes.
+/// The maximum length of a text in which the invalid field is searched, in bytes.
 const LARGEST_SEARCH: usize = 4096;
 
-/// A value without values in it.
+/// A value without nested values.
 struct Leaf {
-    /// Its place as a JSON pointer.
+    /// Its location as a JSON pointer.
     pointer: String,
-    /// Its place as people write it.
+    /// Its location for messages.
     name: String,
 }
 
@@ -133,10 +133,11 @@ fn collect(value: &Value, pointer: String, name: String, leaves: &mut Vec<Leaf>)
     }
 }
 
-/// The fields of a type that hold a list, and how many lists there are one in the other.
+/// The list fields of a type, and their nesting depths.
 type Lists = HashMap<String, usize>;
 
-/// The lists of a type, as its schema says. They are kept: making a schema takes longer than reading a message.
+/// Returns the list fields of a type, from its schema. Cached: generating a schema takes longer
+/// than parsing a message.
 fn lists_of<T: JsonSchema>() -> Arc<Lists> {
     static KNOWN: LazyLock<Mutex<HashMap<Cow<'static, str>, Arc<Lists>>>> =
         LazyLock::new(Mutex::default);
@@ -150,7 +151,7 @@ fn lists_of<T: JsonSchema>() -> Arc<Lists> {
     Arc::clone(lists)
 }
 
-/// Collects the lists of a part of a schema, whose named types are in `root`.
+/// Collects the list fields of a part of a schema, whose named types are in `root`.
 fn collect_lists(root: &Value, schema: &Value, lists: &mut Lists) {
     let fields = schema.get("properties").and_then(Value::as_object);
     let named = fields.into_iter().flatten();
@@ -169,14 +170,14 @@ fn collect_lists(root: &Value, schema: &Value, lists: &mut Lists) {
     }
 }
 
-/// The schema itself, also of a field whose type has a name.
+/// Resolves the schema of a field with a named type.
 fn of_name<'a>(root: &'a Value, field: &'a Value) -> &'a Value {
     let name = field.get("$ref").and_then(Value::as_str);
     let place = name.and_then(|name| name.strip_prefix('#'));
     place.and_then(|place| root.pointer(place)).unwrap_or(field)
 }
 
-/// How many lists a schema allows, one in the other, on its own or as one of several.
+/// Returns the nesting depth of lists that a schema allows, directly or in an alternative.
 fn lists_in(schema: &Value) -> usize {
     let is_list = |name: &Value| name == "array";
     let of_list = || 1 + schema.get("items").map_or(0, lists_in);
@@ -194,8 +195,8 @@ fn lists_in(schema: &Value) -> usize {
     }
 }
 
-/// Reads JSON of which every part can only be meant in one way: numbers that the arm's numbers can hold, each field
-/// once, and lists only where there are some, since structures could be read from lists too.
+/// Parses JSON without ambiguity: numbers within the range of the arm's numbers, no duplicate
+/// fields, and lists only where lists are allowed, since structures could be read from lists too.
 fn plain(text: &[u8], known: &Lists) -> Result<Value, serde_json::Error> {
     let mut json = serde_json::Deserializer::from_slice(text);
     let value = Plain { lists: 0, known }.deserialize(&mut json)?;
@@ -206,7 +207,7 @@ fn plain(text: &[u8], known: &Lists) -> Result<Value, serde_json::Error> {
 /// A reader of such a value.
 #[derive(Clone, Copy)]
 struct Plain<'a> {
-    /// How many lists, one in the other, it may be.
+    /// The allowed nesting depth of lists.
     lists: usize,
     known: &'a Lists,
 }
@@ -243,7 +244,7 @@ impl<'de> Visitor<'de> for Plain<'_> {
             return Ok(number.into());
         }
         Err(E::custom(format_args!(
-            "{number:e} is too large; numbers go from -3.4e38 to 3.4e38"
+            "{number:e} is too large; allowed are -3.4e38 to 3.4e38"
         )))
     }
 
@@ -261,7 +262,7 @@ impl<'de> Visitor<'de> for Plain<'_> {
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Value, A::Error> {
         let Some(lists) = self.lists.checked_sub(1) else {
-            return Err(de::Error::custom("there is a list; this takes none"));
+            return Err(de::Error::custom("found a list, which is not allowed here"));
         };
         let mut list = Vec::new();
         while let Some(item) = items.next_element_seed(Self { lists, ..self })? {
@@ -391,7 +392,7 @@ mod tests {
             let (status, detail) = detail::<Command>(list);
             assert_eq!(status, 422);
             assert!(
-                detail.ends_with("there is a list; this takes none"),
+                detail.ends_with("found a list, which is not allowed here"),
                 "{detail}"
             );
         }

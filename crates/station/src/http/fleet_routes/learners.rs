@@ -1,5 +1,5 @@
-//! Students in lessons, as their pages tell it: who is at which step, and for how long. It is kept for a while, for the board of the
-//! fleet; nothing that moves depends on it.
+//! Students in lessons, as reported by their pages: their steps, and for how long. Kept for a
+//! while, for the board of the fleet; no motion depends on it.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -13,36 +13,37 @@ use serde::{Deserialize, Serialize};
 use crate::http::exchange::answer::{Body, NotDone};
 use crate::http::exchange::requester::{Asker, is_name};
 
-/// How far a student is in a lesson.
+/// The progress of a student in a lesson.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Progress {
-    /// What the student is called: 1 to 60 visible characters.
+    /// The student's name: 1 to 60 visible characters.
     student: String,
-    /// The name of the lesson's file, as in `tour`: 1 to 40 small letters of English, digits and underscores.
+    /// The name of the lesson's file, as in `tour`: 1 to 40 lowercase letters a to z, digits and
+    /// underscores.
     lesson: String,
-    /// How many of its steps are done: all of them once it is finished.
+    /// The number of completed steps: all of them when the lesson is finished.
     done: u32,
-    /// How many steps it has, from 1 to 1000.
+    /// The number of steps, 1 to 1000.
     steps: u32,
 }
 
 /// A student in a lesson.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub(crate) struct LearnerView {
-    /// What the student is called.
+    /// The student's name.
     student: String,
     /// The name of the lesson's file.
     lesson: String,
-    /// How many of its steps are done: all of them once it is finished.
+    /// The number of completed steps: all of them when the lesson is finished.
     done: u32,
-    /// How many steps it has.
+    /// The number of steps.
     steps: u32,
-    /// For how long the student has been at this step, in seconds.
+    /// The time that the student has been at this step, in seconds.
     for_s: f64,
 }
 
-/// The students of whom was told lately, by their names: an engine without a clock.
+/// The students with recent reports, by name: an engine without clock.
 #[derive(Debug, Default)]
 pub(crate) struct Learners(BTreeMap<String, Learner>);
 
@@ -51,24 +52,24 @@ struct Learner {
     progress: Progress,
     /// When this step began.
     since: Duration,
-    /// When was told of it last.
+    /// When the last report arrived.
     heard: Duration,
 }
 
 impl Learners {
-    /// Takes what a page tells; said again, it keeps the student from being forgotten.
+    /// Handles a report of a page; repeated reports keep the student listed.
     ///
     /// # Errors
     ///
-    /// [`INVALID`] where a field is out of its range, [`TOO_MANY`] where [`MOST`] others are known.
+    /// [`INVALID`] if a field is out of range, [`TOO_MANY`] if [`MOST`] others are listed.
     fn tell(&mut self, now: Duration, progress: Progress) -> Result<LearnerView, Problem> {
         progress.check()?;
         self.forget(now);
         let before = self.0.get(&progress.student);
         if before.is_none() && self.0.len() >= MOST {
             return Err(TOO_MANY.hinted(
-                format!("{MOST} students are in lessons here, and more may not be"),
-                "try again a minute after one of them has left",
+                format!("{MOST} students are in lessons here, the maximum"),
+                "retry a minute after one of them has left",
             ));
         }
         let same = before.filter(|learner| learner.progress == progress);
@@ -83,7 +84,7 @@ impl Learners {
         Ok(view)
     }
 
-    /// All of whom was told lately, by name.
+    /// Returns all students with recent reports, by name.
     fn views(&mut self, now: Duration) -> Vec<LearnerView> {
         self.forget(now);
         self.0.values().map(|learner| learner.view(now)).collect()
@@ -121,7 +122,7 @@ impl Progress {
         if !(1..=40).contains(&self.lesson.len()) || !self.lesson.chars().all(plain) {
             let found: String = self.lesson.chars().take(60).collect();
             return wrong(format!(
-                "lesson is {found:?}; allowed are 1 to 40 small letters of English, digits and underscores, as in tour"
+                "lesson is {found:?}; allowed are 1 to 40 lowercase letters a to z, digits and underscores, as in tour"
             ));
         }
         let (done, steps) = (self.done, self.steps);
@@ -135,7 +136,7 @@ impl Progress {
     }
 }
 
-/// Takes how far a student is.
+/// Handles the progress of a student.
 pub(crate) async fn tell(
     asker: Asker,
     Body(progress): Body<Progress>,
@@ -145,15 +146,15 @@ pub(crate) async fn tell(
     Ok(Json(asker.app.learners().tell(now, progress)?))
 }
 
-/// All students in lessons.
+/// Returns all students in lessons.
 pub(crate) async fn all(asker: Asker) -> Json<Vec<LearnerView>> {
     let now = asker.app.now();
     Json(asker.app.learners().views(now))
 }
 
-/// How many students are known at once.
+/// The maximum number of students.
 const MOST: usize = 64;
-/// For how long one is known of whom nothing more is told.
+/// The time after which a student without reports is dropped.
 const KEPT_FOR: Duration = Duration::from_secs(60);
 
 #[cfg(test)]
@@ -174,7 +175,7 @@ mod tests {
         Duration::from_secs(s)
     }
 
-    /// Who is at which step, for how many seconds.
+    /// Returns the students with their steps and times in seconds.
     fn told(learners: &mut Learners, now_s: u64) -> Vec<(String, u32, f64)> {
         let views = learners.views(seconds(now_s));
         let plain = |learner_view: LearnerView| {

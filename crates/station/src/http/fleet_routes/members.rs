@@ -1,4 +1,4 @@
-//! The fleet, for its board: who is there, and requests to several stations at once.
+//! The fleet: its members, and requests to several stations.
 
 use std::collections::HashSet;
 use std::convert::Infallible;
@@ -25,7 +25,7 @@ use crate::http::live::events::ALIVE_EVERY;
 use crate::http::routes;
 use crate::{ArmsPort, FleetPort, Members};
 
-/// What the station knows of its fleet.
+/// Returns the station's view of its fleet.
 pub(crate) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>, NotDone> {
     let port = app.fleet()?;
     let members = port.look().await?.borrow().clone();
@@ -36,7 +36,7 @@ pub(crate) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>
     }))
 }
 
-/// Tells of each member as it changes; first of all of them. Of one that is not kept in mind any more it tells that it is gone.
+/// Streams each member when it changes, beginning with all members, and the removal of members.
 pub(crate) async fn events(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
@@ -59,17 +59,17 @@ pub(crate) async fn events(
     Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(ALIVE_EVERY)))
 }
 
-/// So often the members are looked at: that is as often as a person sees a tile move.
+/// The interval at which members are compared: as fast as a person sees a tile move.
 const TELL_EVERY: Duration = Duration::from_millis(100);
 
-/// One who watches the fleet, until he goes or the station ends.
+/// The state of one event stream.
 struct Watching {
     members: watch::Receiver<Members>,
-    /// The members as they were told.
+    /// The members as last sent.
     told: Members,
-    /// Those that have still to be told.
+    /// The members still to be sent.
     waiting: Vec<Arc<Member>>,
-    /// The numbers of those of which it has still to be told that they are gone.
+    /// The ids of removed members still to be sent.
     gone: Vec<String>,
     pace: Interval,
     stay: Stay,
@@ -114,14 +114,14 @@ impl Watching {
     }
 }
 
-/// Whom to stop.
+/// A stop of several stations.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FleetStop {
-    /// Which stations; all where it is not said.
+    /// The stations; all if absent.
     #[serde(default = "all")]
     to: Recipients,
-    /// Why, for those who find their arm stopped.
+    /// The reason, shown at the stopped arms.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
 }
@@ -139,7 +139,8 @@ const fn all() -> Recipients {
     Recipients::All
 }
 
-/// Stops the arms of several stations. A stop of all is one of the fleet, which each station keeps.
+/// Stops the arms of several stations. A stop of all is a stop of the fleet, which each station
+/// keeps.
 pub(crate) async fn stop(
     asker: Asker,
     Maybe(wanted): Maybe<FleetStop>,
@@ -151,13 +152,13 @@ pub(crate) async fn stop(
             by: asker.at(port),
             reason: reason.clone(),
         };
-        // Where this station ends, the others are stopped all the same.
+        // Even if this station is ending, the others are stopped.
         let stopped = asker.app.handle.stop_fleet(port.id(), by).await;
         stopped.ok().map(|(stop, _)| stop)
     } else {
         None
     };
-    // Anyone may stop, and a token that another station does not know would keep it from that.
+    // Anyone may stop; a token that another station does not know would prevent that.
     let request = ApiRequest {
         method: "POST".into(),
         path: routes::STOP.into(),
@@ -174,13 +175,13 @@ pub(crate) async fn stop(
             .filter(|answer| failed.contains(&(&answer.name, &answer.id)));
         let silent = silent.cloned().collect();
         let port = port.clone();
-        // They are told until they answer; whoever stops does not wait for that.
+        // The stop is sent until they answer; the requester does not wait for that.
         tokio::spawn(async move { drop(port.tell_stops(silent).await) });
     }
     Ok(Json(answers))
 }
 
-/// Lets the whole fleet move again after a stop of all.
+/// Resets a stop of the whole fleet.
 pub(crate) async fn reset_stop(
     asker: Asker,
     Extension(peer): Extension<Peer>,
@@ -194,8 +195,8 @@ pub(crate) async fn reset_stop(
         .token
         .is_some_and(|token| !app.tokens().is_local(&token));
     if !(has_token || peer.by_fleet || port.is_on_one_machine()) {
-        let detail = "that one may do everything on his own machine counts for nothing at the other stations";
-        let hint = "take a token of this station with the role control, in DOBOT_TOKEN; or reset the stop of this arm alone: `dobot stop --reset`";
+        let detail = "the rights of local programs are not valid at other stations";
+        let hint = "set DOBOT_TOKEN to a token of this station with the role control; or reset the stop of this arm only with `dobot stop --reset`";
         return Err(UNAUTHORISED.hinted(detail, hint).into());
     }
     app.handle.reset_fleet_stops(&asker.at(port)).await?;
@@ -203,28 +204,28 @@ pub(crate) async fn reset_stop(
     Ok(Json(port.tell_stops(members).await?))
 }
 
-/// A request to several stations at once.
+/// A request to several stations.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FleetRequest {
-    /// Which stations.
+    /// The stations.
     to: Recipients,
     /// The method, as in `POST`.
     method: String,
     /// The path with its query, as in `/api/v1/jobs/pause`.
     path: String,
-    /// The token of a lease of the one station that is asked.
+    /// The token of a lease, if one station is addressed.
     #[serde(default)]
     lease: Option<String>,
-    /// What the sender calls this request.
+    /// The sender's key of this request.
     #[serde(default)]
     key: Option<String>,
-    /// The body, where there is one.
+    /// The body, if any.
     #[serde(default)]
     body: Option<serde_json::Value>,
 }
 
-/// Asks several stations for the same; the token of the request goes with it.
+/// Sends a request to several stations, with the token of the caller.
 pub(crate) async fn request(
     asker: Asker,
     Body(wanted): Body<FleetRequest, JOB>,
@@ -235,7 +236,7 @@ pub(crate) async fn request(
         lease: wanted.lease,
         key: wanted.key,
         body: wanted.body,
-        // What programs of this machine say here is known here alone.
+        // The token of local programs is valid here only.
         token: asker
             .token
             .filter(|token| !asker.app.tokens().is_local(&digest(token))),
@@ -244,34 +245,34 @@ pub(crate) async fn request(
 }
 
 impl Asker {
-    /// Who asks, and at which station, for those at others.
+    /// Returns the caller and its station, for other stations.
     fn at(&self, port: &FleetPort) -> String {
         format!("{} at {}", self.caller.name, port.name())
     }
 }
 
 impl App {
-    /// The way to the fleet, if the station belongs to one.
+    /// Returns the connection to the fleet, if the station belongs to one.
     pub(crate) fn fleet(&self) -> Result<&FleetPort, Problem> {
-        let hint = "`dobot up --fleet` joins one";
+        let hint = "join one with `dobot up --fleet`";
         self.fleet
             .get()
             .ok_or_else(|| NO_FLEET.hinted("this station belongs to no fleet", hint))
     }
 
-    /// What gives virtual arms, if the station has that.
+    /// Returns the host of virtual arms, if the station has one.
     pub(crate) fn arms(&self) -> Result<&ArmsPort, Problem> {
-        let hint = "`GET /api/v1/fleet` tells which stations do (`gives_arms`); `dobot up --virtual --fleet --virtual-arms 10` starts one";
+        let hint = "`GET /api/v1/fleet` shows the stations that do (`gives_arms`); `dobot up --virtual --fleet --virtual-arms 10` starts one";
         self.arms
             .get()
-            .ok_or_else(|| GIVES_NO_ARMS.hinted("this station gives no virtual arms", hint))
+            .ok_or_else(|| GIVES_NO_ARMS.hinted("this station hosts no virtual arms", hint))
     }
 }
 
-/// What is said of a field whose text nothing in a fleet can be called.
+/// Returns the problem of a field that is not a valid name of a fleet.
 pub(crate) fn not_a_name(field: &str, found: &str, example: &str) -> String {
     let found: String = found.chars().take(60).collect();
     format!(
-        "{field}: {found:?}; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter, as in {example}"
+        "{field}: {found:?}; allowed are 1 to 40 lowercase letters a to z, digits and hyphens, beginning with a letter, as in {example}"
     )
 }

@@ -1,4 +1,4 @@
-//! Work that other stations of the fleet offer to this one.
+//! Offers of jobs by other stations of the fleet.
 
 use std::sync::{Arc, PoisonError};
 
@@ -22,13 +22,13 @@ use crate::http::exchange::requester::Asker;
 use crate::http::resources::drawings::NewDrawing;
 use crate::{FleetPort, UNSETTLED, work_hurdle};
 
-/// Work that a station offers: a drawing or a job.
+/// A job that a station offers: a drawing or a list of commands.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FleetOffer {
-    /// What the station is called.
+    /// The name of the offering station.
     pub(crate) by: String,
-    /// Whose it is.
+    /// The student who owns the job.
     pub(crate) student: String,
     /// A drawing, which is planned here.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -36,13 +36,13 @@ pub(crate) struct FleetOffer {
     /// A job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) job: Option<NewJob>,
-    /// The calibration of the arm that the job's places are meant for, as ten numbers.
+    /// The calibration of the arm for which the job's positions were computed, as ten numbers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) made_for: Option<Vec<f64>>,
 }
 
-/// One who may offer work: a station of the fleet, whose owner has let this one take it (`dobot up --takes-work`), or
-/// whoever may queue jobs.
+/// A caller that may offer jobs: a station of the fleet if the owner of this one has allowed it
+/// (`dobot up --takes-work`), or a caller that may queue jobs.
 #[derive(Debug)]
 pub(crate) struct Offerer(Asker);
 
@@ -62,7 +62,7 @@ impl FromRequestParts<Arc<App>> for Offerer {
     }
 }
 
-/// Takes work, if the arm is free for it, or refuses it for good under this key.
+/// Accepts a job if the arm is free for it, or refuses it for good under this key.
 pub(crate) async fn offer(
     Offerer(asker): Offerer,
     Body(offered): Body<FleetOffer, JOB>,
@@ -70,9 +70,10 @@ pub(crate) async fn offer(
     let app = &asker.app;
     offered.drawing.as_ref().map_or(Ok(()), NewDrawing::check)?;
     let port = app.fleet()?;
-    let key = asker.key.clone().ok_or_else(|| {
-        MALFORMED.problem("an offer has a key, in the header Idempotency-Key; this one has none")
-    })?;
+    let key = asker
+        .key
+        .clone()
+        .ok_or_else(|| MALFORMED.problem("an offer needs a key in the header Idempotency-Key"))?;
     let known = app.handle.offer(&key, OfferAsk::Look).await?;
     if known != OfferAnswer::Unknown {
         return Ok(Json(answered(known)?));
@@ -86,7 +87,7 @@ pub(crate) async fn offer(
         None => OfferAsk::Refuse {
             busy: false,
             reason: format!(
-                "{} takes no work of its fleet; `dobot up --takes-work` lets it",
+                "{} accepts no jobs of its fleet; allow it with `dobot up --takes-work`",
                 port.name()
             ),
         },
@@ -98,7 +99,7 @@ pub(crate) async fn offer(
     Ok(Json(job))
 }
 
-/// What has become of an offer.
+/// Returns the state of an offer.
 pub(crate) async fn look(
     Offerer(asker): Offerer,
     Path(key): Path<String>,
@@ -107,7 +108,8 @@ pub(crate) async fn look(
     Ok(Json(answered(answer)?))
 }
 
-/// Takes an offer back: no job comes of it any more, and one that has come of it ends if it has not begun.
+/// Withdraws an offer: no job is created from it any more, and an existing one ends if it has not
+/// begun.
 pub(crate) async fn withdraw(
     Offerer(asker): Offerer,
     Path(key): Path<String>,
@@ -129,7 +131,7 @@ fn answered(answer: OfferAnswer) -> Result<JobView, Problem> {
 }
 
 impl FleetOffer {
-    /// What the arm's station is asked; a drawing is planned for it before.
+    /// Returns the request to the driver, after planning a drawing.
     async fn ask(self, app: &App, key: &str) -> Result<OfferAsk, Problem> {
         let (mut job, made_for) = match (self.drawing, self.job) {
             (None, Some(job)) => (job, calibration(self.made_for)?),
@@ -139,7 +141,7 @@ impl FleetOffer {
                 let _planning = Planning::begin(app, key)?;
                 match app.drawings.plan(drawing, planned_for).await {
                     Ok(job) => (job, made_for),
-                    // What is in the way now, such as too many other plans, is not in the way for ever.
+                    // A temporary obstacle, such as too many other plans, is not a final refusal.
                     Err(problem) if problem.status != 422 => return Err(problem),
                     Err(problem) => {
                         let reason = problem.detail;
@@ -148,7 +150,7 @@ impl FleetOffer {
                     }
                 }
             }
-            _ => return Err(INVALID.problem("an offer has a drawing or a job, and not both")),
+            _ => return Err(INVALID.problem("an offer must have a drawing or a job, not both")),
         };
         let by = format!(" ({})", self.student);
         let room = LONGEST_TITLE.saturating_sub(by.chars().count());
@@ -171,7 +173,7 @@ fn calibration(numbers: Option<Vec<f64>>) -> Result<Calibration, Problem> {
     Ok(Calibration::from_numbers(numbers))
 }
 
-/// A drawing that is being planned for an offer: asked again meanwhile, it is not planned again.
+/// A drawing that is being planned for an offer: repeated offers do not plan it again.
 struct Planning<'a> {
     app: &'a App,
     key: String,
@@ -182,7 +184,9 @@ impl<'a> Planning<'a> {
         let key = key.to_owned();
         let mut all = app.planning.lock().unwrap_or_else(PoisonError::into_inner);
         if !all.insert(key.clone()) {
-            return Err(DRAWING_PHASE.hinted("it is being planned", "ask again in some seconds"));
+            return Err(
+                DRAWING_PHASE.hinted("the drawing is being planned", "retry in some seconds")
+            );
         }
         Ok(Self { app, key })
     }
@@ -199,7 +203,8 @@ impl Drop for Planning<'_> {
     }
 }
 
-/// Why work of this student is not taken now: the arm could not start it, or it is the time of another one.
+/// Returns why a job of this student is not accepted now: the arm could not start it, or another
+/// student's time slot is active.
 fn not_now(app: &App, port: &FleetPort, takes_work: TakesWork, student: &str) -> Option<String> {
     if !port.is_settled() {
         return Some(UNSETTLED.into());
@@ -209,16 +214,22 @@ fn not_now(app: &App, port: &FleetPort, takes_work: TakesWork, student: &str) ->
     work_hurdle(state, takes_work).or_else(|| others_time(state, student))
 }
 
-/// Why work of this student is not taken now, where it is the time of another one.
+/// Returns why a job of this student is not accepted now because of another student's time slot.
 fn others_time(state: &State, student: &str) -> Option<String> {
     let now = state.slots.as_ref()?.now.as_ref()?;
     let is_others = !is_same_person(&now.student, student);
     is_others.then(|| format!("it is the time of {} at this arm", now.student))
 }
 
+<<<<<<< HEAD
 /// Starts a job of the fleet, where its owner has allowed it and nobody has control; where it cannot be started a person
 /// does it.
 async fn start(handle: StationHandle, job: u64, student: String) {
+=======
+/// Starts a job of the fleet if the owner has allowed it and nobody has control; otherwise a person
+/// has to start it.
+async fn start(handle: Handle, job: u64, student: String) {
+>>>>>>> fleet
     let coming = handle.client_of("work of the fleet", Role::Control, &student);
     let Ok(client) = coming.await else {
         return;

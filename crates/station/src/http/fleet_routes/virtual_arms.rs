@@ -1,4 +1,4 @@
-//! Virtual arms for those of the fleet who have none.
+//! Virtual arms for members of the fleet without an arm.
 
 use axum::Json;
 use axum::extract::Path;
@@ -12,20 +12,21 @@ use crate::http::exchange::requester::Asker;
 use crate::http::fleet_routes::members::not_a_name;
 use crate::{ArmWish, WantedArm};
 
-/// A virtual arm that is wanted.
+/// A request for a virtual arm.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct WantedVirtualArm {
-    /// What it is to be called in the fleet: 1 to 40 small letters of English, digits and hyphens, the first one a letter.
+    /// Its name in the fleet: 1 to 40 lowercase letters a to z, digits and hyphens, beginning with
+    /// a letter.
     name: String,
 }
 
-/// Those that are given.
+/// Lists the hosted arms.
 pub(crate) async fn all(asker: Asker) -> Result<Json<GivenArms>, NotDone> {
     Ok(Json(asker.app.arms()?.wish(ArmWish::List).await?))
 }
 
-/// Gives one; whoever asks again for the same name gets the same.
+/// Starts an arm; repeated requests for the same name return the same arm.
 pub(crate) async fn give(
     asker: Asker,
     Body(wanted): Body<WantedVirtualArm, JOB>,
@@ -42,7 +43,7 @@ pub(crate) async fn give(
     Ok(Json(given?))
 }
 
-/// Ends one.
+/// Ends an arm.
 pub(crate) async fn end(
     asker: Asker,
     Path(name): Path<String>,

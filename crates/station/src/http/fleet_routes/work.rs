@@ -1,4 +1,4 @@
-//! Work for any arm, at the station where it is submitted.
+//! Jobs for any arm, at the station to which they are submitted.
 
 use std::time::SystemTime;
 
@@ -17,23 +17,24 @@ use crate::http::fleet_routes::offers::FleetOffer;
 use crate::http::resources::drawings::NewDrawing;
 use crate::{NewWork, WorkWish};
 
-/// A drawing or a program for any arm: one of both.
+/// A drawing or a program for any arm.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub(crate) struct FleetWork {
     /// A drawing; the station that takes it plans it for its own arm.
     drawing: Option<NewDrawing>,
-    /// A job. Its places are those of this station's arm: one that is calibrated otherwise does not take it.
+    /// A job. Its positions are those of this station's arm: an arm with another calibration
+    /// refuses it.
     job: Option<NewJob>,
-    /// What an arm has to have for it, as in `["pen", "a5"]`.
+    /// The features that an arm must offer, as in `["pen", "a5"]`.
     needs: Vec<String>,
-    /// Whose it is; without it, that of whoever submits it.
+    /// The student who owns it; by default the caller.
     student: Option<String>,
-    /// The group of that one.
+    /// The student's group.
     group: Option<String>,
 }
 
-/// Submits work for any arm.
+/// Submits a job for any arm.
 pub(crate) async fn submit(
     asker: Asker,
     Body(wanted): Body<FleetWork, JOB>,
@@ -46,12 +47,12 @@ pub(crate) async fn submit(
     Ok((StatusCode::CREATED, Json(view)))
 }
 
-/// All work that was submitted here.
+/// Lists all jobs that were submitted here.
 pub(crate) async fn all(asker: Asker) -> Result<Json<Vec<WorkView>>, NotDone> {
     Ok(Json(asker.app.fleet()?.work(WorkWish::List).await?))
 }
 
-/// Cancels work.
+/// Cancels a job.
 pub(crate) async fn cancel(
     asker: Asker,
     Path(work): Path<String>,
@@ -63,7 +64,7 @@ pub(crate) async fn cancel(
     ))
 }
 
-/// Gives work that is in doubt, or has failed, to another arm: a person has looked, and decides so.
+/// Moves a job that is in doubt or has failed to another arm: a person has checked and decided so.
 pub(crate) async fn give(
     asker: Asker,
     Path(work): Path<String>,
@@ -74,7 +75,7 @@ pub(crate) async fn give(
 }
 
 impl FleetWork {
-    /// What is kept of it.
+    /// Returns the stored form of the job.
     fn work(self, asker: &Asker, home: &str) -> Result<NewWork, Problem> {
         let student = self.student.unwrap_or_else(|| asker.caller.name.clone());
         check_people(&student, self.group.as_deref())?;
@@ -89,9 +90,9 @@ impl FleetWork {
             (Some(drawing), None) => drawing.title(),
             (None, Some(job)) => job.title.chars().take(LONGEST_TITLE).collect(),
             _ => {
-                return Err(INVALID.problem(
-                    "work is a drawing or a job; give one of them, in `drawing` or in `job`",
-                ));
+                return Err(
+                    INVALID.problem("expected a drawing or a job; give either `drawing` or `job`")
+                );
             }
         };
         let made_for = self.job.as_ref().map(|_| asker.app.planned_for().arm());
@@ -141,7 +142,7 @@ fn check_needs(needs: &[String]) -> Result<(), Problem> {
     }
 }
 
-/// Milliseconds since 1970, by the computer's clock.
+/// Returns the milliseconds since 1970, by the system's clock.
 fn now_ms() -> i64 {
     let since = SystemTime::UNIX_EPOCH.elapsed().unwrap_or_default();
     i64::try_from(since.as_millis()).unwrap_or(i64::MAX)

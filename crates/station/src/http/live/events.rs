@@ -20,33 +20,34 @@ use crate::http::exchange::answer::NotDone;
 use crate::http::exchange::messages;
 use crate::http::live::socket::{StateStream, Wants, state_message};
 
-/// So often something comes, so that a dead connection is found.
+/// The interval of keep-alive comments, which reveal dead connections.
 pub(crate) const ALIVE_EVERY: Duration = Duration::from_secs(5);
 const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 
-/// One event, as its lines say it; for the document only.
+/// One event, for the document only.
 #[derive(JsonSchema)]
 #[expect(dead_code, reason = "only its schema is used")]
 pub(crate) struct ServerSentEvent {
-    /// What it tells: `state` or `notice`; `packet` or `lost`; `member` or `gone`.
+    /// The type: `state` or `notice`; `packet` or `lost`; `member` or `gone`.
     event: String,
-    /// The number of a notice; nothing else has one.
+    /// The number of a notice; absent for other events.
     id: Option<String>,
-    /// A message as in `ToClient`, a packet as in `PacketView`, or a station of the fleet as in `Member`, as text.
+    /// As JSON text: a message as in `ToClient`, a packet as in `PacketView`, or a member of the
+    /// fleet as in `Member`.
     data: String,
 }
 
-/// What one who watches is told, until he goes or the station ends.
+/// An event stream, until its client leaves or the station ends.
 struct Watching {
     states: StateStream,
     notices: Option<broadcast::Receiver<Arc<Notice>>>,
-    /// What comes before what happens from now on, the last first.
+    /// Events to send before the live ones, in reverse order.
     first: Vec<Event>,
     stay: Stay,
     _place: OwnedSemaphorePermit,
 }
 
-/// Tells states and notices as they come.
+/// Streams states and notices.
 pub(crate) async fn events(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
@@ -83,8 +84,8 @@ pub(crate) async fn events(
 }
 
 impl Watching {
-    /// The next event. It is over for one who reads too slowly, too: who comes again with the last
-    /// number that he saw misses no notice.
+    /// Returns the next event. The stream also ends for a slow client, which can reconnect with the
+    /// last number that it received without missing a notice.
     async fn next(&mut self) -> Option<Event> {
         if let Some(event) = self.first.pop() {
             return Some(event);
@@ -97,7 +98,7 @@ impl Watching {
     }
 }
 
-/// The next notice; never for one who wants none.
+/// Returns the next notice; never, if none are requested.
 async fn next(
     notices: &mut Option<broadcast::Receiver<Arc<Notice>>>,
 ) -> Result<Arc<Notice>, broadcast::error::RecvError> {
@@ -107,7 +108,7 @@ async fn next(
     }
 }
 
-/// The number of the last notice that one who comes again has seen.
+/// Returns the number of the last notice that a reconnecting client has received.
 fn last_seen(headers: &HeaderMap) -> Result<Option<u64>, Problem> {
     let Some(value) = headers.get(LAST_EVENT_ID) else {
         return Ok(None);

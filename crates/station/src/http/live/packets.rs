@@ -1,4 +1,4 @@
-//! Every packet between the station and the arm, for one who looks at them.
+//! The stream of all packets between the station and the arm.
 
 use std::convert::Infallible;
 use std::sync::Arc;
@@ -20,46 +20,46 @@ use crate::http::app::{App, Caller, Stay};
 use crate::http::exchange::answer::NotDone;
 use crate::http::live::events::ALIVE_EVERY;
 
-/// A packet that has passed between the station and the arm.
+/// A packet between the station and the arm.
 #[derive(Debug, Serialize, JsonSchema)]
 #[serde(tag = "direction", rename_all = "snake_case")]
 pub(crate) enum PacketView {
-    /// It went to the arm.
+    /// Sent to the arm.
     ToArm {
-        /// When, in seconds since the station started.
+        /// The time, in seconds since the station started.
         at_s: f64,
-        /// Its 42 bytes, as hex digits.
+        /// Its 42 bytes, in hexadecimal digits.
         bytes: String,
-        /// What it means, by the dialect of the arm; nothing where it means nothing.
+        /// The command, by the dialect of the arm; absent if it is invalid.
         command: Option<Command>,
-        /// Why it means nothing.
+        /// The reason why it is invalid.
         problem: Option<String>,
     },
-    /// It came from the arm.
+    /// Received from the arm.
     FromArm {
-        /// When, in seconds since the station started.
+        /// The time, in seconds since the station started.
         at_s: f64,
-        /// Its 42 bytes, as hex digits.
+        /// Its 42 bytes, in hexadecimal digits.
         bytes: String,
-        /// What it means.
+        /// The status.
         status: Option<Status>,
     },
 }
 
-/// How many packets came too fast.
+/// The number of packets dropped because the client was too slow.
 #[derive(Debug, Serialize)]
 struct Lost {
     lost: u64,
 }
 
-/// One who listens, until he goes or the station ends.
+/// A packet stream, until its client leaves or the station ends.
 struct Listening {
     packets: Receiver<PassedPacket>,
     stay: Stay,
     _place: OwnedSemaphorePermit,
 }
 
-/// Tells the packets as they pass.
+/// Streams the packets as they pass.
 pub(crate) async fn packets(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
@@ -106,7 +106,7 @@ fn view(packet: &PassedPacket, dialect: Dialect) -> PacketView {
     }
     let parsed = match Packet::from_bytes(&packet.bytes) {
         Some(packet) => Command::parse(&packet, &dialect).map_err(|error| error.to_string()),
-        None => Err("it does not begin and end as a packet does".to_owned()),
+        None => Err("the header or trailer of the packet is invalid".to_owned()),
     };
     let problem = parsed.as_ref().err().cloned();
     PacketView::ToArm {

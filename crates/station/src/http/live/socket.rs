@@ -1,4 +1,4 @@
-//! WebSockets: from the request to upgrade to the last word.
+//! WebSockets, from the upgrade request to the close frame.
 
 mod connection;
 mod receive;
@@ -27,7 +27,7 @@ use crate::http::exchange::answer::{BODY, JOB, NotDone};
 use crate::http::exchange::requester::is_name;
 use crate::http::route::Query;
 
-/// What a client chooses when it connects.
+/// The options of a connecting client.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Wants {
@@ -36,54 +36,53 @@ pub(crate) struct Wants {
     name: Option<String>,
 }
 
-/// The same for the document.
+/// The options as query parameters, for the document.
 pub(crate) const QUERIES: &[Query] = &[
     Query {
         name: "states",
-        what: "The most states in a second, 0 to 1000; without it every one comes (12.5 in a second, and those with events)",
+        what: "Maximum number of states per second, 0 to 1000 (default: every state, 12.5 per second and those with events)",
         schema: SchemaGenerator::subschema_for::<f64>,
     },
     Query {
         name: "notices",
-        what: "Whether notices come; true without it",
+        what: "Whether to send notices (default: true)",
         schema: SchemaGenerator::subschema_for::<bool>,
     },
     Query {
         name: "name",
-        what: "What the client calls itself, in 1 to 60 characters",
+        what: "Name of the client, 1 to 60 characters",
         schema: SchemaGenerator::subschema_for::<String>,
     },
 ];
 
-/// Of these, what one chooses who only watches.
+/// The parameters for clients that only watch.
 pub(crate) const WATCH_QUERIES: &[Query] = QUERIES.split_at(2).0;
 
 impl Wants {
-    /// What one chooses who only watches: it needs no name.
+    /// Parses the options of a client that only watches, which needs no name.
     pub(crate) fn of_one_who_watches(uri: &Uri) -> Result<Self, Problem> {
         let wants = Self::of(uri)?;
         if wants.name.is_some() {
             return Err(
-                MALFORMED.problem("the query of the address: name; allowed are states and notices")
+                MALFORMED.problem("query: unknown parameter name; allowed are states and notices")
             );
         }
         Ok(wants)
     }
 
-    /// The most states in a second; every one where it is not said.
+    /// Returns the maximum number of states per second; `None` for every state.
     pub(crate) const fn states(&self) -> Option<f64> {
         self.states
     }
 
-    /// Whether notices come.
+    /// Whether to send notices.
     pub(crate) fn notices(&self) -> bool {
         self.notices.unwrap_or(true)
     }
 
     fn of(uri: &Uri) -> Result<Self, Problem> {
-        let UrlQuery(wants) = UrlQuery::<Self>::try_from_uri(uri).map_err(|error| {
-            MALFORMED.problem(format!("the query of the address: {}", error.body_text()))
-        })?;
+        let UrlQuery(wants) = UrlQuery::<Self>::try_from_uri(uri)
+            .map_err(|error| MALFORMED.problem(format!("query: {}", error.body_text())))?;
         wants.check()?;
         Ok(wants)
     }
@@ -91,23 +90,21 @@ impl Wants {
     fn check(&self) -> Result<(), Problem> {
         if let Some(states) = self.states.filter(|per_s| !(0.0..=1000.0).contains(per_s)) {
             return Err(MALFORMED.problem(format!(
-                "states is {states}; allowed is 0 to 1000 in a second"
+                "states is {states}; allowed are 0 to 1000 per second"
             )));
         }
         if self.name.as_ref().is_some_and(|name| !is_name(name)) {
-            return Err(
-                MALFORMED.problem("name: this takes 1 to 60 characters that can be printed")
-            );
+            return Err(MALFORMED.problem("name: allowed are 1 to 60 printable characters"));
         }
         Ok(())
     }
 }
 
-/// How many bytes are read at once. So many are cleared whenever a client's task is woken, be it to be
-/// told something: with the 128 KiB of the library a third of the station's time went there.
+/// The size of the read buffer. It is cleared whenever a client's task is woken, even to send: with
+/// the library's default of 128 KiB a third of the station's time was spent on that.
 const READ_AT_ONCE: usize = 4 * 1024;
 
-/// Answers a request to speak WebSocket.
+/// Answers a request to upgrade to WebSocket.
 pub(crate) async fn upgrade(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,

@@ -1,11 +1,11 @@
-//! The address for agents, in a build without them.
+//! The endpoint for agents, in a build without them.
 
 use dobot_api::problem_kinds::NOT_BUILT;
 use dobot_api::{NotBuilt, StationAddress};
 
 use crate::http::exchange::answer::NotDone;
 
-/// No tools for agents.
+/// A placeholder for the tools for agents.
 #[derive(Debug)]
 pub(super) struct HttpAgents;
 
@@ -21,7 +21,7 @@ impl HttpAgents {
     pub(super) fn end(&self) {}
 }
 
-/// Tells an agent that it cannot come here.
+/// Refuses an agent.
 pub(super) async fn agents() -> Result<(), NotDone> {
     let text = NotBuilt("tools for agents (MCP)").to_string();
     Err(NOT_BUILT.hinted(text, NotBuilt::HINT).into())

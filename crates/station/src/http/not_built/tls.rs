@@ -10,18 +10,18 @@ use tokio::net::TcpStream;
 
 use crate::TlsFiles;
 
-/// A certificate, which this build cannot have.
+/// A certificate, which this build cannot use.
 #[derive(Debug)]
 pub(super) struct Certificate {
     pub(super) acceptor: TlsAcceptor,
     pub(super) fingerprint: String,
 }
 
-/// Encrypts connections, which this build cannot do.
+/// A TLS acceptor, which this build cannot have.
 #[derive(Clone, Debug)]
 pub(super) struct TlsAcceptor(Infallible);
 
-/// Why a station cannot be served with TLS.
+/// The error returned when a station cannot be served with TLS.
 pub use dobot_api::NotBuilt as TlsError;
 
 impl Certificate {

@@ -1,4 +1,4 @@
-//! Drawings that are planned for a while beside everything else, to be looked at and made into jobs.
+//! Drawings, which are planned in the background, shown and converted to jobs.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -22,75 +22,75 @@ use tokio::task::AbortHandle;
 
 use crate::http::exchange::answer::beside;
 
-/// A drawing that is to be planned: a file, the text that the options tell or both, or a test card.
+/// A drawing to be planned: a file, the text in the options or both, or a test card.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub(crate) struct NewDrawing {
-    /// The name of the file: its ending tells what kind it is.
+    /// The name of the file; its extension determines the format.
     name: Option<String>,
-    /// What the file holds, in Base64 (RFC 4648).
+    /// The contents of the file, in Base64 (RFC 4648).
     file: Option<String>,
-    /// How it is to be drawn, as the arguments of `dobot draw`.
+    /// The options, as those of `dobot draw`.
     options: Options,
 }
 
-/// A drawing, planned or on the way to it.
+/// A drawing with the state of its plan.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub(crate) struct DrawingView {
     /// Its number.
     pub(crate) drawing: u64,
-    /// What a person calls it.
+    /// Its title.
     title: String,
-    /// How far it is.
+    /// The phase of its planning.
     phase: DrawingPhase,
-    /// Why it cannot be planned.
+    /// The reason why it cannot be planned.
     #[serde(skip_serializing_if = "Option::is_none")]
     problem: Option<Problem>,
-    /// What was planned.
+    /// The plan.
     #[serde(skip_serializing_if = "Option::is_none")]
     plan: Option<DrawingPlan>,
 }
 
-/// How far a drawing is.
+/// The phase of a drawing's planning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum DrawingPhase {
-    /// It waits until others are planned.
+    /// Waits for other drawings.
     Waiting,
-    /// It is being planned.
+    /// Is being planned.
     Planning,
-    /// It is planned.
+    /// Is planned.
     Planned,
-    /// It cannot be planned.
+    /// Cannot be planned.
     Failed,
 }
 
-/// What was planned.
+/// The plan of a drawing.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 struct DrawingPlan {
-    /// How much larger than its file says it becomes.
+    /// The scale relative to the size in the file.
     scale: f64,
-    /// Whether it burns with a laser.
+    /// Whether a laser is used.
     burns: bool,
-    /// What the pen does not show as the file says.
+    /// Differences between the result and the file.
     warnings: Vec<String>,
-    /// Where the arm waits for a person, and what that one reads there.
+    /// The pauses for a person, with their messages.
     pauses: Vec<String>,
-    /// Why the arm may not draw it from where it stands.
+    /// The reason why the arm may not draw it from its current position.
     #[serde(skip_serializing_if = "Option::is_none")]
     refused: Option<Problem>,
-    /// All of it in time, pass by pass and vector by vector.
+    /// The drawing over time, pass by pass and vector by vector.
     timeline: Timeline,
 }
 
-/// What of a drawing a job is to do.
+/// The part of a drawing that a job draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum DrawingPart {
-    /// All of it.
+    /// The whole drawing.
     #[default]
     Whole,
-    /// The way around it, with the pen up or the laser off.
+    /// Its outline, with the pen up or the laser off.
     Frame,
 }
 
@@ -99,15 +99,15 @@ pub(crate) enum DrawingPart {
 pub(crate) struct MaterialView {
     /// Its name.
     name: String,
-    /// What draws on it: `pen` or `laser`.
+    /// Its tool: `pen` or `laser`.
     tool: Tool,
 }
 
-/// All drawings that are kept.
+/// All stored drawings.
 #[derive(Debug)]
 pub(crate) struct Drawings {
     kept: Mutex<Kept>,
-    /// How many more may be planned at once.
+    /// The number of free planning slots.
     slots: Arc<Semaphore>,
 }
 
@@ -125,7 +125,7 @@ struct Drawing {
     work: AbortHandle,
 }
 
-/// How far the plan of a drawing is.
+/// The progress of a drawing's planning.
 #[derive(Clone, Debug)]
 enum Progress {
     Waiting,
@@ -134,17 +134,17 @@ enum Progress {
     Failed(Problem),
 }
 
-/// A plan with all that is asked of it.
+/// A plan, prepared for all requests.
 #[derive(Debug)]
 struct Planned {
-    /// The view of the drawing as JSON: it is long, and made once.
+    /// The view of the drawing as JSON: it is long, and serialised once.
     view: Bytes,
     whole: NewJob,
     frame: Result<NewJob, String>,
 }
 
 impl Planned {
-    /// How much memory it takes, about.
+    /// Returns the approximate memory size.
     fn bytes(&self) -> usize {
         let frame = self.frame.as_ref().map_or(0, |frame| frame.commands.len());
         self.view.len() + (self.whole.commands.len() + frame) * size_of::<Command>()
@@ -161,11 +161,11 @@ impl Default for Drawings {
 }
 
 impl Drawings {
-    /// Begins to plan a drawing; gives what is known of it.
+    /// Starts to plan a drawing; returns its initial view.
     ///
     /// # Errors
     ///
-    /// A problem where an option is out of its range, or as many are under way as may be.
+    /// A problem if an option is out of range, or too many drawings are being planned.
     pub(crate) fn begin(
         &self,
         new: NewDrawing,
@@ -198,16 +198,16 @@ impl Drawings {
         Ok(view)
     }
 
-    /// A drawing as JSON: when its plan is done, and at the latest after a second.
+    /// Returns a drawing as JSON when its plan is done, or after a second at the latest.
     ///
     /// # Errors
     ///
-    /// A problem where there is none of this number.
+    /// A problem if there is no drawing with this number.
     pub(crate) async fn view(&self, number: u64) -> Result<Bytes, Problem> {
         let mut progress = self.find(number, |drawing| drawing.progress.clone())?;
         let over = progress
             .wait_for(|progress| !matches!(progress, Progress::Waiting | Progress::Planning));
-        // Whatever it is by then is told.
+        // Returns the state at that time.
         drop(tokio::time::timeout(LONGEST_WAIT, over).await);
         self.find(number, |drawing| match &*drawing.progress.borrow() {
             Progress::Planned(planned) => planned.view.clone(),
@@ -215,11 +215,11 @@ impl Drawings {
         })
     }
 
-    /// Plans a drawing, and gives the job that does all of it.
+    /// Plans a drawing, and returns the job for all of it.
     ///
     /// # Errors
     ///
-    /// A problem where it cannot be planned, or as many are under way as may be.
+    /// A problem if it cannot be planned, or too many drawings are being planned.
     pub(crate) async fn plan(
         &self,
         new: NewDrawing,
@@ -229,29 +229,29 @@ impl Drawings {
         let mut progress = self.find(number, |drawing| drawing.progress.clone())?;
         let over = progress
             .wait_for(|progress| !matches!(progress, Progress::Waiting | Progress::Planning));
-        // One that was forgotten meanwhile is not found below.
+        // A deleted drawing is not found below.
         drop(over.await);
         let job = self.job(number, DrawingPart::Whole);
-        // Nobody else knows it, and its place is wanted.
+        // Only used here; its slot is needed.
         let _ = self.forget(number);
         job
     }
 
-    /// Forgets a drawing; a plan under way is given up.
+    /// Deletes a drawing; a running plan is cancelled.
     ///
     /// # Errors
     ///
-    /// A problem where there is none of this number.
+    /// A problem if there is no drawing with this number.
     pub(crate) fn forget(&self, number: u64) -> Result<(), Problem> {
         let drawing = self.kept().drawings.remove(&number);
         drawing.map(drop).ok_or_else(|| none(number))
     }
 
-    /// The job that does a part of a planned drawing.
+    /// Returns the job for a part of a planned drawing.
     ///
     /// # Errors
     ///
-    /// A problem where there is none of this number, or no plan of it.
+    /// A problem if there is no drawing with this number, or no plan of it.
     pub(crate) fn job(&self, number: u64, part: DrawingPart) -> Result<NewJob, Problem> {
         let progress = self.find(number, |drawing| drawing.progress.borrow().clone())?;
         match (progress, part) {
@@ -263,7 +263,7 @@ impl Drawings {
             (Progress::Failed(problem), _) => Err(problem),
             (Progress::Waiting | Progress::Planning, _) => Err(DRAWING_PHASE.hinted(
                 format!("drawing {number} is not planned yet"),
-                format!("ask for `/api/v1/drawings/{number}` until its phase is `planned`"),
+                format!("poll `/api/v1/drawings/{number}` until its phase is `planned`"),
             )),
         }
     }
@@ -282,14 +282,14 @@ impl Drawings {
 }
 
 impl Kept {
-    /// Forgets the oldest drawings that are over, where as many are kept as may be, or as much of their plans.
+    /// Deletes the oldest finished drawings beyond the maximum number or memory.
     fn make_room(&mut self) -> Result<(), Problem> {
         while self.drawings.len() >= MOST || self.bytes() > MOST_BYTES {
             let oldest = self.drawings.iter().find(|(_, it)| it.is_over());
             let oldest = oldest.map(|(&number, _)| number).ok_or_else(|| {
                 TOO_MANY.hinted(
-                    format!("{MOST} drawings are being planned, and there may be {MOST}"),
-                    "wait until some are planned, or give some up",
+                    format!("{MOST} drawings are being planned, the maximum"),
+                    "wait until some are planned, or cancel some",
                 )
             })?;
             self.drawings.remove(&oldest);
@@ -297,7 +297,7 @@ impl Kept {
         Ok(())
     }
 
-    /// How much memory the plans take, about.
+    /// Returns the approximate memory size of the plans.
     fn bytes(&self) -> usize {
         let plans = self.drawings.values().map(|drawing| &drawing.progress);
         plans
@@ -317,7 +317,7 @@ impl Drawing {
         )
     }
 
-    /// What is known of it without its plan.
+    /// Returns the view without the plan.
     fn view(&self, number: u64) -> DrawingView {
         let (phase, problem) = match &*self.progress.borrow() {
             Progress::Waiting => (DrawingPhase::Waiting, None),
@@ -336,7 +336,7 @@ impl Drawing {
 }
 
 impl Drop for Drawing {
-    /// Nobody waits for it any more: where it is forgotten, and where the station ends.
+    /// Cancels the plan when the drawing is deleted or the station ends.
     fn drop(&mut self) {
         self.cancel.cancel();
         self.work.abort();
@@ -344,7 +344,7 @@ impl Drop for Drawing {
 }
 
 impl NewDrawing {
-    /// Checks the options against their ranges, and those that exclude each other.
+    /// Checks the options against their ranges and exclusions.
     ///
     /// # Errors
     ///
@@ -353,7 +353,7 @@ impl NewDrawing {
         self.options.check_values().map_err(|why| bad(&why))
     }
 
-    /// What a person calls it, within what a job may be called.
+    /// Returns its title, within the limits of a job's title.
     pub(crate) fn title(&self) -> String {
         let text = Subject::of_text(&self.options.what).map(|title| title.title);
         let title = self.name.clone().or(text).unwrap_or_default();
@@ -373,20 +373,21 @@ impl NewDrawing {
         match (file, Subject::of_text(&self.options.what)) {
             (Some(file), Some(text)) => Ok(file.and(text)),
             (Some(only), None) | (None, Some(only)) => Ok(only),
-            (None, None) => Err(BAD_DRAWING
-                .problem("it has neither `file` nor `options.what.text` nor `options.what.card`")),
+            (None, None) => Err(BAD_DRAWING.problem(
+                "the request has neither `file` nor `options.what.text` nor `options.what.card`",
+            )),
         }
     }
 }
 
-/// A file in Base64.
+/// Decodes a file in Base64.
 fn of_file(title: &str, file: &str) -> Result<Subject, Problem> {
     let bytes = data_encoding::BASE64.decode(file.as_bytes());
     let bytes = bytes.map_err(|why| BAD_DRAWING.problem(format!("the file in Base64: {why}")))?;
     Subject::of_file(title, bytes).map_err(|why| BAD_DRAWING.problem(why.to_string()))
 }
 
-/// A drawing on its way to a plan.
+/// A drawing that is being planned.
 struct Work {
     number: u64,
     title: String,
@@ -401,7 +402,7 @@ impl Work {
         tell.send_replace(Progress::Planning);
         let cancel = self.cancel.clone();
         let planning = beside(move || {
-            // Others wait until this has really ended.
+            // Held until planning has really ended.
             let _slot = slot;
             self.planned()
         });
@@ -410,7 +411,7 @@ impl Work {
             cancel.cancel();
             let most_s = LONGEST_PLAN.as_secs();
             Ok(Err(BAD_DRAWING.hinted(
-                format!("it is not planned after {most_s} s, and takes no longer"),
+                format!("planning did not finish within {most_s} s, the maximum"),
                 "draw it in parts, or allow a larger tolerance",
             )))
         });
@@ -418,14 +419,14 @@ impl Work {
             Ok(planned) => Progress::Planned(Arc::new(planned)),
             Err(problem) => Progress::Failed(problem),
         });
-        // A plan may be large, and its client may never come back for it.
+        // A plan may be large, and its client may never return.
         tokio::time::sleep(KEPT_FOR).await;
         let kept_min = KEPT_FOR.as_secs() / 60;
         tell.send_if_modified(|progress| {
             let is_planned = matches!(progress, Progress::Planned(_));
             if is_planned {
                 *progress = Progress::Failed(BAD_DRAWING.hinted(
-                    format!("its plan was kept for {kept_min} minutes, and is forgotten"),
+                    format!("its plan was deleted after {kept_min} minutes"),
                     "plan it again",
                 ));
             }
@@ -480,7 +481,7 @@ impl Work {
     }
 }
 
-/// The pens and materials that a drawing can name.
+/// Returns the pens and materials for drawings.
 pub(crate) fn materials() -> Vec<MaterialView> {
     let all = Materials::built_in();
     let view = |(name, material): (&str, &dobot_draw::Material)| MaterialView {
@@ -507,14 +508,14 @@ fn json(view: &DrawingView) -> Bytes {
         .into()
 }
 
-/// How many are planned at once: one core is left for everything else on a small computer of four.
+/// The number of concurrent plans: one core of a small computer of four stays free for other work.
 const AT_ONCE: usize = 2;
-/// How many are kept.
+/// The maximum number of drawings.
 const MOST: usize = 16;
-/// How much memory the plans that are kept may take when another one begins: a million vectors and their preview are a third
-/// of it.
+/// The memory size of plans from which old ones are deleted: a million vectors and their preview
+/// take a third of it.
 const MOST_BYTES: usize = 512 << 20;
-/// How long a plan is kept.
+/// The lifetime of a plan.
 const KEPT_FOR: Duration = Duration::from_secs(30 * 60);
 const LONGEST_PLAN: Duration = Duration::from_secs(120);
 const LONGEST_WAIT: Duration = Duration::from_secs(1);
@@ -527,7 +528,7 @@ mod tests {
 
     use super::*;
 
-    /// A drawing whose preview is so long; its memory is never touched.
+    /// A drawing with a preview of this length, whose memory is never touched.
     fn planned(view_bytes: usize) -> Drawing {
         let planned = Planned {
             view: vec![0; view_bytes].into(),

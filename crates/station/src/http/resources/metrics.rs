@@ -1,4 +1,4 @@
-//! The figures of the station, as Prometheus reads them (text format 0.0.4).
+//! The metrics of the station for Prometheus (text format 0.0.4).
 
 use std::fmt::Write;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use dobot_api::{self as api, LinkPhase};
 use crate::http::app::App;
 use crate::http::exchange::answer::NotDone;
 
-/// Whether the station lives.
+/// Returns whether the station is alive.
 pub(crate) async fn health(State(app): State<Arc<App>>) -> Result<&'static str, NotDone> {
     if *app.ending.borrow() {
         return Err(ENDING.problem("the station is shutting down").into());
@@ -20,7 +20,7 @@ pub(crate) async fn health(State(app): State<Arc<App>>) -> Result<&'static str, 
     Ok("ok\n")
 }
 
-/// All figures.
+/// Returns all metrics.
 pub(crate) async fn metrics(State(app): State<Arc<App>>) -> Response {
     let text = text(app.handle.state().state());
     (
@@ -30,52 +30,52 @@ pub(crate) async fn metrics(State(app): State<Arc<App>>) -> Response {
         .into_response()
 }
 
-/// The figures of a state, in seconds, millimetres and degrees.
+/// Returns the metrics of a state, in seconds, millimetres and degrees.
 pub(crate) fn text(state: &api::State) -> String {
     let mut page = Page::default();
     page.gauge(
         "dobot_link_up",
-        "Whether the arm is there",
+        "Whether the arm is connected",
         state.link.phase == LinkPhase::Up,
     );
     page.gauge(
         "dobot_statuses_per_second",
-        "Statuses of the arm in a second",
+        "Statuses of the arm per second",
         state.link.statuses_per_s,
     );
     page.counter(
         "dobot_statuses_lost_total",
-        "Statuses that did not come",
+        "Missing statuses",
         state.link.lost_statuses,
     );
     page.counter(
         "dobot_damaged_bytes_total",
-        "Bytes that belong to no status",
+        "Bytes outside of statuses",
         state.link.damaged_bytes,
     );
     if let Some(latency_ms) = state.link.latency_ms {
         page.gauge(
             "dobot_latency_seconds",
-            "From a command to the status that shows it",
+            "Time from a command to the status that confirms it",
             latency_ms / 1000.0,
         );
     }
     page.gauge(
         "dobot_pose_trusted",
-        "Whether the arm is known to be where it says",
+        "Whether the reported pose is trusted",
         state.trust.trusted,
     );
     let queue = &state.queue;
     page.begin(
         "dobot_queue_commands",
-        "Commands that are not over",
+        "Commands that have not finished",
         "gauge",
     );
     page.sample("dobot_queue_commands", "place=\"station\"", queue.waiting);
     page.sample("dobot_queue_commands", "place=\"arm\"", queue.under_way);
     page.gauge(
         "dobot_queue_ahead_seconds",
-        "How long the commands under way take",
+        "Duration of the in-flight commands",
         queue.ahead_s,
     );
     page.gauge(
@@ -83,15 +83,15 @@ pub(crate) fn text(state: &api::State) -> String {
         "Whether the arm is stopped",
         state.stop.is_some(),
     );
-    page.gauge("dobot_laser_on", "Whether the laser burns", state.laser.on);
+    page.gauge("dobot_laser_on", "Whether the laser is on", state.laser.on);
     page.gauge(
         "dobot_laser_armed_seconds",
-        "For how long the laser is armed yet",
+        "Remaining time for which the laser is armed",
         state.laser.armed_for_s,
     );
     page.gauge(
         "dobot_control_taken",
-        "Whether somebody has control",
+        "Whether a client has control",
         state.lease.is_some(),
     );
     page.gauge("dobot_clients", "Clients of the station", state.clients);
@@ -112,11 +112,11 @@ struct Page(String);
 impl Page {
     fn arm(&mut self, arm: &api::ArmView) {
         let status = &arm.status;
-        self.gauge("dobot_arm_moving", "Whether the arm moves", arm.moving);
-        self.gauge("dobot_suction_on", "Whether the pump runs", status.suction);
+        self.gauge("dobot_arm_moving", "Whether the arm is moving", arm.moving);
+        self.gauge("dobot_suction_on", "Whether the pump is on", status.suction);
         self.begin(
             "dobot_arm_position_millimetres",
-            "Where the arm is",
+            "Position of the arm",
             "gauge",
         );
         let axes = [("x", status.x_mm), ("y", status.y_mm), ("z", status.z_mm)];
@@ -127,7 +127,7 @@ impl Page {
                 value,
             );
         }
-        self.begin("dobot_arm_joint_degrees", "How the joints stand", "gauge");
+        self.begin("dobot_arm_joint_degrees", "Angles of the joints", "gauge");
         let joints = [
             ("base", status.base_deg),
             ("rear", status.rear_deg),
@@ -167,7 +167,7 @@ impl Page {
     }
 }
 
-/// What a figure can be.
+/// A value of a metric.
 trait Value {
     fn number(self) -> f64;
 }

@@ -1,4 +1,4 @@
-//! The page, which is part of the program: a route for each of its files.
+//! The page, which is embedded in the program: a route for each of its files.
 
 use axum::http::Method;
 use axum::http::header::CONTENT_TYPE;
@@ -11,7 +11,7 @@ pub(crate) fn all() -> Vec<Route> {
     FILES.iter().map(route).collect()
 }
 
-/// Whether a path is that of the page, or of a file that it is made of.
+/// Whether a path belongs to the page or one of its files.
 pub(crate) fn has(path: &str) -> bool {
     FILES.iter().any(|file| file.path == path)
 }
@@ -23,5 +23,5 @@ fn route(file: &'static File) -> Route {
     let summary = "A page to watch and move the arm";
     Route::new(Method::GET, file.path, summary, answer)
         .open()
-        .gives_text(200, essence, "the page, or a file that it is made of")
+        .gives_text(200, essence, "the page, or one of its files")
 }

@@ -1,4 +1,4 @@
-//! Programs as texts: looked at, edited step by step, and made into jobs.
+//! Taught programs as texts: checked, edited step by step, and converted to jobs.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -14,75 +14,75 @@ use dobot_teach::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A program, with the files that it names.
+/// A program, with the files that it uses.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ProgramText {
     /// Its TOML text.
     text: String,
-    /// The texts of the programs that it calls and of its drawings, by their names in it.
+    /// The texts of the programs that it calls and of its drawings, by the names used in it.
     #[serde(default)]
     files: BTreeMap<String, String>,
 }
 
-/// What a program does, and what is wrong with it.
+/// The steps and problems of a program.
 #[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub(crate) struct ProgramReport {
-    /// What a person calls it.
+    /// Its title.
     title: String,
-    /// Its steps, in the order in which they are done; those of a repeat at its end stand here once.
+    /// Its steps, in execution order; the steps of a final repeat are listed once.
     steps: Vec<StepReport>,
-    /// All that is wrong, in the order of the steps. Of a text that is no program only the first thing.
+    /// All problems, in the order of the steps; for a text that cannot be parsed only the first.
     problems: Vec<ProgramProblem>,
-    /// How long all of it takes once, in seconds, by the motion model.
+    /// The duration of the first pass through all steps, in seconds, by the motion model.
     once_s: f64,
-    /// How long a cycle takes that follows another one, in seconds; none where nothing is done again.
+    /// The duration of a repeated cycle, in seconds; absent if nothing is repeated.
     cycle_s: Option<f64>,
-    /// How long all of it takes, in seconds; none where it goes on until a person ends it.
+    /// The total duration, in seconds; absent if it repeats until a person ends it.
     total_s: Option<f64>,
 }
 
 /// A step of a program.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 struct StepReport {
-    /// What it does.
+    /// Its description.
     label: String,
-    /// The called program in which it stands; none in the program itself.
+    /// The called program that contains it; absent for the program itself.
     file: Option<String>,
     /// The line on which it begins, counted from 1.
     line: usize,
     /// Its first command in the job, counted from 0.
     first: usize,
-    /// How long it takes the first time, in seconds.
+    /// Its duration the first time, in seconds.
     takes_s: f64,
 }
 
-/// Something that is wrong with a program.
+/// A problem of a program.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 struct ProgramProblem {
-    /// The step, counted from 1 in the order in which they are done; none where the text is no program.
+    /// The step, counted from 1 in execution order; absent if the text cannot be parsed.
     step: Option<usize>,
-    /// The called program in which it stands; none in the program itself.
+    /// The called program that contains it; absent for the program itself.
     file: Option<String>,
-    /// The line, counted from 1, where it is known.
+    /// The line, counted from 1, if it is known.
     line: Option<usize>,
-    /// What is wrong, and what is allowed.
+    /// The problem, and what is allowed.
     message: String,
-    /// What helps.
+    /// The remedy.
     remedy: Option<String>,
 }
 
-/// A program that is to become a job.
+/// A program to be queued as a job.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct NewProgram {
     /// The program.
     program: ProgramText,
-    /// The step with which it begins, counted from 1 in the order in which they are done.
+    /// The first step to execute, counted from 1 in execution order.
     #[serde(default = "first")]
     #[schemars(range(min = 1))]
     from_step: usize,
-    /// How often it is done; without this as often as it says itself.
+    /// The number of repetitions; by default that of the program.
     #[serde(default)]
     times: Option<Repeat>,
 }
@@ -91,75 +91,76 @@ const fn first() -> usize {
     1
 }
 
-/// How often a program is done.
+/// The number of repetitions of a program.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Repeat {
-    /// So often in all, 1 or more.
+    /// This many passes in total, 1 or more.
     Count(#[schemars(range(min = 1))] u64),
     /// Until a person ends it.
     Forever,
 }
 
-/// Changes of a program's text.
+/// Edits of a program's text.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct EditProgram {
-    /// The text; where it is empty, a program begins.
+    /// The text; an empty text starts a new program.
     #[serde(default)]
     text: String,
-    /// What is changed, in order; either all of it is or nothing.
+    /// The edits, in order; either all of them are made or none.
     #[schemars(length(max = 1000))]
     edits: Vec<Edit>,
 }
 
-/// A change of a program's text; what is not touched keeps its comments and its form. Steps are those of the program
-/// itself, counted from 0.
+/// An edit of a program's text; unchanged parts keep their comments and their format. Steps are
+/// those of the program itself, counted from 0.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 enum Edit {
-    /// Puts a step before the one that has this number; behind the last one with their number.
+    /// Inserts a step before the one with this number, or after the last one.
     Insert {
-        /// Where.
+        /// The number of the new step.
         at: usize,
         /// The step.
         step: Action,
     },
-    /// Puts a path there that was jogged: straight lines through as few of its places as keep it within the tolerance.
+    /// Inserts a jogged path: straight lines through as few of its points as keep it within the
+    /// tolerance.
     InsertPath {
-        /// Where.
+        /// The number of the first new step.
         at: usize,
-        /// Its places, in order.
+        /// Its points, in order.
         #[schemars(length(max = 100_000))]
         places: Vec<RecordedPlace>,
-        /// How far the lines may be from the places, in mm.
+        /// The maximum distance of the lines from the points, in mm.
         #[schemars(range(min = 0.01, max = 50.0))]
         tolerance_mm: f64,
     },
-    /// Puts another step in place of one.
+    /// Replaces a step.
     Replace {
-        /// Which.
+        /// The number of the step.
         at: usize,
-        /// The step.
+        /// The new step.
         step: Action,
     },
-    /// Takes a step away.
+    /// Removes a step.
     Remove {
-        /// Which.
+        /// The number of the step.
         at: usize,
     },
-    /// Moves a step, so that it has another number.
+    /// Moves a step to another number.
     Move {
-        /// Which.
+        /// The number of the step.
         from: usize,
-        /// Its number then.
+        /// Its new number.
         to: usize,
     },
     /// Sets a named point, which may be new.
     SetPoint {
         /// Its name.
         name: String,
-        /// Where it is.
+        /// Its position.
         point: Point,
     },
 }
@@ -169,37 +170,37 @@ enum Edit {
 pub(crate) struct EditedProgram {
     /// The text.
     text: String,
-    /// How many steps it has.
+    /// The number of steps.
     steps: usize,
 }
 
-/// A program in one form that is wanted in another.
+/// A program to be converted to another format.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ConvertProgram {
-    /// Its text; a file of the vendor's programs has bytes instead.
+    /// Its text; a file of the vendor's software has bytes instead.
     #[serde(default)]
     text: Option<String>,
-    /// The bytes of a file, in base64.
+    /// The bytes of a file, in Base64.
     #[serde(default)]
     data: Option<String>,
-    /// What the bytes are; a text is a program.
+    /// The format of the bytes; a text is a program.
     #[serde(default)]
     from: ProgramForm,
-    /// What it is to be.
+    /// The target format.
     to: ProgramForm,
 }
 
-/// A program in the form that was asked for.
+/// A converted program.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub(crate) struct ConvertedProgram {
     /// The text.
     text: String,
-    /// What was surprising, and what the form cannot carry.
+    /// Unexpected contents, and what the target format cannot represent.
     warnings: Vec<String>,
 }
 
-/// A program in another form.
+/// Converts a program to another format.
 pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Problem> {
     let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
     let bytes = match (&asked.text, &asked.data) {
@@ -207,7 +208,7 @@ pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Proble
         (None, Some(data)) => data_encoding::BASE64
             .decode(data.as_bytes())
             .map_err(|error| BAD_PROGRAM.problem(format!("data is not base64: {error}")))?,
-        _ => return Err(BAD_PROGRAM.problem("one of text and data says what it is")),
+        _ => return Err(BAD_PROGRAM.problem("give either text or data")),
     };
     let program = asked.from.read(&bytes).map_err(bad)?;
     let written = asked.to.write(&program.it).map_err(bad)?;
@@ -219,7 +220,7 @@ pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Proble
     })
 }
 
-/// Looks at a whole program.
+/// Checks a whole program.
 pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
     let compiled = match compile(program, arm) {
         Ok(compiled) => compiled,
@@ -266,7 +267,7 @@ fn problem(it: dobot_teach::Problem) -> ProgramProblem {
     }
 }
 
-/// The job of a program.
+/// Returns the job of a program.
 pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem> {
     let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
     let mut compiled = compile(&new.program, arm).map_err(bad)?;
@@ -276,7 +277,7 @@ pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem>
     }
     match new.times {
         Some(Repeat::Count(0)) => {
-            return Err(OUT_OF_RANGE.problem("times is 0; allowed is 1 or more, or forever"));
+            return Err(OUT_OF_RANGE.problem("times is 0; allowed are 1 or more, or forever"));
         }
         Some(Repeat::Count(count)) => compiled.repeat(Times::Count(count)),
         Some(Repeat::Forever) => compiled.repeat(Times::Forever),
@@ -287,12 +288,12 @@ pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem>
     let rest = rest.and_then(|step| compiled.from_step(step));
     let rest = rest.ok_or_else(|| {
         let found = new.from_step;
-        OUT_OF_RANGE.problem(format!("from_step is {found}; allowed is 1 to {steps}"))
+        OUT_OF_RANGE.problem(format!("from_step is {found}; allowed are 1 to {steps}"))
     })?;
     Ok(rest.job())
 }
 
-/// Changes a program's text.
+/// Edits the text of a program.
 pub(crate) fn edit(asked: EditProgram) -> Result<EditedProgram, Problem> {
     for edit in &asked.edits {
         if let Edit::InsertPath { tolerance_mm, .. } = edit
@@ -300,7 +301,7 @@ pub(crate) fn edit(asked: EditProgram) -> Result<EditedProgram, Problem> {
         {
             let (least, most) = (TOLERANCE_MM.start(), TOLERANCE_MM.end());
             return Err(OUT_OF_RANGE.problem(format!(
-                "tolerance_mm is {tolerance_mm}; allowed is {least} to {most}"
+                "tolerance_mm is {tolerance_mm}; allowed are {least} to {most}"
             )));
         }
     }
@@ -321,7 +322,7 @@ pub(crate) fn edit(asked: EditProgram) -> Result<EditedProgram, Problem> {
     })
 }
 
-/// A new program has what is inserted first.
+/// Starts a new program with the first edit.
 fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
     let actions = match first {
         Some(Edit::Insert { at: 0, step }) => vec![step],
@@ -334,7 +335,7 @@ fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
     };
     if actions.is_empty() {
         return Err(BAD_PROGRAM
-            .problem("the text is empty; a new program begins with an edit that inserts at 0"));
+            .problem("the text is empty; begin a new program with an edit that inserts at 0"));
     }
     let text = Program::new(actions).to_toml();
     ProgramDocument::new(&text).map_err(|error| BAD_PROGRAM.problem(error.to_string()))
@@ -364,9 +365,7 @@ fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError>
 fn compile(program: &ProgramText, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
     let read = |path: &str| match program.files.get(path) {
         Some(text) => Ok(text.clone().into_bytes()),
-        None => Err(format!(
-            "{path} did not come with the program; `files` names what did"
-        )),
+        None => Err(format!("{path} is missing; add it to `files`")),
     };
     let mut files = ProgramFiles::new(read, arm.dialect(), arm.calibration.clone());
     Program::from_toml(&program.text)?.compile_for(&arm.arm(), &mut files)
@@ -376,5 +375,5 @@ fn look(compiled: &Compiled, arm: &PlannedFor) -> Report {
     check(compiled, &arm.rules.policy, arm.model())
 }
 
-/// How far the lines of a path may be from its places.
+/// The allowed distance of the lines of a path from its points.
 const TOLERANCE_MM: RangeInclusive<f64> = 0.01..=50.0;

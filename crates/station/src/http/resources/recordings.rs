@@ -1,4 +1,4 @@
-//! The recordings of the station: listed, handed out, looked through.
+//! The recordings of the station: list, download, and states over time.
 
 use std::fs::File;
 use std::io::{self, Read, Take};
@@ -21,11 +21,11 @@ use tokio::sync::Semaphore;
 
 use crate::http::exchange::answer::beside;
 
-/// The folder with the recordings.
+/// The folder of the recordings.
 #[derive(Debug)]
 pub(crate) struct Recordings {
     folder: PathBuf,
-    /// A recording is read whole to be looked through: one at a time.
+    /// A recording is read completely to extract its states: one at a time.
     turn: Semaphore,
 }
 
@@ -34,15 +34,15 @@ pub(crate) struct Recordings {
 pub(crate) struct RecordingView {
     /// The name of its file.
     pub(crate) name: String,
-    /// When it was begun, in milliseconds since 1970-01-01T00:00:00Z.
+    /// Its begin, in milliseconds since 1970-01-01T00:00:00Z.
     begin_ms: i64,
-    /// How long it is, in bytes.
+    /// Its size, in bytes.
     bytes: u64,
     /// Whether it is still being written.
     being_written: bool,
 }
 
-/// Which part of a recording is wanted, and how fine.
+/// The requested part and resolution of a recording.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Stretch {
@@ -53,23 +53,24 @@ pub(crate) struct Stretch {
     most: usize,
 }
 
-/// Where the arm was over a stretch of a recording.
+/// The positions of the arm over a part of a recording.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct RecordedStates {
-    /// When its times begin, in milliseconds since 1970-01-01T00:00:00Z; none where it holds nothing that could be read.
+    /// The origin of its times, in milliseconds since 1970-01-01T00:00:00Z; absent if nothing could
+    /// be read.
     begin_ms: Option<i64>,
-    /// So close together the samples stand at the most, in seconds; 0 where all that say something new are there.
+    /// The minimum spacing of the samples, in seconds; 0 if all changes are included.
     spacing_s: f64,
-    /// What the arm told, the oldest first. Between two that are the same it did not move.
+    /// The statuses, the oldest first. The arm did not move between two equal ones.
     samples: Vec<SampleView>,
 }
 
-/// What the arm told at one moment.
+/// The status at one moment.
 #[derive(Debug, Serialize, JsonSchema)]
 struct SampleView {
-    /// When, in seconds since the times of the recording begin.
+    /// The time, in seconds since the origin of the recording.
     at_s: f64,
-    /// What.
+    /// The status.
     #[serde(flatten)]
     status: Status,
 }
@@ -80,7 +81,7 @@ impl Recordings {
         Self { folder, turn }
     }
 
-    /// All of them, the oldest first.
+    /// Returns all recordings, the oldest first.
     pub(crate) async fn list(&self) -> Result<Vec<RecordingView>, Problem> {
         let folder = self.folder.clone();
         let views = move || {
@@ -91,7 +92,7 @@ impl Recordings {
         listed.map_err(|error: io::Error| unreadable(&error))
     }
 
-    /// The file itself, as an answer.
+    /// Returns the file as a response.
     pub(crate) async fn file(&self, name: &str) -> Result<Response, Problem> {
         let found = self.find(name).await?;
         let opened = beside(move || open(&found)).await?;
@@ -107,21 +108,21 @@ impl Recordings {
         Ok((headers, Body::from_stream(pieces(file))).into_response())
     }
 
-    /// Where the arm was.
+    /// Returns the positions of the arm.
     pub(crate) async fn states(
         &self,
         name: &str,
         stretch: Stretch,
     ) -> Result<RecordedStates, Problem> {
         let found = self.find(name).await?;
-        // It is never closed.
+        // The semaphore is never closed.
         let turn = self.turn.acquire().await;
         let read = beside(move || read(&found, stretch)).await?;
         drop(turn);
         read.map_err(|error| unreadable(&error))
     }
 
-    /// The recording of that name: one of those that are listed, and no other file.
+    /// Returns the recording of this name: one of the listed files, and no other.
     async fn find(&self, name: &str) -> Result<RecordedFile, Problem> {
         let (folder, wanted) = (self.folder.clone(), name.to_owned());
         let files = beside(move || recordings(&folder)).await?;
@@ -137,21 +138,19 @@ impl Recordings {
 }
 
 impl Stretch {
-    /// How many samples there may be at the most.
+    /// The maximum number of samples.
     pub(crate) const MOST: usize = 5_000;
 
-    /// What of it is out of range, in one line.
+    /// Checks the ranges; returns the problem in one line.
     pub(crate) fn check(&self) -> Result<(), String> {
         let from_s = self.from_s;
         let to_s = self.to_s.unwrap_or(f64::MAX);
         if !(0.0..=to_s).contains(&from_s) {
-            return Err(format!(
-                "from_s is {from_s}; allowed is 0 or more, and no more than to_s"
-            ));
+            return Err(format!("from_s is {from_s}; allowed are 0 to to_s"));
         }
         if !(2..=Self::MOST).contains(&self.most) {
             let (found, most) = (self.most, Self::MOST);
-            return Err(format!("most is {found}; allowed is 2 to {most}"));
+            return Err(format!("most is {found}; allowed are 2 to {most}"));
         }
         Ok(())
     }
@@ -170,14 +169,14 @@ fn view(file: &RecordedFile) -> Option<RecordingView> {
     })
 }
 
-/// What of a file is there now: one that is being written grows on.
+/// Opens the current contents of a file: one that is being written grows.
 fn open(found: &RecordedFile) -> io::Result<(Take<File>, u64)> {
     let file = File::open(&found.path)?;
     let bytes = file.metadata()?.len();
     Ok((file.take(bytes), bytes))
 }
 
-/// A file, piece by piece: no more of it is in memory than travels.
+/// Streams a file piece by piece, without reading it into memory.
 fn pieces(file: Take<File>) -> impl Stream<Item = io::Result<Bytes>> {
     try_unfold(file, async |mut file| {
         let read = tokio::task::spawn_blocking(move || {
@@ -214,5 +213,5 @@ fn unreadable(error: &io::Error) -> Problem {
     RECORDING.problem(error.to_string())
 }
 
-/// How much of a file is read at once, in bytes.
+/// The size of a piece, in bytes.
 const PIECE: usize = 256 << 10;

@@ -1,4 +1,4 @@
-//! What agents come by.
+//! The endpoint for agents.
 
 use axum::http::Method;
 use dobot_api::problem_kinds::{
@@ -13,16 +13,16 @@ pub(super) fn all() -> Vec<Route> {
     vec![
         agents(
             POST,
-            "A message of an agent (Model Context Protocol, streamable HTTP): each tool acts with the token that comes \
-                with it. One who ends the connection before the answer has given up what was asked for, and the arm \
-                is stopped where it was moved for that.",
+            "A message of an agent (Model Context Protocol, streamable HTTP): each tool uses the token of the \
+                request. Closing the connection before the response cancels the call, and the arm \
+                is stopped if the call has moved it.",
         )
-        .gives_nothing(202, "the message is taken, and nothing is answered to it"),
+        .gives_nothing(202, "the message is accepted, without a response"),
         agents(
             GET,
-            "What the server tells an agent of itself, as server-sent events",
+            "Messages of the server to an agent, as server-sent events",
         ),
-        agents(DELETE, "Ends the session of an agent").gives_nothing(202, "the session is over"),
+        agents(DELETE, "Ends the session of an agent").gives_nothing(202, "the session has ended"),
     ]
 }
 

@@ -17,8 +17,8 @@ pub(super) fn all() -> Vec<Route> {
         Route::asks(
             POST,
             "/api/v1/laser",
-            "Lets the laser be switched on for a while: a person has put the \
-                goggles on",
+            "Arms the laser for a while: everyone present must wear \
+                goggles",
             |Body(new): Body<ArmLaser>| Request::ArmLaser { for_s: new.for_s },
         )
         .example(r#"{"for_s": 600}"#)
@@ -43,7 +43,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::asks(
             POST,
             "/api/v1/pose/confirm",
-            "The arm stands where its statuses say: a person has looked",
+            "Confirms that the arm is where its statuses report, after a person has checked",
             |_: Maybe<Nothing>| Request::ConfirmPose,
         )
         .gives::<Reply>(200, "the pose is trusted")
@@ -51,7 +51,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::asks(
             PUT,
             "/api/v1/dialect",
-            "Says which dialect the arm speaks (admin)",
+            "Sets the dialect of the arm (admin)",
             |Body(new): Body<UseDialect>| Request::SetDialect {
                 dialect: new.dialect,
             },
@@ -62,25 +62,25 @@ pub(super) fn all() -> Vec<Route> {
         Route::asks(
             POST,
             "/api/v1/dialect/detect",
-            "Finds out which dialect the arm speaks, by small slow motions",
+            "Detects the dialect of the arm with small slow motions",
             |_: Maybe<Nothing>| Request::Detect,
         )
-        .gives::<Reply>(200, "what was found, and by which evidence")
+        .gives::<Reply>(200, "the dialect, with the evidence")
         .problems(MOVES)
         .problems(&[DIALECT_NOT_FOUND]),
     ]
 }
 
-/// For how long the laser may be switched on.
+/// The time for which the laser is armed.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ArmLaser {
-    /// In seconds.
+    /// The time, in seconds.
     #[schemars(range(min = 1.0, max = 3600.0))]
     for_s: f64,
 }
 
-/// Which dialect the arm speaks.
+/// The dialect of the arm.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct UseDialect {

@@ -1,4 +1,4 @@
-//! How the arm differs from the drawing of it: finding that, and saying so.
+//! Calibration: the deviations of an arm from its nominal dimensions.
 
 use std::sync::Arc;
 
@@ -28,27 +28,27 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/calibration",
-            "How the arm differs from the drawing of it, as far as that is known, and what was known before",
+            "The calibration of the arm, and the previous one",
             known,
         )
-        .gives::<Calibrations>(200, "what is known"),
+        .gives::<Calibrations>(200, "the calibrations"),
         Route::asks(
             PUT,
             "/api/v1/calibration",
-            "Says how the arm differs from the drawing of it: from then on all places are true ones. It is kept for \
-                this arm, and what was known before is kept beside it; `null` takes the arm to be as drawn (admin)",
+            "Sets the calibration of the arm: from then on all positions are calibrated. It is stored for \
+                this arm together with the previous one; `null` selects the nominal dimensions (admin)",
             |Body(new): Body<NewCalibration>| Request::Calibrate {
                 calibration: new.calibration.map(Box::new),
             },
         )
         .example(r#"{"calibration": {"zeros": {"base": 1.5, "rear": -4.2, "fore": 3.1}, "tool": {"out_mm": 2.0, "left_mm": 0.5}}}"#)
-        .gives::<Reply>(200, "what is known now")
+        .gives::<Reply>(200, "the new calibration")
         .problems(&[OUT_OF_RANGE, JOB_RUNNING, DETECTING, STILL_MOVING, NO_LINK]),
         Route::asks(
             POST,
             "/api/v1/calibration/angles",
-            "Tells a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros until its next \
-                reset. It has to rest, with its base straight ahead",
+            "Sends a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros until its next \
+                reset. The arm must be at rest, with its base straight ahead",
             |_: Maybe<Nothing>| Request::TellAngles,
         )
         .gives::<Reply>(200, "the command is accepted")
@@ -56,29 +56,29 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             POST,
             "/api/v1/calibration/fit",
-            "What touches of the sheet tell: a calibration, how well it explains them, whether to trust it, and which \
-                further point would tell most. Nothing is kept",
+            "Fits a calibration to touches of the sheet: returns its residuals, whether to trust it, and the most useful \
+                further point. Nothing is stored",
             fit_touches,
         )
         .brings::<Body<NewTouches>>()
         .example(FIT_EXAMPLE)
-        .gives::<FitReport>(200, "what they tell")
+        .gives::<FitReport>(200, "the fit")
         .problems(&[BAD_TOUCHES]),
         Route::new(
             POST,
             "/api/v1/calibration/paper",
-            "How the paper lies that the tool has touched at true places: three tell its plane, more how it is bent. \
-                Nothing is kept: put it into the calibration",
+            "Fits the paper to touches at calibrated positions: three give its plane, more its curvature. \
+                Nothing is stored: add the result to the calibration",
             fit_paper,
         )
         .brings::<Body<PaperTouches>>()
         .example(PAPER_EXAMPLE)
-        .gives::<PaperReport>(200, "how it lies")
+        .gives::<PaperReport>(200, "the paper")
         .problems(&[BAD_TOUCHES]),
         Route::new(
             POST,
             "/api/v1/calibration/picture",
-            "What touches of the sheet tell, as a picture: how far each is from where it should be",
+            "The residuals of touches of the sheet, as a picture",
             picture,
         )
         .brings::<Body<NewTouches>>()
@@ -88,14 +88,14 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/calibration/points",
-            "The points of the sheet, in the order in which they are touched",
+            "The points of the sheet, in the order of touching",
             points,
         )
         .gives::<SheetPoints>(200, "the points"),
         Route::new(
             GET,
             "/api/v1/calibration/sheet",
-            "The sheet to print, A4 and landscape, at 100 %",
+            "The sheet to print, A4 landscape, at 100 %",
             sheet,
         )
         .gives_text(200, "image/svg+xml", "the sheet"),
@@ -112,31 +112,31 @@ const FIT_EXAMPLE: &str = r#"{"bar_mm": 200, "touches": [
 const PAPER_EXAMPLE: &str =
     r#"{"places_mm": [[160, -80, -42.1], [160, 80, -41.6], [270, 0, -43.0]]}"#;
 
-/// Places of the paper that the tool has touched.
+/// Positions of the paper that the tool has touched.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct PaperTouches {
-    /// Where the arm stood at each: forward, to the left and up, in mm, true places as its state has them.
+    /// The positions of the arm: forward, to the left and up, in mm, calibrated, as in its state.
     #[schemars(length(max = 400))]
     places_mm: Vec<[f64; 3]>,
 }
 
-/// How the paper lies.
+/// The fitted paper.
 #[derive(Debug, Serialize, JsonSchema)]
 struct PaperReport {
-    /// What is to be kept of it.
+    /// The part to store in the calibration.
     paper: PaperPlane,
-    /// How much higher than the plane each touch is, in mm.
+    /// The height of each touch above the plane, in mm.
     away_mm: Vec<f64>,
-    /// How steep the plane is, in degrees.
+    /// The slope of the plane, in degrees.
     slope_deg: f64,
 }
 
-/// What is to be known of the arm.
+/// A new calibration.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct NewCalibration {
-    /// The calibration; `null` for an arm as drawn.
+    /// The calibration; `null` for nominal dimensions.
     calibration: Option<CalibrationFile>,
 }
 
@@ -144,60 +144,60 @@ struct NewCalibration {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct NewTouches {
-    /// What the arm said at each, in the order in which they were touched.
+    /// The reported angles at each point, in the order of touching.
     #[schemars(length(max = 100))]
     touches: Vec<TouchedPoint>,
-    /// How long the bar of the print is, measured with a ruler, in mm; one that is scaled is refused.
+    /// The length of the bar on the print, measured with a ruler, in mm; a scaled print is refused.
     #[serde(default)]
     bar_mm: Option<f64>,
-    /// Whether the laser is mounted, and no suction cup.
+    /// Whether the laser is mounted instead of a suction cup.
     #[serde(default)]
     laser: bool,
-    /// How slack the joints are known to be.
+    /// The known backlash of the joints.
     #[serde(default)]
     backlash: Backlash,
 }
 
-/// A known point, and what the arm said when its tool touched it.
+/// A known point, and the reported angles when the tool touched it.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct TouchedPoint {
-    /// Where it is on the sheet: forward and to the left, in mm.
+    /// Its position on the sheet: forward and to the left, in mm.
     place_mm: [f64; 2],
-    /// How high above the paper it is, in mm.
+    /// Its height above the paper, in mm.
     #[serde(default)]
     height_mm: f64,
-    /// The angles that the arm says of base, rear arm and forearm, in degrees: `told` of its state where it is
-    /// calibrated already.
+    /// The raw angles of base, rear arm and forearm, in degrees: `told` of the state of an arm that
+    /// is already calibrated.
     told_deg: [f64; 3],
 }
 
-/// What touches tell.
+/// The result of fitting a calibration.
 #[derive(Debug, Serialize, JsonSchema)]
 struct FitReport {
-    /// How the arm differs from the drawing of it.
+    /// The calibration.
     calibration: CalibrationFile,
-    /// How far each touch is from where it should be, in mm.
+    /// The residual of each touch, in mm.
     away_mm: Vec<f64>,
     /// The touch that was left out because it contradicts all others, counted from 0.
     left_out: Option<usize>,
-    /// How wrong a place on the sheet may still be, typically, in mm.
+    /// The typical remaining error of a position on the sheet, in mm.
     expected_mm: f64,
-    /// What these points tell badly.
+    /// Quantities that these points determine badly.
     unsure: Vec<Unsure>,
-    /// Which further point would tell most.
+    /// The most useful further point.
     advice: Option<Advice>,
-    /// Whether to use it: `good`; `unchecked`, where so few points were touched that a wrong one would not be
-    /// noticed; or `doubtful`.
+    /// Whether to use it: `good`; `unchecked` if there are too few points to detect a wrong one; or
+    /// `doubtful`.
     trust: Trust,
 }
 
 /// The points of the sheet.
 #[derive(Debug, Serialize, JsonSchema)]
 struct SheetPoints {
-    /// Forward and to the left of the base's axis, in mm.
+    /// Their positions, forward and to the left of the base's axis, in mm.
     points_mm: [[f64; 2]; SHEET_POINTS.len()],
-    /// How long the bar is where the print is true, in mm.
+    /// The length of the bar on a correct print, in mm.
     bar_mm: f64,
 }
 
@@ -249,7 +249,7 @@ async fn picture(Body(asked): Body<NewTouches>) -> Result<Response, NotDone> {
         .into_response())
 }
 
-/// The touches, and what they tell.
+/// Returns the touches, and their fit.
 fn fitted(asked: &NewTouches) -> Result<(Vec<Touch>, Fit), NotDone> {
     let bad = |why: &dyn std::fmt::Display| BAD_TOUCHES.problem(why.to_string());
     if let Some(bar_mm) = asked.bar_mm {

@@ -1,4 +1,4 @@
-//! Drawings: planned, looked at, made into jobs.
+//! Drawings: planned, shown, converted to jobs.
 
 use std::sync::Arc;
 
@@ -28,17 +28,20 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             POST,
             "/api/v1/drawings",
-            "Begins to plan a file or a text as a drawing; the 16 latest are kept",
+            "Starts to plan a file or a text as a drawing; the 16 latest are kept",
             begin,
         )
         .brings::<Body<NewDrawing, FILE>>()
         .example(EXAMPLE)
-        .gives::<DrawingView>(202, "it is being planned; the header Location names it")
+        .gives::<DrawingView>(
+            202,
+            "the drawing is being planned; the header Location contains its path",
+        )
         .problems(&[BAD_DRAWING, TOO_MANY]),
         Route::new(
             GET,
             "/api/v1/drawings/{id}",
-            "A drawing, as soon as it is planned, or after a second as far as it is",
+            "A drawing, as soon as it is planned, or its state after a second",
             view,
         )
         .gives::<DrawingView>(200, "the drawing")
@@ -46,15 +49,15 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             DELETE,
             "/api/v1/drawings/{id}",
-            "Forgets a drawing; a plan under way is given up",
+            "Deletes a drawing; a running plan is cancelled",
             forget,
         )
-        .gives_nothing(204, "it is forgotten")
+        .gives_nothing(204, "the drawing is deleted")
         .problems(&[MALFORMED, NO_SUCH_DRAWING]),
         Route::new(
             POST,
             "/api/v1/drawings/{id}/jobs",
-            "Queues a planned drawing as a job, or the way around it with the laser off",
+            "Queues a planned drawing as a job, or its outline with the laser off",
             submit,
         )
         .brings::<Maybe<DrawingJob>>()
@@ -73,31 +76,31 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/materials",
-            "The pens and materials that a drawing can name",
+            "The pens and materials for drawings",
             materials,
         )
         .gives::<Vec<MaterialView>>(200, "the pens and materials"),
         Route::new(
             GET,
             "/api/v1/formats",
-            "The formats of files that can be drawn",
+            "The supported file formats",
             formats,
         )
         .gives::<Vec<Format>>(200, "the formats"),
     ]
 }
 
-/// How large a drawing may be: its file is a third larger in Base64.
+/// The maximum size of a drawing: its file is a third larger in Base64.
 const FILE: usize = 32 * 1024 * 1024;
 
 const EXAMPLE: &str =
     r#"{"options": {"what": {"text": "Hello"}, "place": {"at": [210, 0], "pen_down": -40}}}"#;
 
-/// What of a drawing is to be a job.
+/// The part of a drawing to be queued as a job.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 struct DrawingJob {
-    /// Which part.
+    /// The part.
     part: DrawingPart,
 }
 

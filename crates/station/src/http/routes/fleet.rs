@@ -1,4 +1,4 @@
-//! The fleet that the station belongs to.
+//! The fleet of the station.
 
 use dobot_api::problem_kinds::{
     ALL_ARMS_GIVEN, ARM_BUSY, ARM_NOT_STARTED, DRAWING_PHASE, ENDING, GIVES_NO_ARMS, INVALID,
@@ -21,13 +21,13 @@ pub(super) fn all() -> Vec<Route> {
     [stations(), work(), offers(), arms()].concat()
 }
 
-/// The stations together.
+/// Routes for the members.
 fn stations() -> Vec<Route> {
     vec![
         Route::new(
             GET,
             "/api/v1/fleet",
-            "All stations of the fleet that have been seen",
+            "All known stations of the fleet",
             members::fleet,
         )
         .gives::<FleetView>(200, "the fleet")
@@ -35,9 +35,9 @@ fn stations() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/fleet/events",
-            "The stations of the fleet as server-sent events: `member`, each with a message as in `Member`; first all of \
-                them, then each one that changes, ten times in a second at the most; and `gone` with the number of one that \
-                is not kept in mind any more, as in `{\"id\": \"...\"}`: a virtual arm that was given and has ended, or one \
+            "The stations of the fleet as server-sent events: `member`, each with a message as in `Member`, first for all \
+                stations, then for each change, at most ten times per second; and `gone` with the id of a station \
+                that is not listed any more, as in `{\"id\": \"...\"}`: a hosted virtual arm that has ended, or a station \
                 that was replaced under its name",
             members::events,
         )
@@ -46,58 +46,58 @@ fn stations() -> Vec<Route> {
         Route::new(
             POST,
             FLEET_STOP,
-            "Stops the arms of several stations, of all where nothing else is said; anyone may. The answer tells which \
-                did not answer: their own pages stop them. A stop of all is kept by every station, and holds for those that \
-                come or come back, until a person resets it",
+            "Stops the arms of several stations, by default of all; anyone may. The response shows which \
+                did not respond: stop those on their own pages. A stop of all is kept by every station, and applies to those that \
+                join or return, until a person resets it",
             members::stop,
         )
         .brings::<Maybe<FleetStop>>()
         .example(r#"{"to": {"group": "room-2"}, "reason": "smoke"}"#)
-        .gives::<Vec<MemberAnswer>>(200, "the answer of each")
+        .gives::<Vec<MemberAnswer>>(200, "the response of each")
         .problems(ASKS),
         Route::new(
             DELETE,
             FLEET_STOP,
-            "Lets the whole fleet move again after a stop of all; an arm that was stopped by itself too stays stopped. A \
-                station that is away learns of it when it comes back. For one arm alone: `DELETE /api/v1/stop` of its station",
+            "Resets a stop of all stations; an arm that was also stopped individually stays stopped. A \
+                station that is away learns of it when it returns. For one arm only: `DELETE /api/v1/stop` of its station",
             members::reset_stop,
         )
         .brings::<Maybe<Nothing>>()
-        .gives::<Vec<MemberAnswer>>(200, "which stations know of it")
+        .gives::<Vec<MemberAnswer>>(200, "the response of each")
         .problems(&[NO_FLEET, UNAUTHORISED, ROLE, ENDING]),
         Route::new(
             POST,
             "/api/v1/fleet/requests",
-            "Asks several stations for the same: method, path and body are those of their own API. The token of this \
-                request goes with it, and each station looks by itself what its holder may do",
+            "Sends a request to several stations: method, path and body are those of their own API. The token of this \
+                request is used, and each station checks its role",
             members::request,
         )
         .brings::<Body<FleetRequest, JOB>>()
         .example(r#"{"to": {"members": ["desk-3"]}, "method": "GET", "path": "/api/v1/jobs"}"#)
-        .gives::<Vec<MemberAnswer>>(200, "the answer of each")
+        .gives::<Vec<MemberAnswer>>(200, "the response of each")
         .problems(ASKS),
     ]
 }
 
-/// Work for any arm, where it is submitted.
+/// Routes for jobs for any arm, at the station to which they are submitted.
 fn work() -> Vec<Route> {
     vec![
         Route::new(
             POST,
             "/api/v1/fleet/work",
-            "Submits a drawing or a job to any arm of the fleet that has what it needs: one that is free does it, once",
+            "Submits a drawing or a job to any arm of the fleet with the required features: a free one runs it, once",
             work::submit,
         )
         .brings::<Body<FleetWork, JOB>>()
         .example(WORK_EXAMPLE)
         .keyed()
-        .gives::<WorkView>(201, "it waits for an arm")
+        .gives::<WorkView>(201, "the job waits for an arm")
         .problems(WORKS)
         .problems(&[WORK_FILE, TOO_MANY]),
         Route::new(
             GET,
             "/api/v1/fleet/work",
-            "All work that was submitted to this station for any arm, in the order in which it came",
+            "All jobs for any arm that were submitted to this station, in order",
             work::all,
         )
         .gives::<Vec<WorkView>>(200, "the work")
@@ -105,67 +105,67 @@ fn work() -> Vec<Route> {
         Route::new(
             DELETE,
             "/api/v1/fleet/work/{work}",
-            "Cancels work: the station that has it lets it be, unless its arm is at it",
+            "Cancels a job for any arm, unless the arm has begun it",
             work::cancel,
         )
-        .gives::<WorkView>(200, "it is cancelled, or is being withdrawn")
+        .gives::<WorkView>(200, "the job is cancelled, or is being withdrawn")
         .problems(WORKS)
         .problems(&[NO_SUCH_WORK, WORK_PHASE]),
         Route::new(
             POST,
             "/api/v1/fleet/work/{work}/give",
-            "Gives work that is in doubt or has failed to another arm. This is for a person who has looked at the first one: \
-                what was drawn there may be drawn again",
+            "Moves a job that is in doubt or has failed to another arm. A person must have checked the first one: \
+                parts that were drawn there may be drawn again",
             work::give,
         )
-        .gives::<WorkView>(200, "it waits for another arm")
+        .gives::<WorkView>(200, "the job waits for another arm")
         .problems(WORKS)
         .problems(&[NO_SUCH_WORK, WORK_PHASE]),
     ]
 }
 
-/// Work that other stations offer.
+/// Routes for offers of other stations.
 fn offers() -> Vec<Route> {
     vec![
         Route::new(
             POST,
             crate::OFFERS,
-            "Takes work of the fleet under a key, if no other job is queued or under way here. What is answered under a key \
-                is the answer for good: the same request gets the same job, and what was refused is never done",
+            "Accepts a job of the fleet under a key, if no other job is queued or running here. The response to a key \
+                is final: a repeated request returns the same job, and a refused one never runs",
             offers::offer,
         )
         .brings::<Body<FleetOffer, JOB>>()
         .example(OFFER_EXAMPLE)
         .keyed()
-        .gives::<JobView>(200, "it is taken: the job")
+        .gives::<JobView>(200, "the accepted job")
         .problems(&[ARM_BUSY, WORK_REFUSED, NO_FLEET, INVALID, MALFORMED, DRAWING_PHASE])
         .problems(&[TOO_MANY, JOURNAL, ENDING]),
         Route::new(
             GET,
             "/api/v1/fleet/offers/{key}",
-            "What has become of work that was offered under a key",
+            "The state of a job that was offered under a key",
             offers::look,
         )
-        .gives::<JobView>(200, "it was taken: the job as it is now")
+        .gives::<JobView>(200, "the accepted job in its current state")
         .problems(OFFERED),
         Route::new(
             DELETE,
             "/api/v1/fleet/offers/{key}",
-            "Takes an offer back: it is refused whenever it comes, and a job that has come of it ends if it has not begun",
+            "Withdraws an offer: it is refused even if it arrives later, and its job ends if it has not begun",
             offers::withdraw,
         )
-        .gives::<JobView>(200, "it was taken before: the job as it is now")
+        .gives::<JobView>(200, "the accepted job in its current state")
         .problems(OFFERED),
     ]
 }
 
-/// Virtual arms for those who have none.
+/// Routes for virtual arms for members without an arm.
 fn arms() -> Vec<Route> {
     vec![
         Route::new(
             GET,
             ARMS,
-            "The virtual arms that this station gives to those without an arm",
+            "The virtual arms that this station hosts",
             virtual_arms::all,
         )
         .gives::<GivenArms>(200, "the virtual arms")
@@ -173,8 +173,8 @@ fn arms() -> Vec<Route> {
         Route::new(
             POST,
             ARMS,
-            "Gives a virtual arm: a station of the fleet with a page of its own, which accepts the tokens of this one. Whoever \
-                asks for the same name again gets the same arm, with its jobs and recordings",
+            "Starts a virtual arm: a station of the fleet with its own page, which accepts the tokens of this one. A repeated \
+                request for the same name returns the same arm, with its jobs and recordings",
             virtual_arms::give,
         )
         .brings::<Body<WantedVirtualArm, JOB>>()
@@ -185,10 +185,10 @@ fn arms() -> Vec<Route> {
         Route::new(
             DELETE,
             "/api/v1/fleet/virtual-arms/{name}",
-            "Ends a virtual arm; its jobs and recordings stay for the next one of its name",
+            "Ends a virtual arm; its jobs and recordings are kept for the next one of its name",
             virtual_arms::end,
         )
-        .gives::<GivenArms>(200, "those that are left")
+        .gives::<GivenArms>(200, "the remaining virtual arms")
         .problems(GIVES)
         .problems(&[NO_SUCH_ARM]),
     ]
@@ -196,17 +196,17 @@ fn arms() -> Vec<Route> {
 
 const ARMS: &str = "/api/v1/fleet/virtual-arms";
 
-/// What virtual arms may be refused for.
+/// The problems of requests for virtual arms.
 const GIVES: &[ProblemKind] = &[GIVES_NO_ARMS, ENDING, ROLE];
 
 const WORK_EXAMPLE: &str = r#"{"drawing": {"options": {"what": {"text": "Hello"}, "place": {"at": [210, 0], "pen_down": -40}}}, "needs": ["pen", "a5"], "student": "Anna"}"#;
 
 const OFFER_EXAMPLE: &str = r#"{"by": "desk-1", "student": "Anna", "drawing": {"options": {"what": {"text": "Hello"}, "place": {"at": [210, 0], "pen_down": -40}}}}"#;
 
-/// What work for any arm may be refused for.
+/// The problems of requests for jobs for any arm.
 const WORKS: &[ProblemKind] = &[NO_FLEET, INVALID, ENDING, ROLE];
 
-/// What is answered about an offer of which no job has come.
+/// The problems of an offer without a job.
 const OFFERED: &[ProblemKind] = &[
     ARM_BUSY,
     WORK_REFUSED,
@@ -216,5 +216,5 @@ const OFFERED: &[ProblemKind] = &[
     ENDING,
 ];
 
-/// What asking the fleet may be refused for.
+/// The problems of requests to the fleet.
 const ASKS: &[ProblemKind] = &[NO_FLEET, NO_SUCH_MEMBER, INVALID, ENDING];

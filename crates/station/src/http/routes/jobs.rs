@@ -25,7 +25,7 @@ pub(super) fn all() -> Vec<Route> {
     [kept(), carried_out()].concat()
 }
 
-/// What is done with the list of jobs.
+/// Routes for the list of jobs.
 fn kept() -> Vec<Route> {
     vec![
         Route::new(
@@ -48,7 +48,7 @@ fn kept() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/jobs/{id}/path",
-            "The way of a job, once through its commands, as it was planned",
+            "The planned path of a job, once through its commands",
             path,
         )
         .gives::<JobPath>(200, "the way")
@@ -59,12 +59,12 @@ fn kept() -> Vec<Route> {
             "Ends a job for good",
             |OfJob(job)| Request::CancelJob { job },
         )
-        .gives::<Reply>(200, "the job is over")
+        .gives::<Reply>(200, "the job has ended")
         .problems(&[NO_LEASE, LOCKED, SLOT, NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
         Route::new(
             POST,
             "/api/v1/jobs/{id}/again",
-            "Queues what a job does once more, as a new job that is planned anew",
+            "Queues a copy of a job, as a new job that is planned again",
             again,
         )
         .brings::<OfJob>()
@@ -81,31 +81,31 @@ fn kept() -> Vec<Route> {
         Route::new(
             PUT,
             "/api/v1/jobs/{id}/place",
-            "Puts a queued job before another queued one, or behind all of them",
+            "Moves a queued job before another one, or to the end",
             place,
         )
         .brings::<Body<Place>>()
         .example(r#"{"before": 3}"#)
-        .gives::<Reply>(200, "the job has its place")
+        .gives::<Reply>(200, "the job is moved")
         .problems(&[MALFORMED, NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/forget",
-            "Forgets a job that is over, or that has not begun",
+            "Deletes a job that has ended, or that has not begun",
             |OfJob(job)| Request::ForgetJob { job },
         )
-        .gives::<Reply>(200, "the job is forgotten")
+        .gives::<Reply>(200, "the job is deleted")
         .problems(&[NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
     ]
 }
 
-/// What is done with the job that the arm is at, or is to be at.
+/// Routes for the current or next job.
 fn carried_out() -> Vec<Route> {
     vec![
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/start",
-            "Starts a queued job, or goes on with a paused one",
+            "Starts a queued job, or resumes a paused one",
             |OfJob(job)| Request::StartJob { job },
         )
         .gives::<Reply>(200, "the job runs")
@@ -121,18 +121,18 @@ fn carried_out() -> Vec<Route> {
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/confirm",
-            "Says that a person has done what a paused job waits for; start it again then",
+            "Confirms that a person has done what a paused job waits for; then resume it",
             |OfJob(job)| Request::ConfirmJob { job },
         )
-        .gives::<Reply>(200, "the job may go on")
+        .gives::<Reply>(200, "the job can be resumed")
         .problems(&[NO_LEASE, LOCKED, SLOT]),
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/step",
-            "Does the next step of a queued or paused job, and pauses behind it",
+            "Runs the next step of a queued or paused job, and pauses after it",
             |OfJob(job)| Request::StepJob { job },
         )
-        .gives::<Reply>(200, "the step is under way")
+        .gives::<Reply>(200, "the step is running")
         .problems(MOVES)
         .problems(&[
             NO_SUCH_JOB,
@@ -145,7 +145,7 @@ fn carried_out() -> Vec<Route> {
         Route::asks(
             POST,
             "/api/v1/jobs/pause",
-            "Pauses the running job after what the arm has got already",
+            "Pauses the running job after the in-flight commands",
             |_: Maybe<Nothing>| Request::PauseJob,
         )
         .gives::<Reply>(200, "the job is paused")
@@ -153,26 +153,26 @@ fn carried_out() -> Vec<Route> {
         Route::asks(
             PUT,
             "/api/v1/jobs/speed",
-            "Draws the vectors of the job faster or slower than planned, from \
-                the next one on that is not sent yet",
+            "Changes the drawing speed of the job, from the next unsent \
+                vector on",
             |Body(new): Body<Speed>| Request::SetJobSpeed {
                 percent: new.percent,
             },
         )
         .example(r#"{"percent": 80}"#)
-        .gives::<Reply>(200, "the job goes at this speed")
+        .gives::<Reply>(200, "the job runs at this speed")
         .problems(ADJUSTS),
         Route::asks(
             PUT,
             "/api/v1/jobs/height",
-            "Draws the job higher or lower than planned, gently, from the next \
-                command on that is not sent yet",
+            "Changes the drawing height of the job, gradually, from the next unsent \
+                command on",
             |Body(new): Body<Height>| Request::SetJobHeight {
                 offset_mm: new.offset_mm,
             },
         )
         .example(r#"{"offset_mm": 0.2}"#)
-        .gives::<Reply>(200, "the job is drawn at this height")
+        .gives::<Reply>(200, "the job runs at this height")
         .problems(ADJUSTS)
         .problems(&[POLICY]),
     ]
@@ -180,29 +180,29 @@ fn carried_out() -> Vec<Route> {
 
 const JOB_EXAMPLE: &str = r#"{"title": "there and back", "kind": "program", "commands": [{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}]}"#;
 
-/// How fast a job is drawn.
+/// The drawing speed of a job.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Speed {
-    /// In percent of the planned speed.
+    /// The percentage of the planned speed.
     #[schemars(range(min = 10.0, max = 200.0))]
     percent: f64,
 }
 
-/// How high a job is drawn.
+/// The drawing height of a job.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Height {
-    /// How far above the plan, in millimetres; below 0 is lower.
+    /// The offset above the planned height, in millimetres; negative is lower.
     #[schemars(range(min = -5.0, max = 5.0))]
     offset_mm: f64,
 }
 
-/// Where a queued job stands in the list.
+/// The place of a queued job in the list.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Place {
-    /// The number of the queued job that comes behind it; without it the job comes last.
+    /// The number of the queued job that follows it; by default it becomes the last.
     #[serde(default)]
     before: Option<u64>,
 }

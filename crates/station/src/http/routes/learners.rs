@@ -12,20 +12,20 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/learners",
-            "The students in lessons of whom was told within a minute, by name, with how long each has been at a step",
+            "The students in lessons that were reported within a minute, by name, with the time at their steps",
             learners::all,
         )
         .gives::<Vec<LearnerView>>(200, "the students"),
         Route::new(
             POST,
             "/api/v1/learners",
-            "Tells how far a student is in a lesson, for the board of the fleet. It is forgotten after a minute unless it is said \
-                again",
+            "Reports the progress of a student in a lesson, for the board of the fleet. It expires after a minute unless it is \
+                repeated",
             learners::tell,
         )
         .brings::<Body<Progress, BODY>>()
         .example(r#"{"student": "Anna", "lesson": "tour", "done": 2, "steps": 12}"#)
-        .gives::<LearnerView>(200, "it is told")
+        .gives::<LearnerView>(200, "the reported progress")
         .problems(&[ROLE, INVALID, TOO_MANY]),
     ]
 }

@@ -19,34 +19,34 @@ pub(super) fn all() -> Vec<Route> {
     vec![
         holds(
             "/api/v1/lease",
-            "Takes control, if nobody has it; with a lease token it renews the lease",
+            "Takes control if it is free; with a lease token, renews the lease",
             "control",
             Request::TakeLease,
         )
         .problems(&[NO_LEASE, LOCKED, SLOT, TOO_MANY_CLIENTS]),
-        Route::new(DELETE, "/api/v1/lease", "Gives control back", release)
+        Route::new(DELETE, "/api/v1/lease", "Releases control", release)
             .brings::<Maybe<Nothing>>()
             .gives::<Reply>(200, "control is free")
             .problems(&[NO_LEASE]),
         holds(
             "/api/v1/lease/ask",
-            "Asks the holder for control; the state tells when it is granted",
-            "a lease token, for when control is granted",
+            "Asks the lease holder for control; the state shows when it is granted",
+            "a lease token, valid when control is granted",
             Request::AskLease,
         )
         .problems(&[LOCKED, SLOT, TOO_MANY_CLIENTS]),
         Route::asks(
             POST,
             "/api/v1/lease/grant",
-            "Gives control to one who asked",
+            "Grants control to a client that asked for it",
             |Body(new): Body<HandOver>| Request::GrantLease { to: new.to },
         )
         .example(r#"{"to": 3}"#)
-        .gives::<Reply>(200, "who has control now")
+        .gives::<Reply>(200, "the new lease holder")
         .problems(&[NO_LEASE, NOT_ASKING, LOCKED, SLOT]),
         holds(
             "/api/v1/lease/seize",
-            "Takes control from whoever has it (admin)",
+            "Takes control from the lease holder (admin)",
             "control",
             Request::SeizeLease,
         )
@@ -54,7 +54,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::asks(
             POST,
             "/api/v1/lock",
-            "Keeps the arm for administrators (admin): whoever else has control loses it, and a job that runs is paused",
+            "Locks the arm for administrators (admin): any other lease ends, and a running job is paused",
             |Maybe(new): Maybe<NewLock>| Request::Lock {
                 message: new.message,
             },
@@ -64,22 +64,22 @@ pub(super) fn all() -> Vec<Route> {
         Route::asks(
             DELETE,
             "/api/v1/lock",
-            "Lets everyone take control again (admin)",
+            "Unlocks the arm (admin)",
             |_: Maybe<Nothing>| Request::Unlock,
         )
-        .gives::<Reply>(200, "the arm is not locked"),
+        .gives::<Reply>(200, "the arm is unlocked"),
         Route::new(
             GET,
             "/api/v1/slots",
-            "All time slots that are not over, in their order",
+            "All current and future time slots, in order",
             slots,
         )
         .gives::<Reply>(200, "the slots"),
         Route::asks(
             PUT,
             "/api/v1/slots",
-            "Says whose the arm is and when, in place of what was said before (admin): while a slot is under way only its student and \
-                administrators have control",
+            "Replaces the time slots (admin): during a slot only its student and \
+                administrators can take control",
             |Body(new): Body<NewSlots>| Request::SetSlots { slots: new.slots },
         )
         .example(SLOTS_EXAMPLE)
@@ -88,50 +88,50 @@ pub(super) fn all() -> Vec<Route> {
         Route::asks(
             DELETE,
             "/api/v1/slots",
-            "Ends all time slots (admin): the arm is everyone's",
+            "Removes all time slots (admin)",
             |_: Maybe<Nothing>| Request::SetSlots { slots: Vec::new() },
         )
-        .gives::<Reply>(200, "there are none"),
+        .gives::<Reply>(200, "no time slots are left"),
         Route::asks(
             POST,
             "/api/v1/message",
-            "Tells something to all who watch",
+            "Sends a message to all observers",
             |Body(new): Body<NewMessage>| Request::Message { text: new.text },
         )
         .example(r#"{"text": "five more minutes"}"#)
-        .gives::<Reply>(200, "it is told"),
+        .gives::<Reply>(200, "the message is sent"),
     ]
 }
 
-/// Why the arm is locked.
+/// A lock of the arm.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct NewLock {
-    /// For those who want to move the arm. What is longer than 200 characters is cut.
+    /// The message for others. Cut to 200 characters.
     #[serde(default)]
     message: Option<String>,
 }
 
 const SLOTS_EXAMPLE: &str = r#"{"slots": [{"student": "Anna", "starts_in_s": 0, "ends_in_s": 900}, {"student": "Ben", "group": "red", "starts_in_s": 900, "ends_in_s": 1800}]}"#;
 
-/// Whose the arm is, and when.
+/// The time slots of the arm.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct NewSlots {
-    /// The slots, in any order: up to 200, none of which overlaps another one.
+    /// The slots, in any order: up to 200, without overlaps.
     #[schemars(length(max = 200))]
     slots: Vec<TimeSlot>,
 }
 
-/// What to tell.
+/// A message to all observers.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct NewMessage {
-    /// The text. What is longer than 200 characters is cut.
+    /// The text. Cut to 200 characters.
     text: String,
 }
 
-/// A route that asks for control, and keeps the client if that is granted.
+/// Returns a route that requests control, and stores the client if it is granted.
 fn holds(path: &'static str, summary: &'static str, what: &'static str, request: Request) -> Route {
     let hold = move |asker: Asker, Maybe(wanted): Maybe<LeaseRequest>| hold(asker, wanted, request);
     Route::new(POST, path, summary, hold)
@@ -140,36 +140,36 @@ fn holds(path: &'static str, summary: &'static str, what: &'static str, request:
         .gives::<Granted>(200, what)
 }
 
-/// Who wants control.
+/// A request for control.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct LeaseRequest {
-    /// What the client calls itself.
+    /// The name of the client.
     #[serde(default)]
     #[schemars(length(min = 1, max = 60))]
     name: Option<String>,
 }
 
-/// Control, or the hope for it.
+/// A granted or pending lease.
 #[derive(Debug, Serialize, JsonSchema)]
 struct Granted {
-    /// What to send as header `Dobot-Lease` with all requests that go with it.
+    /// The value of the header `Dobot-Lease` for all requests with this lease.
     token: String,
-    /// How long the token lasts without being used, in seconds.
+    /// The time after which the unused token expires, in seconds.
     lasts_s: u64,
-    /// Who has control now, if anybody has.
+    /// The current lease, if any.
     lease: Option<LeaseView>,
 }
 
-/// Who is to get control.
+/// The new lease holder.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct HandOver {
-    /// One of those who ask.
+    /// One of the clients that asked for control.
     to: ClientId,
 }
 
-/// Asks for control, and keeps the client if that is granted.
+/// Requests control, and stores the client if it is granted.
 async fn hold(
     asker: Asker,
     wanted: LeaseRequest,
@@ -201,7 +201,7 @@ async fn hold(
     }))
 }
 
-/// What a client wants to be called, or else what its token is called.
+/// Returns the client's requested name, or the name of its token.
 fn called(wanted: LeaseRequest, caller: &Caller) -> Result<String, Problem> {
     let Some(name) = wanted.name else {
         return Ok(caller.name.clone());
@@ -209,7 +209,7 @@ fn called(wanted: LeaseRequest, caller: &Caller) -> Result<String, Problem> {
     if is_name(&name) {
         return Ok(name);
     }
-    Err(INVALID.problem("name: this takes 1 to 60 characters that can be printed"))
+    Err(INVALID.problem("name: allowed are 1 to 60 printable characters"))
 }
 
 async fn slots(asker: Asker) -> Result<Json<Reply>, NotDone> {
@@ -220,7 +220,7 @@ async fn release(asker: Asker, _: Maybe<Nothing>) -> Result<Json<Reply>, NotDone
     let Some(token) = asker.lease.clone() else {
         return Err(NO_LEASE
             .hinted(
-                "this request comes without a lease token",
+                "this request requires a lease token",
                 "send it as header `Dobot-Lease`",
             )
             .into());

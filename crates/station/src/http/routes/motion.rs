@@ -1,4 +1,4 @@
-//! Commands, buttons and stops.
+//! Commands, jog buttons and stops.
 
 use std::sync::Arc;
 
@@ -28,30 +28,30 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             POST,
             "/api/v1/commands",
-            "Sends one command, if the policy allows its whole way",
+            "Sends one command, if the policy allows its whole path",
             command,
         )
         .brings::<Body<NewCommand>>()
         .example(MOVE_EXAMPLE)
-        .gives::<Reply>(200, "the arm is where the command leads (with `wait`)")
-        .gives::<Reply>(202, "the command waits for its turn")
+        .gives::<Reply>(200, "the arm has reached the target (with `wait`)")
+        .gives::<Reply>(202, "the command is queued")
         .problems(MOVES)
         .problems(&[NOT_REACHED]),
         Route::asks(
             POST,
             "/api/v1/commands/check",
-            "Says where a command would lead if it were sent now, or why it would be refused; nothing is sent",
+            "Checks where a command would lead if it were sent now, or why it would be refused; nothing is sent",
             |Body(check): Body<CheckCommand>| Request::CheckCommand {
                 command: check.command,
             },
         )
         .example(CHECK_EXAMPLE)
-        .gives::<Reply>(200, "the whole way is allowed")
+        .gives::<Reply>(200, "the whole path is allowed")
         .problems(&[STILL_MOVING, LASER_DISARMED, COMMAND, POLICY, OUT_OF_RANGE, NO_LINK]),
         Route::asks(
             POST,
             "/api/v1/arm/near",
-            "Says which limits and keep-outs of the policy an arm at a place would be near to; nothing is sent",
+            "Returns the limits and keep-out zones near a position; nothing is sent",
             |Body(place): Body<Place>| Request::Near {
                 x_mm: place.x_mm,
                 y_mm: place.y_mm,
@@ -60,12 +60,12 @@ pub(super) fn all() -> Vec<Route> {
             },
         )
         .example(r#"{"x_mm": 200, "y_mm": 0, "z_mm": 130, "rotation_deg": 0}"#)
-        .gives::<Reply>(200, "what it would be near to, by 20 mm or 5 degrees")
+        .gives::<Reply>(200, "the limits and zones within 20 mm or 5 degrees")
         .problems(&[POLICY]),
         Route::asks(
             POST,
             "/api/v1/jog",
-            "Holds a jog button; it is released when this is not said again \
+            "Holds a jog button; it is released unless this request is repeated \
                 within the dead-man time (150 ms by default)",
             |Body(new): Body<HoldJog>| Request::Jog { jog: new.jog },
         )
@@ -83,15 +83,15 @@ pub(super) fn all() -> Vec<Route> {
         Route::asks(
             POST,
             "/api/v1/jog/step",
-            "Moves by one step of a jog button, from where the arm is when all that it was given is over; pump and \
-                gripper stay as they are",
+            "Moves by one step of a jog button, from the position after all previous commands; pump and \
+                gripper do not change",
             |Body(new): Body<NewStep>| Request::Step {
                 button: new.button,
                 by: new.by,
             },
         )
         .example(r#"{"button": {"frame": "linear", "axis": "x_plus"}, "by": 1}"#)
-        .gives::<Reply>(200, "the step waits for its turn")
+        .gives::<Reply>(200, "the step is queued")
         .problems(MOVES)
         .problems(&[MALFORMED]),
         Route::new(
@@ -107,7 +107,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::asks(
             DELETE,
             STOP,
-            "Lets the arm move again after a stop: a person has looked at it",
+            "Resets a stop, after a person has checked the arm",
             |_: Maybe<Nothing>| Request::ResetStop,
         )
         .gives::<Reply>(200, "the arm may move")
@@ -119,7 +119,7 @@ const MOVE_EXAMPLE: &str = r#"{"command": {"type": "move_to", "x_mm": 200, "y_mm
 
 const CHECK_EXAMPLE: &str = r#"{"command": {"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "movl", "gripper_deg": 0, "pause_s": 0}}"#;
 
-/// A command to be looked at.
+/// A command to be checked.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct CheckCommand {
@@ -127,13 +127,13 @@ struct CheckCommand {
     command: Command,
 }
 
-/// A place of the tool.
+/// A position of the tool.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Place {
-    /// Forward of the axis of the base, in mm.
+    /// The distance forward of the axis of the base, in mm.
     x_mm: f64,
-    /// To the left of it, in mm.
+    /// The distance to the left of it, in mm.
     y_mm: f64,
     /// The height of the wrist, in mm.
     z_mm: f64,
@@ -147,26 +147,26 @@ struct Place {
 struct NewCommand {
     /// The command.
     command: Command,
-    /// Answer when the command is over, instead of as soon as it waits for its turn.
+    /// Whether to respond when the command has finished, instead of when it is queued.
     #[serde(default)]
     wait: bool,
 }
 
-/// A button.
+/// A jog button.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct HoldJog {
-    /// Which one.
+    /// The button.
     jog: Jog,
 }
 
-/// A step.
+/// A jog step.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct NewStep {
     /// The button.
     button: Button,
-    /// How far, in mm or degrees.
+    /// The distance, in mm or degrees.
     #[schemars(range(min = 0.01, max = 100.0))]
     by: f32,
 }
@@ -175,10 +175,10 @@ struct NewStep {
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct NewStop {
-    /// Why, for those who find the arm stopped.
+    /// The reason, shown at the stopped arm.
     #[serde(default)]
     reason: Option<String>,
-    /// The stop of the whole fleet that this is part of; only other stations of the fleet say so.
+    /// The stop of the whole fleet of which this is part; only set by other stations of the fleet.
     #[serde(default)]
     fleet: Option<FleetWideStop>,
 }
@@ -188,7 +188,7 @@ async fn stop(
     Extension(peer): Extension<Peer>,
     Maybe(new): Maybe<NewStop>,
 ) -> Result<Json<Reply>, NotDone> {
-    // Over HTTP nobody resets or makes stops of the fleet this way.
+    // Over HTTP nobody can reset or create stops of the fleet this way.
     if let Some(fleet) = new.fleet.filter(|fleet| peer.by_fleet && fleet.holds())
         && let (_, Some(reply)) = asker.app.handle.adopt_fleet_stops(vec![fleet]).await?
     {
@@ -208,7 +208,7 @@ async fn command(asker: Asker, Body(new): Body<NewCommand>) -> Result<Response, 
     }
 }
 
-/// Waits until a command is over.
+/// Waits until a command has finished.
 async fn over(
     number: u64,
     notices: &mut broadcast::Receiver<Arc<Notice>>,
@@ -216,8 +216,9 @@ async fn over(
     loop {
         let notice = notices.recv().await.map_err(|error| match error {
             RecvError::Closed => Problem::from(Refusal::Ending),
-            RecvError::Lagged(_) => NOT_REACHED
-                .problem("so much happened that it was not seen whether the command is over"),
+            RecvError::Lagged(_) => {
+                NOT_REACHED.problem("too many events: the result of the command was missed")
+            }
         })?;
         match notice.news {
             News::CommandDone { command } if command == number => {

@@ -1,4 +1,4 @@
-//! What other programs watch the station by: whether it lives, its figures, what happens.
+//! Monitoring: health, metrics, events.
 
 use super::GET;
 use crate::http::live::events::{self, ServerSentEvent};
@@ -13,7 +13,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/healthz",
-            "Whether the station lives, for what starts it again if it does not; the arm may be away",
+            "Whether the station is alive, for a supervisor that restarts it; the arm may be disconnected",
             metrics::health,
         )
         .open()
@@ -22,16 +22,16 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/metrics",
-            "The figures of arm, link, queue, laser and job, as Prometheus reads them",
+            "The metrics of arm, link, queue, laser and job, for Prometheus",
             metrics::metrics,
         )
-        .gives_text(200, "text/plain; version=0.0.4; charset=utf-8", "the figures"),
+        .gives_text(200, "text/plain; version=0.0.4; charset=utf-8", "the metrics"),
         Route::new(
             GET,
             "/api/v1/events",
             "States and notices as server-sent events: `state` and `notice`, each with a message as in `ToClient`. A \
-                notice has its number as its id; with `Last-Event-ID` those come first that were missed, \
-                as far as the station remembers them.",
+                notice has its number as its id; with `Last-Event-ID` the missed ones are sent first, \
+                as far as the station has kept them.",
             events::events,
         )
         .queries(WATCH_QUERIES)
@@ -40,8 +40,8 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/packets",
-            "Every packet between the station and the arm, both ways and decoded, from now on, as server-sent events: \
-                `packet`, or `lost` with how many came too fast for the one who listens",
+            "All packets between the station and the arm, in both directions and decoded, from now on, as server-sent events: \
+                `packet`, or `lost` with the number of packets that were dropped because the client was too slow",
             packets::packets,
         )
         .gives_as::<ServerSentEvent>(200, "text/event-stream", "the packets")

@@ -1,4 +1,4 @@
-//! Programs: looked at, edited, made into jobs.
+//! Taught programs: checked, edited, converted to jobs.
 
 use std::sync::Arc;
 
@@ -24,17 +24,17 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             POST,
             "/api/v1/programs/check",
-            "Looks at a whole program: its steps, how long they take, and all that is wrong with it",
+            "Checks a whole program: its steps, their durations, and all problems",
             check,
         )
         .brings::<Body<ProgramText, JOB>>()
         .example(CHECK_EXAMPLE)
-        .gives::<ProgramReport>(200, "what was found; a program with problems is answered so, too")
+        .gives::<ProgramReport>(200, "the report, also of a program with problems")
         .problems(&[ENDING]),
         Route::new(
             POST,
             "/api/v1/programs/edit",
-            "Changes the text of a program; what is not touched keeps its comments and its form",
+            "Edits the text of a program; unchanged parts keep their comments and their format",
             edit,
         )
         .brings::<Body<EditProgram, JOB>>()
@@ -44,8 +44,8 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             POST,
             "/api/v1/programs/convert",
-            "Turns a file of the vendor's programs (`PlayBackPoints.xml`, `.play`) into the text of a program, or the text \
-                into such a file; what the other form cannot carry is told",
+            "Converts a file of the vendor's software (`PlayBackPoints.xml`, `.play`) into the text of a program, or the text \
+                into such a file; reports what the target format cannot represent",
             convert,
         )
         .brings::<Body<ConvertProgram, JOB>>()
@@ -55,7 +55,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             POST,
             "/api/v1/programs/jobs",
-            "Queues a program as a job, unless something is wrong with it",
+            "Queues a program as a job, unless it has problems",
             submit,
         )
         .brings::<Body<NewProgram, JOB>>()

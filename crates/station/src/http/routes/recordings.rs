@@ -29,7 +29,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/recordings/{name}",
-            "A recording, as an MCAP file; of one that is being written what is there so far",
+            "A recording, as an MCAP file; of one that is being written the part so far",
             file,
         )
         .gives_text(200, "application/octet-stream", "the file")
@@ -37,29 +37,35 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/recordings/{name}/states",
-            "Where the arm was over a stretch of a recording; of a long one not every status is told",
+            "The positions of the arm over a part of a recording; of a long one not all statuses",
             states,
         )
         .queries(STRETCH)
-        .gives::<RecordedStates>(200, "where the arm was")
-        .problems(&[MALFORMED, OUT_OF_RANGE, NO_SUCH_RECORDING, RECORDING, ENDING]),
+        .gives::<RecordedStates>(200, "the positions of the arm")
+        .problems(&[
+            MALFORMED,
+            OUT_OF_RANGE,
+            NO_SUCH_RECORDING,
+            RECORDING,
+            ENDING,
+        ]),
     ]
 }
 
 const STRETCH: &[Query] = &[
     Query {
         name: "from_s",
-        what: "From when on, in seconds since the times of the recording begin; 0 without it",
+        what: "Begin, in seconds since the origin of the recording (default: 0)",
         schema: SchemaGenerator::subschema_for::<f64>,
     },
     Query {
         name: "to_s",
-        what: "Until when; without it to the end",
+        what: "End (default: the end of the recording)",
         schema: SchemaGenerator::subschema_for::<f64>,
     },
     Query {
         name: "most",
-        what: "How many samples at the most, 2 to 5000; 2000 without it",
+        what: "Maximum number of samples, 2 to 5000 (default: 2000)",
         schema: SchemaGenerator::subschema_for::<usize>,
     },
 ];

@@ -1,4 +1,4 @@
-//! The tokens by which the station knows its clients.
+//! The access tokens of the station.
 
 use axum::Json;
 use axum::extract::Path;
@@ -27,7 +27,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             POST,
             "/api/v1/tokens",
-            "Makes a token, whose secret is shown this once; for administrators",
+            "Creates a token, whose secret is shown only now; for administrators",
             add,
         )
         .brings::<Body<TokenView>>()
@@ -37,10 +37,10 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             DELETE,
             "/api/v1/tokens/{name}",
-            "Removes a token: its holder is not known any more; for administrators",
+            "Removes a token: its holder loses access; for administrators",
             remove,
         )
-        .gives::<Vec<TokenView>>(200, "the tokens that are left")
+        .gives::<Vec<TokenView>>(200, "the remaining tokens")
         .problems(&[NO_SUCH_TOKEN, TOKEN_FILE]),
     ]
 }
@@ -49,23 +49,24 @@ pub(super) fn all() -> Vec<Route> {
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct TokenView {
-    /// Who it is for: 1 to 40 letters, digits, dots, dashes and spaces.
+    /// Its name: 1 to 40 letters, digits, dots, dashes and spaces.
     name: String,
-    /// What its holder may do.
+    /// The role of its holder.
     role: Role,
-    /// Whether it is for several people, each of whom is who he calls himself; any other one is that of one person, by its name.
+    /// Whether it is shared by several people, each identified by the name that they give; any
+    /// other token belongs to one person, identified by its name.
     #[serde(default)]
     shared: bool,
 }
 
-/// A token that was just made.
+/// A newly created token.
 #[derive(Debug, Serialize, JsonSchema)]
 struct NewToken {
-    /// Who it is for.
+    /// Its name.
     name: String,
-    /// What its holder may do.
+    /// The role of its holder.
     role: Role,
-    /// What the holder shows; nobody is shown it again.
+    /// The secret, which is not shown again.
     secret: String,
 }
 

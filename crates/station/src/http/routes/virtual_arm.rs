@@ -1,4 +1,4 @@
-//! The station's own virtual arm: its world, and what goes wrong with it.
+//! The station's own virtual arm: its world and its faults.
 
 use std::sync::{Arc, PoisonError};
 
@@ -23,12 +23,12 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/world",
-            "What is around the station's own virtual arm: tool, paper, ink, objects",
+            "The world of the station's own virtual arm: tool, paper, ink, objects",
             world,
         )
         .queries(&[Query {
             name: "strokes_from",
-            what: "Of ink and burns only those from this one on, counted from 0; the last one may still grow",
+            what: "Index of the first line of ink and burns, counted from 0; the last line may still grow",
             schema: SchemaGenerator::subschema_for::<usize>,
         }])
         .gives::<WorldState>(200, "the world")
@@ -36,7 +36,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             PUT,
             "/api/v1/world",
-            "Puts the station's own virtual arm into another world, as it stands",
+            "Replaces the world of the station's own virtual arm; the arm keeps its pose",
             set_world,
         )
         .brings::<Body<SceneText>>()
@@ -46,7 +46,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/faults",
-            "What goes wrong with the station's own virtual arm",
+            "The faults of the station's own virtual arm",
             faults,
         )
         .gives::<Vec<String>>(200, "the faults")
@@ -54,7 +54,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             PUT,
             "/api/v1/faults",
-            "Lets other things go wrong with the station's own virtual arm from now on, and nothing else any more",
+            "Replaces the faults of the station's own virtual arm",
             set_faults,
         )
         .brings::<Body<NewFaults>>()
@@ -64,7 +64,7 @@ pub(super) fn all() -> Vec<Route> {
     ]
 }
 
-/// What a caller wants of the world.
+/// The requested part of the world.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Wanted {
@@ -80,13 +80,13 @@ struct SceneText {
     scene: String,
 }
 
-/// What is to go wrong.
+/// The new faults.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct NewFaults {
-    /// The faults, as `dobot arm --fault` takes them; times count from now.
+    /// The faults, in the format of `dobot arm --fault`; times count from now.
     faults: Vec<String>,
-    /// What chance begins with: the same faults with the same seed do the same.
+    /// The random seed: the same faults with the same seed have the same effect.
     #[serde(default)]
     seed: u64,
 }
@@ -146,8 +146,8 @@ async fn set_faults(
 fn own_arm(app: &App) -> Result<&OwnVirtualArm, Problem> {
     let none = || {
         NOT_VIRTUAL.hinted(
-            "the arm is a real one, or served elsewhere",
-            "`dobot up --virtual` has one of its own",
+            "the arm is real, or served by another program",
+            "start a station with its own virtual arm with `dobot up --virtual`",
         )
     };
     app.virtual_arm.as_ref().ok_or_else(none)
@@ -156,5 +156,5 @@ fn own_arm(app: &App) -> Result<&OwnVirtualArm, Problem> {
 fn state(own: &OwnVirtualArm) -> Result<WorldState, Problem> {
     let arm = own.arm.arm();
     let world = arm.world().map(World::state);
-    world.ok_or_else(|| NOT_VIRTUAL.problem("nothing is around the virtual arm"))
+    world.ok_or_else(|| NOT_VIRTUAL.problem("the virtual arm has no world"))
 }

@@ -1,4 +1,4 @@
-//! What everyone may see: the document, the state of the arm.
+//! Routes for observers: the document, the state of the arm.
 
 use dobot_api::problem_kinds::{
     BAD_POLICY, DETECTING, ENDING, JOB_RUNNING, MALFORMED, POLICY_FILE, ProblemKind, STILL_MOVING,
@@ -27,7 +27,7 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/problems/{kind}",
-            "Explains a kind of problem",
+            "Explains a problem type",
             requester::problem,
         )
         .open()
@@ -36,44 +36,44 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/state",
-            "What the station knows now",
+            "The state of the station",
             requester::state,
         )
         .gives::<State>(200, "the state"),
         Route::new(
             GET,
             "/api/v1/arm",
-            "The facts of the arm: its lengths, tools, limits and periods, and what its dialect makes of mouse and gesture \
-                packets. They change with the policy and the dialect",
+            "The facts of the arm: its lengths, tools, limits and periods, and the meaning of mouse and gesture packets in its \
+                dialect. They change with the policy and the dialect",
             requester::arm,
         )
         .gives::<ArmFacts>(200, "the facts"),
         Route::new(
             GET,
             "/api/v1/notices",
-            "What happened lately, the oldest first",
+            "The latest notices, the oldest first",
             requester::notices,
         )
         .gives::<Vec<Notice>>(200, "the notices"),
         Route::new(
             GET,
             "/api/v1/policy",
-            "The safety policy, as `dobot policy` shows it",
+            "The safety policy, as shown by `dobot policy`",
             requester::policy,
         )
         .gives::<Policy>(200, "the policy"),
         Route::new(
             GET,
             "/api/v1/policy/text",
-            "The safety policy as a TOML text, with its comments where it came from a file",
+            "The safety policy as a TOML text, with its comments if it came from a file",
             requester::policy_text,
         )
         .gives_text(200, "text/plain; charset=utf-8", "the text"),
         Route::new(
             PUT,
             "/api/v1/policy",
-            "Puts another safety policy in place of the one that holds, and keeps it for the next start; \
-                nothing may be under way. With `check` it only looks whether the text is a policy",
+            "Replaces and stores the safety policy; \
+                the arm must be idle. With `check` the text is only validated",
             requester::set_policy,
         )
         .brings::<Body<PolicyText>>()
@@ -83,8 +83,8 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             POST,
             "/api/v1/policy/keep-outs",
-            "Adds, replaces or removes a keep-out in the text of a draft; the rest keeps its comments and its form, and the policy \
-                that holds stays",
+            "Adds, replaces or removes a keep-out zone in the text of a draft; the rest keeps its comments and its format, and the \
+                active policy is unchanged",
             requester::edit_policy,
         )
         .brings::<Body<EditPolicy>>()

@@ -1,4 +1,4 @@
-//! Takes connections, and lets them go.
+//! Accepts and ends connections.
 
 use std::collections::HashMap;
 use std::net::{IpAddr, SocketAddr};
@@ -19,14 +19,14 @@ use crate::http::app::{App, MOST_SOCKETS, Peer, REFRESH_EVERY, ended};
 use crate::http::routes;
 use crate::http::tls::TlsAcceptor;
 
-/// How long the head of a request, or a TLS handshake, may take.
+/// The timeout of the head of a request, and of a TLS handshake.
 const HEAD_WITHIN: Duration = Duration::from_secs(10);
-/// How long connections have to end.
+/// The time in which connections have to end.
 const END_WITHIN: Duration = Duration::from_secs(3);
-/// How long to wait when the system has no more connections to give.
+/// The delay before a retry when the system is out of connections.
 const BREATH: Duration = Duration::from_millis(50);
 
-/// Serves until the station ends, and then until all have been told.
+/// Serves until the station ends, and then until all connections have ended.
 pub(crate) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: Arc<App>) {
     let router = routes::router(app.clone());
     let slots = Arc::new(ConnectionSlots::default());
@@ -59,7 +59,7 @@ pub(crate) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: 
     }
     drop(listener);
     app.agents.end();
-    // Those that have not ended by then are cut off.
+    // Remaining connections are cut.
     let _ = timeout(END_WITHIN, async {
         while connections.join_next().await.is_some() {}
         let all = u32::try_from(MOST_SOCKETS).expect("a few thousand");
@@ -68,7 +68,7 @@ pub(crate) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: 
     .await;
 }
 
-/// A connection that has a place.
+/// A connection with a slot.
 struct Connection {
     peer: Peer,
     tls: Option<TlsAcceptor>,
@@ -108,7 +108,7 @@ impl Connection {
     }
 }
 
-/// Speaks HTTP with one client until it goes or the station ends.
+/// Serves HTTP to one client until it leaves or the station ends.
 async fn speak<S>(stream: S, peer: Peer, router: Router, ending: watch::Receiver<bool>)
 where
     S: AsyncRead + AsyncWrite + Unpin + Send + 'static,
@@ -120,7 +120,7 @@ where
         .serve_connection(TokioIo::new(stream), service)
         .with_upgrades();
     let mut connection = std::pin::pin!(connection);
-    // A connection that breaks is gone, whatever broke it.
+    // A broken connection is over, whatever the cause.
     tokio::select! {
         _ = connection.as_mut() => return,
         () = ended(ending) => connection.as_mut().graceful_shutdown(),
@@ -128,17 +128,17 @@ where
     let _ = connection.await;
 }
 
-/// The places for connections.
+/// The slots for connections.
 #[derive(Debug, Default)]
 pub(crate) struct ConnectionSlots(Mutex<HashMap<IpAddr, usize>>);
 
-/// How many connections there may be.
+/// The maximum number of connections.
 const MOST: usize = 4096;
-/// How many of one address of another machine.
+/// The maximum number of connections per address of another machine.
 const MOST_OF_ONE: usize = 64;
 
 impl ConnectionSlots {
-    /// A place, if there is one for this address.
+    /// Reserves a slot for this address, if one is free.
     pub(crate) fn take(self: &Arc<Self>, from: IpAddr) -> Option<ConnectionSlot> {
         let mut taken = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let all: usize = taken.values().sum();
@@ -154,7 +154,7 @@ impl ConnectionSlots {
     }
 }
 
-/// A place; it is free again when this is dropped.
+/// A slot, freed when this is dropped.
 #[derive(Debug)]
 pub(crate) struct ConnectionSlot {
     from: IpAddr,

@@ -1,4 +1,4 @@
-//! The web side of the station, as a whole.
+//! The web side of the station.
 
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
@@ -17,28 +17,28 @@ use crate::http::exchange::internal_api::StationApi;
 use crate::http::serve::listen;
 use crate::http::tls::{Certificate, TlsError};
 
-/// How page and API are served.
+/// Configuration of the web side.
 #[derive(Clone, Debug)]
 pub struct Web {
-    /// Where; port 0 takes a free one.
+    /// The address; port 0 selects a free one.
     pub address: SocketAddr,
-    /// Certificate and key. When absent, there is no TLS on loopback, and a certificate that the
-    /// station makes for itself elsewhere.
+    /// The certificate and key. If absent, there is no TLS on loopback, and a self-signed
+    /// certificate elsewhere.
     pub tls: Option<TlsFiles>,
-    /// Names that the station goes by, besides its addresses.
+    /// The names of the station, besides its addresses.
     pub names: Vec<String>,
-    /// What those on loopback may do who come without a token; elsewhere nobody may do anything.
+    /// The role of callers on loopback without a token; elsewhere they have no rights.
     pub without_token: Option<Role>,
-    /// Where a policy is kept that a client puts in place.
+    /// The file in which a new policy is stored.
     pub policy_file: PathBuf,
-    /// The station's own virtual arm, if the arm is that.
+    /// The station's own virtual arm, if its arm is virtual.
     pub virtual_arm: Option<OwnVirtualArm>,
-    /// Where tokens and the own certificate are, and where the station says that it runs.
+    /// The folders of the tokens, the own certificate and `station.toml`.
     pub folders: Folders,
 }
 
 impl Web {
-    /// Without TLS on loopback, where everyone may do everything; with TLS and tokens elsewhere.
+    /// Without TLS on loopback, where everyone has all rights; with TLS and tokens elsewhere.
     #[must_use]
     pub fn new(address: SocketAddr, folders: Folders) -> Self {
         Self {
@@ -65,7 +65,7 @@ impl Web {
     }
 }
 
-/// Page and API, being served; they end when this is dropped.
+/// The running web side; ends when it is dropped.
 #[derive(Debug)]
 pub struct Served {
     address: SocketAddr,
@@ -76,12 +76,17 @@ pub struct Served {
     serving: JoinHandle<()>,
 }
 
-/// Serves page and API, and says in `station.toml` that the station runs.
+/// Serves page and API, and writes `station.toml`.
 ///
 /// # Errors
 ///
+<<<<<<< HEAD
 /// [`ServeError`]; nothing is served then.
 pub async fn serve(web: &Web, handle: StationHandle) -> Result<Served, ServeError> {
+=======
+/// [`ServeError`]; then nothing is served.
+pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
+>>>>>>> fleet
     let mut tokens = Tokens::open(&web.folders.tokens())?;
     if !web.is_near() && tokens.list().next().is_none() {
         return Err(ServeError::NoTokens(web.address));
@@ -136,7 +141,7 @@ async fn bind(address: SocketAddr) -> Result<TcpListener, ServeError> {
     bound.map_err(|source| ServeError::bind(address, source))
 }
 
-/// Where a program on the same machine finds the station.
+/// Returns the address for a program on the same machine.
 fn url(address: SocketAddr, secure: bool) -> String {
     let scheme = if secure { "https" } else { "http" };
     let ip = match address.ip() {
@@ -148,38 +153,38 @@ fn url(address: SocketAddr, secure: bool) -> String {
 }
 
 impl Served {
-    /// The address that it really got.
+    /// Returns the actual address.
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
         self.address
     }
 
-    /// How the fleet asks the station for something.
+    /// Returns the API for the fleet.
     #[must_use]
     pub const fn api(&self) -> &StationApi {
         &self.api
     }
 
-    /// Where to go with a browser on the same machine.
+    /// Returns the address for a browser on the same machine.
     #[must_use]
     pub fn url(&self) -> &str {
         &self.running.address
     }
 
-    /// The SHA-256 digest of the certificate, where there is TLS: for people to compare.
+    /// Returns the SHA-256 digest of the certificate, if there is TLS, for people to compare.
     #[must_use]
     pub fn fingerprint(&self) -> Option<&str> {
         self.running.fingerprint.as_deref()
     }
 
-    /// Ends it: everyone is told, and what is being answered is answered, for up to three seconds.
+    /// Ends it: notifies all clients and finishes pending responses, within three seconds.
     ///
     /// # Errors
     ///
-    /// [`RunningError`] where `station.toml` cannot be removed.
+    /// [`RunningError`] if `station.toml` cannot be removed.
     pub async fn end(mut self) -> Result<(), RunningError> {
         self.ends.send_replace(true);
-        // It ends by itself, or is cancelled with everything else.
+        // The task ends by itself, or is cancelled with the runtime.
         let _ = (&mut self.serving).await;
         self.running.remove(&self.file)
     }
@@ -188,26 +193,28 @@ impl Served {
 impl Drop for Served {
     fn drop(&mut self) {
         self.ends.send_replace(true);
-        // A file that stays is found to be stale by those who try to connect.
+        // A remaining file is recognised as stale when a connection fails.
         let _ = self.running.remove(&self.file);
     }
 }
 
-/// Why page and API cannot be served.
+/// The error returned when page and API cannot be served.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ServeError {
     /// The address cannot be used.
-    #[error("{address} cannot be served")]
+    #[error("cannot listen on {address}")]
     Bind {
-        /// Which address.
+        /// The address.
         address: SocketAddr,
-        /// Why.
+        /// The cause.
         #[source]
         source: io::Error,
     },
-    /// Others could reach the station, and nobody could say who he is.
-    #[error("{0} can be reached from other machines, and there are no tokens; make one first")]
+    /// Other machines can reach the station, and there are no tokens.
+    #[error(
+        "{0} is reachable from other machines, but there are no tokens; create one first with `dobot token add`"
+    )]
     NoTokens(SocketAddr),
     /// The tokens cannot be read.
     #[error(transparent)]
@@ -215,10 +222,10 @@ pub enum ServeError {
     /// There is no certificate.
     #[error(transparent)]
     Tls(#[from] TlsError),
-    /// The station does not reach itself.
+    /// The station's own address is invalid.
     #[error(transparent)]
     Own(#[from] StationAddressError),
-    /// It cannot be said where the station is.
+    /// `station.toml` cannot be written.
     #[error(transparent)]
     Running(#[from] RunningError),
 }

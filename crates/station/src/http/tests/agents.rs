@@ -1,4 +1,4 @@
-//! Who may come to the tools for agents, and how many.
+//! Access to the tools for agents, and limits.
 
 use axum::body::Body;
 use axum::http::request::Builder;

@@ -65,7 +65,7 @@ async fn what_mouse_and_gesture_packets_mean_is_served_once_the_dialect_is_known
     let stock = facts(&harness, Some(Dialect::FIRMWARE_1_1)).await;
     let expected = json!({"name": "firmware-1.1", "mouse_swings": true, "gesture_samples": 10});
     assert_eq!(stock["dialect"], expected);
-    // X is 230 mm and half of the number; Z half of what it is above 200, above the lowest height.
+    // X is 230 mm plus half of the number; Z half of the part above 200, above the lowest height.
     let x = json!({"zero_mm": 230.0, "units_per_mm": 2.0});
     for (tool, lowest_mm) in [(0, -30.0), (1, 20.0), (2, -30.0), (3, -30.0)] {
         let z = json!({"zero_mm": lowest_mm - 100.0, "units_per_mm": 2.0});

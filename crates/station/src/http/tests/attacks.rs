@@ -1,4 +1,4 @@
-//! Those who must not get in.
+//! Attackers, which must not get in.
 
 use axum::body::Body;
 use axum::http::Request;

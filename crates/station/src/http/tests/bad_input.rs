@@ -1,5 +1,5 @@
-//! Bad input, made from the document: what it allows is taken, what it does not is answered with a
-//! problem and reaches nobody.
+//! Bad input, generated from the document: what it allows is accepted, and anything else is
+//! answered with a problem and reaches nobody.
 
 use std::cell::Cell;
 
@@ -24,7 +24,7 @@ fn runner() -> TestRunner {
     })
 }
 
-/// All routes that take a body: method, address and schema.
+/// Returns all routes with a body: method, path and schema.
 fn routes(document: &Value) -> Vec<(String, String, &Value)> {
     let taking = ROUTES.iter().filter(|route| route.takes.is_some());
     taking
@@ -37,7 +37,7 @@ fn routes(document: &Value) -> Vec<(String, String, &Value)> {
         .collect()
 }
 
-/// Sends a body that does not ask to wait for the arm.
+/// Sends a body that does not wait for the arm.
 fn send(
     runtime: &tokio::runtime::Runtime,
     harness: &Harness,
@@ -79,7 +79,8 @@ fn bodies_that_the_document_allows_are_taken_and_others_change_nothing() {
                 let told = format!("{method} {path} {body}: {answer:?}");
                 if allows(&document, schema, &body, true) {
                     prop_assert!(!matches!(answer.status, 400 | 413 | 415), "{told}");
-                    // A text may be no program, option of a drawing, policy, scene, fault or name, touches may tell nothing; of the keys of a step some exclude each other.
+                    // A text may be no valid program, option of a drawing, policy, scene, fault or
+                    // name, touches may determine nothing; some keys of a step exclude each other.
                     let reads = [
                         "/drawings",
                         "/fleet/work",
@@ -135,7 +136,7 @@ fn bodies_that_are_no_json_change_nothing() {
     }
 }
 
-/// Text that is cut, has a byte changed to any other, or holds what JSON does not have.
+/// Text that is cut, has a changed byte, or contains what JSON does not allow.
 fn spoiled(bytes: Vec<u8>) -> BoxedStrategy<Vec<u8>> {
     let len = bytes.len();
     let pieces: Vec<&[u8]> = vec![

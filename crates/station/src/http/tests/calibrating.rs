@@ -1,4 +1,4 @@
-//! The calibration over HTTP: found from touches, and told.
+//! Calibration over HTTP.
 
 use dobot_api::Request;
 use dobot_arm::{Calibration, Joints, Position, Tool};
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::Harness;
 
-/// An arm whose zeros are wrong.
+/// An arm with wrong zeros.
 const ARM: Calibration = Calibration {
     base_deg: 6.0,
     rear_deg: -8.0,
@@ -18,7 +18,7 @@ const ARM: Calibration = Calibration {
     table: None,
 };
 
-/// What that arm says at a point of paper that is 45 mm below.
+/// The reported angles of that arm at a point of paper that is 45 mm below.
 fn told([x, y]: [f64; 2]) -> Joints {
     let there = Position::new(x, y, -45.0);
     ARM.told_joints(there, Tool::SuctionCup).unwrap()
@@ -54,7 +54,7 @@ async fn touches_of_the_sheet_tell_what_is_wrong_with_the_arm() {
     let turned = zeros["base"].as_f64().unwrap() - ARM.base_deg;
     assert!(turned.abs() < 1.0, "{zeros}");
 
-    // What was found is what may be put in place.
+    // The result of a fit is accepted as a calibration.
     let body = json!({"calibration": fit["calibration"]}).to_string();
     harness
         .json("PUT", "/api/v1/calibration", body)

@@ -8,7 +8,7 @@ use super::Harness;
 use crate::http::exchange::document::{document, is_told, problems_of};
 use crate::http::routes::ROUTES;
 
-/// The statuses that the document lists for a route, as in `GET /api/v1/jobs/7`.
+/// Returns the statuses that the document lists for a route, as in `GET /api/v1/jobs/7`.
 pub(super) fn statuses(route: &str) -> Option<Vec<u16>> {
     let (method, path) = route.split_once(' ')?;
     let found = ROUTES
@@ -22,7 +22,7 @@ pub(super) fn statuses(route: &str) -> Option<Vec<u16>> {
     )
 }
 
-/// Parts of an address that are no number of a job.
+/// Parts of a path that are not the number of a job.
 const WORDS: [&str; 3] = ["/jobs/pause", "/jobs/speed", "/jobs/height"];
 
 fn matches(pattern: &str, path: &str) -> bool {
@@ -78,7 +78,7 @@ async fn the_router_has_every_route_of_the_document_and_no_other() {
         let real = real.replace("{work}", "7").replace("{key}", "7");
         for method in ["GET", "POST", "PUT", "DELETE", "PATCH"] {
             let answer = harness.bare(method, &real).await;
-            // What has no number 7 is known, too.
+            // A route without an item number 7 is known too.
             let unknown = answer.status == 404 && answer.problem().0 == "unknown-path";
             let known = !unknown && answer.status != 405;
             let documented = operations.get(method.to_lowercase()).is_some();

@@ -1,4 +1,4 @@
-//! Drawings over HTTP: planned, looked at, given up, made into jobs.
+//! Drawings over HTTP: planned, shown, cancelled, converted to jobs.
 
 use std::time::Duration;
 
@@ -27,7 +27,7 @@ fn file(name: &str, bytes: &[u8], place: &Value) -> Value {
     json!({"name": name, "file": file, "options": {"what": {"layers": "color"}, "place": place}})
 }
 
-/// Plans it, and waits until that is over.
+/// Plans a drawing, and waits for the end.
 async fn planned(harness: &Harness, body: Value) -> Value {
     let number = begin(harness, body).await.value()["drawing"].clone();
     loop {
@@ -224,7 +224,7 @@ async fn a_file_that_is_told_to_be_too_large_is_not_read() {
     harness.send(request).await.is(413);
 }
 
-/// A body that never comes, and is told to have 100 MB.
+/// A body that never arrives, with a declared size of 100 MB.
 struct Told(axum::body::Body);
 
 impl axum::body::HttpBody for Told {

@@ -1,4 +1,4 @@
-//! The fleet, with a stand-in for what joins stations.
+//! The fleet, with a fake implementation.
 
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ fn member(name: &str, group: &str) -> Arc<Member> {
     })
 }
 
-/// A station that has joined: every member answers with its own request.
+/// A station that has joined: every member responds with its own request.
 fn joined(harness: &Harness) -> tokio::task::JoinHandle<Vec<ApiRequest>> {
     let (port, end) = FleetPort::new("desk-1", "0123");
     harness.app.fleet.set(port).unwrap();
@@ -129,7 +129,7 @@ async fn anyone_stops_all_and_no_unknown_token_keeps_them_from_it() {
     let asked = stand_in.await.unwrap();
     assert_eq!(asked[0].token, None);
     assert_eq!(asked[0].path, "/api/v1/stop");
-    // A stop of all is one of the fleet, which each station keeps.
+    // A stop of all is a stop of the fleet, which each station keeps.
     let body = asked[0].body.clone().unwrap();
     assert_eq!(body["reason"], "smoke");
     assert_eq!(body["fleet"]["origin"], "0123");
@@ -157,7 +157,7 @@ async fn a_stop_of_a_group_is_none_of_the_fleet() {
 async fn the_fleet_is_reset_by_whoever_has_control_by_a_token_and_by_nobody_else() {
     let harness = Harness::near();
     let stand_in = joined(&harness);
-    // That everyone may do everything on this machine counts for nothing at the others.
+    // The rights of local programs are not valid at other stations.
     let bare = harness.bare("DELETE", "/api/v1/fleet/stop").await;
     bare.is(401).is_problem("unauthorised");
     for (role, status) in [(Role::Watch, 403), (Role::Queue, 403), (Role::Control, 200)] {
@@ -214,7 +214,7 @@ fn stop() -> ApiRequest {
 
 #[tokio::test]
 async fn one_who_comes_by_the_fleet_without_a_token_watches_and_stops_and_does_nothing_else() {
-    // Over HTTP on this machine everyone may do everything; by the fleet nobody is on this machine.
+    // Over HTTP on this machine everyone has all rights; through the fleet nobody is local.
     let harness = Harness::near();
     let api = api(&harness);
     assert_eq!(api.call(&stop()).await.status, 200);

@@ -1,4 +1,4 @@
-//! Work for any arm of the fleet: submitted here, and offered to this station.
+//! Jobs for any arm of the fleet: submitted here, and offered to this station.
 
 use axum::body::Body;
 use dobot_api::{Role, TakesWork, WorkPhase, WorkView};
@@ -120,7 +120,7 @@ async fn an_offer_without_a_key_or_with_two_things_to_do_is_answered_with_what_i
         let request = request.body(Body::from(body.to_string())).unwrap();
         harness.send(request).await.is(422).is_problem("invalid");
     }
-    // Nothing of it was answered for good.
+    // None of it got a final response.
     offer(&harness, "a").await.is(200);
 }
 
@@ -148,7 +148,7 @@ async fn work_is_submitted_with_whose_it_is_and_what_it_needs() {
     );
     assert_eq!(work.needs, ["pen", "a5"]);
     assert_eq!(work.key.as_deref(), Some("7f3a"));
-    // What is kept is what the other station takes.
+    // The stored offer is what the other station accepts.
     assert_eq!(work.offer["by"], "desk-2");
     let (taker, _end) = desk(Some(TakesWork::Queue));
     let request = taker

@@ -40,7 +40,7 @@ async fn what_cannot_be_is_refused_and_says_what_may() {
         ),
         (
             r#"{"student": "Anna", "lesson": "../tour", "done": 0, "steps": 12}"#,
-            "lesson is \"../tour\"; allowed are 1 to 40 small letters of English, digits and underscores, as in tour",
+            "lesson is \"../tour\"; allowed are 1 to 40 lowercase letters a to z, digits and underscores, as in tour",
         ),
         (
             r#"{"student": "Anna", "lesson": "tour", "done": 0, "steps": 0}"#,

@@ -16,7 +16,7 @@ fn token(answer: &Answer) -> String {
     answer.is(200).value()["token"].as_str().unwrap().to_owned()
 }
 
-/// Clients that left, when all that was sent has been heard.
+/// Returns the clients that left, after all requests have been received.
 async fn gone(harness: &Harness) -> Vec<ClientId> {
     harness.app.handle.jobs().await.unwrap();
     harness.telling.gone.lock().unwrap().clone()

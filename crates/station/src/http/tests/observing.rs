@@ -1,4 +1,4 @@
-//! Health, figures and events, for programs that watch.
+//! Health, metrics and events, for monitoring.
 
 use std::time::Duration;
 
@@ -63,7 +63,7 @@ async fn the_figures_are_those_of_the_state_each_explained_once() {
         "dobot_arm_joint_degrees{joint=\"fore\"}",
         f64::from(status.fore_deg),
     );
-    // What Prometheus asks of a page: a sample follows the help and the type of its name.
+    // Prometheus requires that a sample follows the help and the type of its name.
     let mut known = Vec::new();
     for line in text.lines() {
         if let Some(rest) = line.strip_prefix("# TYPE ") {
@@ -77,7 +77,7 @@ async fn the_figures_are_those_of_the_state_each_explained_once() {
     }
 }
 
-/// The events of a text, as pairs of name and data.
+/// Returns the events of a text, as pairs of name and data.
 fn events(text: &str) -> Vec<(String, Value)> {
     let blocks = text.split("\n\n").filter(|part| !part.is_empty());
     let field = |block: &str, name: &str| {

@@ -1,4 +1,4 @@
-//! The policy over HTTP: looked at, changed, kept.
+//! The policy over HTTP: shown, changed, stored.
 
 use dobot_safety::Policy;
 use serde_json::json;

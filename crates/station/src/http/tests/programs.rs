@@ -1,4 +1,4 @@
-//! Programs over HTTP: the page's way to teach.
+//! Programs over HTTP, as taught on the page.
 
 use dobot_api::{JobKind, Request};
 use serde_json::{Value, json};
@@ -92,10 +92,7 @@ async fn a_program_calls_and_draws_what_comes_with_it_and_nothing_else() {
     .await
     .value();
     let message = report["problems"][0]["message"].as_str().unwrap();
-    assert!(
-        message.contains("/etc/passwd did not come with the program"),
-        "{message}"
-    );
+    assert!(message.contains("/etc/passwd is missing"), "{message}");
 }
 
 #[tokio::test]
@@ -207,7 +204,7 @@ async fn a_vendor_file_becomes_a_program_and_one_again() {
     for form in ["xml", "play"] {
         let answer = ask(json!({"text": text, "to": form})).await;
         let file = answer.is(200).value();
-        // Such a file knows joint angles alone.
+        // Such a file contains joint angles only.
         assert_eq!(file["warnings"].as_array().unwrap().len(), 1, "{file}");
         let bytes = file["text"].as_str().unwrap().as_bytes();
         let data = data_encoding::BASE64.encode(bytes);

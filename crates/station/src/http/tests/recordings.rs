@@ -1,4 +1,4 @@
-//! Recordings over HTTP: listed, handed out, looked through.
+//! Recordings over HTTP: list, download, states.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use super::Harness;
 
 const NAME: &str = "dobot-2026-11-21T12-30-00Z.mcap";
 
-/// A station that has recorded an arm: at rest for a second, then on its way along X.
+/// A station with a recording: at rest for a second, then moving along X.
 fn recorded() -> Harness {
     let harness = Harness::near();
     let folder = harness.folder.path().join("recordings");
@@ -28,7 +28,7 @@ fn recorded() -> Harness {
     harness
 }
 
-/// What an arm tells that has turned its base alone.
+/// A status of an arm that has only turned its base.
 fn at_base(base_deg: f32) -> Status {
     let reach_mm = Status::AT_ZERO.x_mm;
     let (sin, cos) = base_deg.to_radians().sin_cos();

@@ -1,4 +1,4 @@
-//! What each route does, and what is told when it does not.
+//! The effect of each route, and its problems.
 
 use std::collections::BTreeSet;
 
@@ -312,11 +312,11 @@ async fn the_page_and_its_modules_name_nothing_that_is_not_served() {
             waiting.extend(files_in(&path, &answer.is(200).body));
         }
     }
-    // What the panel for drawings needs: it is loaded by the page, its worker by the panel.
+    // The files of the panel for drawings: it is loaded by the page, its worker by the panel.
     assert!(seen.contains("/preview/preview.js") && seen.contains("/preview/reader.js"));
 }
 
-/// The scripts and styles that the file at a path names: how a name in quotes leads to them from there.
+/// Returns the scripts and styles that a file refers to, resolved from its path.
 fn files_in(path: &str, text: &str) -> Vec<String> {
     let ours = |file: &&str| {
         let named = matches!(file.rsplit_once('.'), Some((_, "js" | "css")));

@@ -1,14 +1,14 @@
-//! Values that a JSON Schema allows, values that it does not, and which is which.
+//! Values that a JSON Schema allows, and values that it does not.
 
 use proptest::prelude::*;
 use serde_json::{Map, Value, json};
 
-/// Values that a schema of the document allows; what stands in itself stands there once.
+/// Values that a schema of the document allows; recursive types are nested once.
 pub(super) fn instance(document: &Value, schema: &Value) -> BoxedStrategy<Value> {
     within(document, schema, &[]).expect("a value need not stand in itself")
 }
 
-/// The same within schemas that were referred to; nothing where it would be within itself.
+/// Values within referenced schemas; `None` if a type would be nested in itself.
 fn within(document: &Value, schema: &Value, outer: &[&str]) -> Option<BoxedStrategy<Value>> {
     if let Some(target) = reference(document, schema) {
         let name = schema["$ref"].as_str()?;
@@ -81,8 +81,8 @@ fn object(document: &Value, schema: &Value, outer: &[&str]) -> Option<BoxedStrat
     Some(named.boxed())
 }
 
-/// Whether a schema allows a value, as far as types, fields and choices go; `closely` with lengths
-/// and ranges too.
+/// Whether a schema allows a value, regarding types, fields and choices; `closely` includes lengths
+/// and ranges.
 pub(super) fn allows(document: &Value, schema: &Value, value: &Value, closely: bool) -> bool {
     if let Some(target) = reference(document, schema) {
         return allows(document, target, value, closely);
@@ -145,7 +145,7 @@ fn has_items(document: &Value, schema: &Value, value: &Value, closely: bool) -> 
 fn in_range(schema: &Value, value: &Value, closely: bool) -> bool {
     let limit = |name: &str| schema[name].as_f64();
     let length = |name: &str| schema[name].as_u64();
-    // Whole numbers below zero are of the wrong type; for others the driver of the arm is asked.
+    // Negative integers are of the wrong type; other numbers are checked by the driver.
     let is_whole = types(schema).contains(&"integer");
     if let Some(number) = value.as_f64().filter(|_| closely || is_whole) {
         return limit("minimum").is_none_or(|least| number >= least)
@@ -162,7 +162,7 @@ fn in_range(schema: &Value, value: &Value, closely: bool) -> bool {
     !closely || (least.is_none_or(|least| len >= least) && most.is_none_or(|most| len <= most))
 }
 
-/// A value with something done to it that may be wrong.
+/// A value with a change that may make it invalid.
 pub(super) fn damaged(value: Value) -> BoxedStrategy<Value> {
     let mut places = Vec::new();
     list(&value, String::new(), &mut places);
@@ -224,7 +224,7 @@ fn reference<'a>(document: &'a Value, schema: &Value) -> Option<&'a Value> {
     document.pointer(schema["$ref"].as_str()?.strip_prefix('#')?)
 }
 
-/// What a value may be one of; what goes for all of them goes for each.
+/// Returns the alternatives of a schema, each with the common parts.
 fn choices(schema: &Value) -> Option<Vec<Value>> {
     let choices = schema["oneOf"]
         .as_array()

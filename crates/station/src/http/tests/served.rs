@@ -1,4 +1,4 @@
-//! The whole of it on a real address.
+//! The whole web side on a real address.
 
 use std::net::SocketAddr;
 
@@ -17,7 +17,7 @@ const EVERYWHERE: SocketAddr =
 async fn ask(mut stream: impl AsyncReadExt + AsyncWriteExt + Unpin, request: &str) -> String {
     stream.write_all(request.as_bytes()).await.unwrap();
     let mut answer = Vec::new();
-    // A peer that closes without a farewell has said all the same.
+    // A peer that closes without a close_notify has sent everything all the same.
     let _ = stream.read_to_end(&mut answer).await;
     String::from_utf8(answer).unwrap()
 }
@@ -112,7 +112,7 @@ async fn a_station_that_others_can_reach_speaks_tls_with_a_certificate_of_its_ow
 }
 
 #[cfg(feature = "full")]
-/// A connection of one who trusts the station's certificate, and nobody else's.
+/// A connection of a client that trusts only the station's certificate.
 async fn connect(web: &Web, port: u16) -> tokio_rustls::client::TlsStream<TcpStream> {
     use rustls::pki_types::pem::PemObject;
     use rustls::pki_types::{CertificateDer, ServerName};
@@ -161,7 +161,7 @@ async fn noise_instead_of_a_request_is_survived() {
     }
     let long = format!("GET / HTTP/1.1\r\nx: {}\r\n\r\n", "y".repeat(1_000_000));
     let mut stream = TcpStream::connect(served.address()).await.unwrap();
-    // The station may hang up before it has read all of it.
+    // The station may close the connection before it has read everything.
     let _ = stream.write_all(long.as_bytes()).await;
     let mut answer = Vec::new();
     let _ = stream.read_to_end(&mut answer).await;

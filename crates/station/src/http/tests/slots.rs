@@ -1,4 +1,4 @@
-//! Time slots: what is asked of the driver, and by which names it knows people.
+//! Time slots: requests to the driver, and the names of people.
 
 use axum::body::Body;
 use dobot_api::{Request, Role, SlotView, SlotsView, State, TimeSlot};
@@ -91,7 +91,7 @@ async fn a_token_for_a_class_is_made_and_listed_as_one() {
     );
 }
 
-/// Has the station tell that it is the time of a student.
+/// Publishes a state with an active time slot of a student.
 pub(super) fn is_time_of(harness: &Harness, student: &str) {
     let slot = SlotView {
         student: student.into(),

@@ -56,14 +56,14 @@ impl Station {
         connect_async(request).await.map(|(socket, _)| socket)
     }
 
-    /// How many clients left, when the driver has heard all until now.
+    /// Returns the clients that left, after the driver has received all requests.
     async fn gone(&self) -> Vec<ClientId> {
         self.handle.jobs().await.unwrap();
         self.telling.gone.lock().unwrap().clone()
     }
 }
 
-/// The next message that is text.
+/// Returns the next text message.
 async fn next(socket: &mut Socket) -> Value {
     loop {
         match socket.next().await.unwrap().unwrap() {
@@ -241,7 +241,7 @@ async fn a_client_that_floods_is_closed_and_others_are_told() {
     next(&mut socket).await;
     let (mut say, mut hear) = socket.split();
     let flooding = tokio::spawn(async move {
-        // The station hangs up at some point.
+        // The station closes the connection at some point.
         while say.send(Message::text("x")).await.is_ok() {}
     });
     let mut farewell = None;
@@ -305,7 +305,7 @@ async fn a_hundred_watchers_miss_nothing() {
 }
 
 impl Station {
-    /// A socket with a token.
+    /// Opens a socket with a token.
     async fn connect_with(&self, token: &Token) -> Socket {
         let protocols = format!("dobot, dobot.token.{}", token.secret());
         let headers = [("sec-websocket-protocol", &*protocols)];
@@ -317,7 +317,7 @@ impl Station {
     }
 }
 
-/// Waits until the station closes a socket, and says why.
+/// Waits until the station closes a socket, and returns the reason.
 async fn closed(socket: &mut Socket) -> String {
     loop {
         if let Message::Close(frame) = socket.next().await.unwrap().unwrap() {
@@ -339,7 +339,7 @@ async fn a_socket_whose_token_is_removed_is_closed_and_its_client_leaves_at_once
     tokens.remove("anna").unwrap();
     assert!(closed(&mut anna).await.contains("token was removed"));
     assert_eq!(station.gone().await.len(), 1);
-    // Others stay.
+    // Other clients are unaffected.
     say(
         &mut ben,
         &json!({"id": 1, "request": {"type": "take_lease"}}),
@@ -366,6 +366,6 @@ async fn a_socket_whose_token_may_do_less_than_before_is_closed() {
     let less = text.replace("role = \"control\"", "role = \"watch\"");
     assert_ne!(less, text);
     std::fs::write(&file, less).unwrap();
-    assert!(closed(&mut anna).await.contains("may do less"));
+    assert!(closed(&mut anna).await.contains("role was reduced"));
     assert_eq!(station.gone().await.len(), 1);
 }

@@ -1,4 +1,4 @@
-//! Tokens over HTTP, for those who may give them out.
+//! Tokens over HTTP, for administrators.
 
 use dobot_api::Role;
 use serde_json::json;

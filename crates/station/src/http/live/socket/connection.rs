@@ -1,4 +1,4 @@
-//! One client's connection: what it says is heard even while it does not listen.
+//! The connection of one client; requests are received even while the client does not read.
 
 use std::fmt::Display;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use super::state_stream::StateStream;
 use crate::http::app::{App, Caller, ended};
 use crate::http::exchange::messages;
 
-/// One client's connection.
+/// The connection of one client.
 #[derive(Debug)]
 pub(crate) struct SocketConnection {
     app: Arc<App>,
@@ -30,35 +30,35 @@ pub(crate) struct SocketConnection {
     notices: Option<broadcast::Receiver<Arc<Notice>>>,
 }
 
-/// Why a connection ends.
+/// The reason why a connection ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum End {
     /// The client closed it, or it broke.
     Closed,
-    /// The client has said nothing, not even that it is there.
+    /// The client has sent nothing, not even a pong.
     Vanished,
-    /// The client does not read what it wants to be sent.
+    /// The client does not read the data that it requested.
     Slow,
-    /// The client sends too much.
+    /// The client sends too many messages.
     Flood,
-    /// The client's token was removed, or may do less than before.
+    /// The client's token was removed, or its role was reduced.
     Revoked,
-    /// What the client sends is no WebSocket message.
+    /// The client sent an invalid WebSocket message.
     Broken(String),
     /// The station ends.
     Ending,
 }
 
-/// What is to be sent to the client, apart from states and notices.
+/// A message to the client, other than states and notices.
 #[derive(Debug)]
 pub(crate) enum Owed {
     Answer(u64, oneshot::Receiver<Result<Reply, Refusal>>),
     Text(String),
 }
 
-/// How long a farewell may take.
+/// The timeout of the closing handshake.
 const FAREWELL: Duration = Duration::from_secs(1);
-/// How many answers may wait to be sent before the client is not heard any more.
+/// The maximum number of unsent responses; beyond it no requests are read.
 const OWED: usize = 256;
 
 impl SocketConnection {
@@ -80,7 +80,7 @@ impl SocketConnection {
         }
     }
 
-    /// Talks until one side ends it.
+    /// Runs until one side ends the connection.
     pub(crate) async fn run<I, O, E>(self, incoming: &mut I, outgoing: &mut O)
     where
         I: Stream<Item = Result<Message, E>> + Unpin,
@@ -101,15 +101,15 @@ impl SocketConnection {
             () = ended(app.ending.clone()) => End::Ending,
         };
         let id = client.id();
-        // What it holds ends now, and not with its last word.
+        // Ends its lease now, not after the closing handshake.
         drop(client);
         report(app, id, &self.name, &end).await;
-        // Whether the client hears the last word makes no difference any more.
+        // It makes no difference whether the client receives the close frame.
         let _ = timeout(FAREWELL, farewell(&end, incoming, outgoing)).await;
     }
 }
 
-/// Lets those who watch know of a client that is not as it should be.
+/// Reports a faulty client to the observers.
 async fn report(app: &App, client: ClientId, name: &str, end: &End) {
     if matches!(end, End::Slow | End::Flood | End::Revoked | End::Broken(_)) {
         let (number, why) = (client.0, words(end));
@@ -125,7 +125,7 @@ impl Owed {
     }
 }
 
-/// Says why, and lets what is on its way arrive.
+/// Sends the close frame with the reason, and lets pending data arrive.
 async fn farewell<I, O>(end: &End, incoming: &mut I, outgoing: &mut O)
 where
     I: Stream + Unpin,
@@ -139,7 +139,7 @@ where
         }
         while incoming.next().await.is_some() {}
     }
-    // What cannot be flushed will not be read either.
+    // Data that cannot be flushed will not be read either.
     let _ = outgoing.flush().await;
 }
 
@@ -153,14 +153,14 @@ fn code(end: &End) -> Option<u16> {
     }
 }
 
-/// Up to 123 bytes: a close frame has no more.
+/// Returns the reason in at most 123 bytes, the limit of a close frame.
 fn words(end: &End) -> String {
     match end {
         End::Closed => "closed".into(),
-        End::Vanished => "it did not answer for 6 s".into(),
+        End::Vanished => "it did not respond for 6 s".into(),
         End::Slow => "it reads too slowly".into(),
-        End::Flood => "it sends more than 1000 messages in a second".into(),
-        End::Revoked => "its token was removed, or may do less than before".into(),
+        End::Flood => "it sends more than 1000 messages per second".into(),
+        End::Revoked => "its token was removed, or its role was reduced".into(),
         End::Broken(text) => text.chars().filter(char::is_ascii).take(100).collect(),
         End::Ending => "the station is shutting down".into(),
     }

@@ -1,4 +1,4 @@
-//! What a client says.
+//! Messages from a client.
 
 use std::fmt::Display;
 use std::time::Duration;
@@ -18,15 +18,15 @@ use crate::http::app::App;
 use crate::http::exchange::answer;
 use crate::http::exchange::messages;
 
-/// After what silence a client is not there any more.
+/// The time of silence after which a client is considered gone.
 const SILENCE: Duration = Duration::from_secs(6);
-/// How many messages a client may send.
+/// The rate limit of a client's messages.
 const MESSAGES: Rate = Rate {
     per_s: 1000.0,
     burst: 2000.0,
 };
 
-/// Hears the client until it ends.
+/// Receives messages until the connection ends.
 pub(crate) async fn receive<I, E>(
     app: &App,
     client: &Client,
@@ -57,7 +57,7 @@ where
     }
 }
 
-/// A connection that breaks off is as good as closed; one that carries no messages is told so.
+/// A broken connection counts as closed; one with invalid messages gets a reason.
 fn broken(error: &impl Display) -> End {
     let text = error.to_string();
     if text.contains("closing handshake") || text.starts_with("IO error") || text.contains("closed")
@@ -68,7 +68,7 @@ fn broken(error: &impl Display) -> End {
     }
 }
 
-/// What is owed to the client for a message.
+/// Returns the response to a message.
 async fn answer(client: &Client, message: Message) -> Option<Owed> {
     let text = match message {
         Message::Text(text) => text,

@@ -1,4 +1,4 @@
-//! What a client is told.
+//! Messages to a client.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -20,12 +20,12 @@ use super::state_stream::{StateStream, message};
 use crate::http::app::App;
 use crate::http::exchange::messages;
 
-/// How often the client is asked whether it is there.
+/// The interval of pings.
 const PING_EVERY: Duration = Duration::from_secs(2);
-/// How long the client may leave a message unread while its buffers are full.
+/// The time that a client may leave a message unread while its buffers are full.
 const READ_WITHIN: Duration = Duration::from_secs(5);
 
-/// What a client wants to be told.
+/// The subscriptions of a client.
 #[derive(Debug)]
 pub(crate) struct News {
     pub(crate) states: StateStream,
@@ -34,7 +34,7 @@ pub(crate) struct News {
 }
 
 impl News {
-    /// Tells it all until one side ends it.
+    /// Sends messages until the connection ends.
     pub(crate) async fn tell<O>(mut self, app: &App, client: &Client, outgoing: &mut O) -> End
     where
         O: Sink<Message> + Unpin,
@@ -86,12 +86,12 @@ fn pings() -> Interval {
     pings
 }
 
-/// The answer to a request, when it is there.
+/// Returns the response to a request when it is available.
 async fn numbered(id: u64, answer: oneshot::Receiver<Result<Reply, Refusal>>) -> Message {
     reply(id, answer.await.unwrap_or(Err(Refusal::Ending)))
 }
 
-/// Why something was not there to be told.
+/// Returns the reason why a message was missed.
 fn missed(error: &RecvError) -> End {
     match error {
         RecvError::Lagged(_) => End::Slow,
@@ -99,7 +99,7 @@ fn missed(error: &RecvError) -> End {
     }
 }
 
-/// The next notice, if any are wanted.
+/// Returns the next notice; never, if none are requested.
 async fn next(
     notices: &mut Option<broadcast::Receiver<Arc<Notice>>>,
 ) -> Result<Arc<Notice>, RecvError> {

@@ -1,4 +1,4 @@
-//! How many states a client gets.
+//! The rate of a client's states.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -9,12 +9,12 @@ use tokio::sync::broadcast;
 use tokio::sync::broadcast::error::RecvError;
 use tokio::time::{Instant, sleep_until};
 
-/// The states of one client, at the rate that it chose.
+/// The states of one client, at the requested rate.
 #[derive(Debug)]
 pub(crate) struct StateStream {
     states: broadcast::Receiver<Arc<Snapshot>>,
     rate: Rate,
-    /// The newest state that waits until it is due.
+    /// The newest state, which waits until it is due.
     held: Option<Arc<Snapshot>>,
     due: Instant,
 }
@@ -27,7 +27,7 @@ enum Rate {
 }
 
 impl StateStream {
-    /// At most `per_s` states in a second, or every one.
+    /// Limits the stream to `per_s` states per second, or to none.
     pub(crate) fn new(states: broadcast::Receiver<Arc<Snapshot>>, per_s: Option<f64>) -> Self {
         let rate = match per_s {
             None => Rate::Every,
@@ -42,16 +42,16 @@ impl StateStream {
         }
     }
 
-    /// Whether any states are wanted.
+    /// Whether states are requested.
     pub(crate) fn is_wanted(&self) -> bool {
         !matches!(self.rate, Rate::None)
     }
 
-    /// The next state to send. Nothing is lost when this is given up and called again.
+    /// Returns the next state to send. Cancel-safe.
     ///
     /// # Errors
     ///
-    /// When the client lags behind so far that some states are lost, or no more will come.
+    /// If the client lags so far behind that states are lost, or there are no more states.
     pub(crate) async fn next(&mut self) -> Result<Utf8Bytes, RecvError> {
         let spacing = match self.rate {
             Rate::None => std::future::pending().await,
@@ -83,7 +83,7 @@ impl StateStream {
     }
 }
 
-/// The message that tells a state.
+/// Returns the message for a state.
 pub(crate) fn message(state: &Snapshot) -> Utf8Bytes {
     Utf8Bytes::try_from(state.message()).expect("JSON is UTF-8")
 }
@@ -92,7 +92,7 @@ fn spaced(seconds: f64) -> Rate {
     Duration::try_from_secs_f64(seconds).map_or(Rate::None, Rate::Spaced)
 }
 
-/// The state that came, or the one after those that were lost: who wants few does not miss them.
+/// Returns the next state, or the one after a gap: a client with a limited rate does not miss any.
 async fn kept(
     came: Result<Arc<Snapshot>, RecvError>,
     states: &mut broadcast::Receiver<Arc<Snapshot>>,

@@ -17,7 +17,7 @@ use crate::http::app::{AppFiles, Reach};
 use crate::http::fake::{Asked, FakeNews, driver};
 use crate::sample::{notice, state};
 
-/// One who came without a token.
+/// A caller without a token.
 fn caller() -> Caller {
     Caller {
         name: "test".into(),
@@ -27,7 +27,7 @@ fn caller() -> Caller {
     }
 }
 
-/// What a client is sent; it may stop to read after some messages.
+/// The messages that a client receives; it may stop reading after some of them.
 #[derive(Debug)]
 struct Ear {
     heard: Arc<Mutex<Vec<Message>>>,
@@ -96,7 +96,7 @@ impl Harness {
         }
     }
 
-    /// Talks with a client that reads so many messages; for how long that lasts.
+    /// Runs a connection with a client that reads this many messages; returns how long it lasts.
     async fn connection<I>(&self, reads: usize, incoming: I) -> Duration
     where
         I: Stream<Item = Result<Message, String>> + Unpin,
@@ -131,7 +131,7 @@ impl Harness {
     }
 }
 
-/// A client that answers each second that it is there.
+/// A client that sends a pong each second.
 fn pongs() -> impl Stream<Item = Result<Message, String>> + Unpin {
     Box::pin(stream::unfold((), |()| async {
         tokio::time::sleep(Duration::from_secs(1)).await;
@@ -139,7 +139,7 @@ fn pongs() -> impl Stream<Item = Result<Message, String>> + Unpin {
     }))
 }
 
-#[expect(clippy::unnecessary_wraps, reason = "this is what a socket gives")]
+#[expect(clippy::unnecessary_wraps, reason = "the type of a socket's stream")]
 fn text(text: &str) -> Result<Message, String> {
     Ok(Message::Text(text.into()))
 }
