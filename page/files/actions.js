@@ -33,8 +33,8 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  * @param {import("./station/calibrate.js").CalibrateRequests} outside.calibrate
  * @param {import("./station/recordings.js").RecordingRequests} outside.recordings
  * @param {import("./station/lessons.js").Lessons} outside.lessons
- * @param {(takeIfFree: () => void) => import("./station/jobs.js").JobRequests} outside.createJobs
- * @param {(takeIfFree: () => void) => import("./station/teach.js").TeachRequests} outside.createTeach
+ * @param {(takeControlIfFree: () => void) => import("./station/jobs.js").JobRequests} outside.createJobs
+ * @param {(takeControlIfFree: () => void) => import("./station/teach.js").TeachRequests} outside.createTeach
  */
 export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, createJobs, createTeach }) {
   const { send } = store;
@@ -42,7 +42,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   let stops = 0;
   /** Who waits for the next state. @type {(() => void)[]} */ const waiting = [];
 
-  store.listen((page, message) => {
+  store.subscribe((page, message) => {
     if (message.type === "stop_pressed" || message.type === "closed" || (message.type === "state" && page.station?.stop)) stops += 1;
     if (message.type === "state" || message.type === "closed") for (const heard of waiting.splice(0)) heard();
   });
@@ -55,7 +55,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   }
 
   /** Takes control where nobody has it: the first action does. */
-  function takeIfFree() {
+  function takeControlIfFree() {
     if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
   }
 
@@ -78,7 +78,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
    * @param {Command} command
    */
   async function command(command) {
-    takeIfFree();
+    takeControlIfFree();
     const before = stops, until_s = at_s() + RUN_DOWN_S;
     let { problem } = await socket.ask({ type: "command", command });
     while (isStillMoving(problem) && at_s() < until_s) {
@@ -143,10 +143,10 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   function asked({ about, values }) {
     switch (about) {
       case "arm_laser":
-        takeIfFree();
+        takeControlIfFree();
         return ask({ type: "arm_laser", for_s: arming_s() });
       case "detect":
-        takeIfFree();
+        takeControlIfFree();
         return setUp.detect();
       case "clear_calibration":
         return calibrate.forget();
@@ -160,14 +160,14 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   }
 
   /** From now on this page goes by the name of a student: time slots know it by that. @param {string} name */
-  function beStudent(name) {
-    lessons.tellStudent(name);
+  function setStudent(name) {
+    lessons.setStudent(name);
     socket.again();
   }
 
   return {
-    beStudent,
-    send, ask, takeIfFree, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs: createJobs(takeIfFree), teach: createTeach(takeIfFree),
+    setStudent,
+    send, ask, takeControlIfFree, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs: createJobs(takeControlIfFree), teach: createTeach(takeControlIfFree),
 
     /** Asks a person before something is done. @param {Question} question */
     question: (question) => send({ type: "question", question }),
@@ -198,7 +198,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     grip: (gripper_deg) => void moveJoints({ gripper_deg }),
 
     /** A file to be drawn, or a timeline to be looked at. @param {File} file */
-    takeFile(file) {
+    openFile(file) {
       send({ type: "tab", tab: "draw" });
       if (!/\.json$/i.test(file.name)) return send({ type: "draw_file", file });
       // A large timeline takes a second, and STOP cannot wait for it.
@@ -215,7 +215,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
     /** Makes a job of the drawing, or of the way around it, and starts it. @param {Schemas["DrawingPart"]} part */
     async draw(part) {
-      takeIfFree();
+      takeControlIfFree();
       const { value, problem } = await http.ask("POST", `api/v1/drawings/${store.page.draw.drawing}/jobs`, { part });
       if (problem) return send({ type: "problem", problem });
       const { job } = /** @type {{ job: { job: number } }} */ (value).job;
@@ -224,7 +224,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     },
 
     /** Gives the virtual arm a pen, and paper. */
-    async givePen() {
+    async addPen() {
       const { problem } = await http.ask("PUT", "api/v1/world", { scene: PEN_SCENE });
       if (problem) send({ type: "problem", problem });
     },

@@ -12,14 +12,14 @@ import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
 import { watch } from "./panels/watch.js";
-import { isDarkTheme, keepWishes, readWishes } from "./parts/preferences.js";
+import { isDarkTheme, savePreferences, readPreferences } from "./parts/preferences.js";
 import { createStage } from "./stage/stage.js";
 import { recorded } from "./state/recordings.js";
-import { looksSame } from "./state/equality.js";
+import { rendersSame } from "./state/equality.js";
 import { createViewOf, isVeryOld, silence_ms, taughtPlace } from "./state/selectors.js";
 import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
-import { followAround } from "./station/auxiliary_data.js";
+import { followAuxiliaryData } from "./station/auxiliary_data.js";
 import { createHttp, takeToken } from "./station/http.js";
 import { createJobs } from "./station/jobs.js";
 import { createLessons } from "./station/lessons.js";
@@ -33,14 +33,14 @@ import { createTeach } from "./station/teach.js";
 import { followTarget } from "./station/target.js";
 import { render } from "./vendor/lit-html/lit-html.js";
 import { banners, question, toasts } from "./views/banners.js";
-import { first } from "./views/welcome.js";
-import { foot } from "./views/footer.js";
+import { welcome } from "./views/welcome.js";
+import { footer } from "./views/footer.js";
 import { learn, point } from "./views/learn.js";
 import { cameras, pose } from "./views/pose.js";
-import { strip } from "./views/status_bar.js";
-import { showQuestion } from "./views/confirm.js";
+import { statusBar } from "./views/status_bar.js";
+import { showDialog } from "./views/confirm.js";
 import { tabs } from "./views/tabs.js";
-import { languageOf, span, speak } from "./i18n/i18n.js";
+import { languageOf, formatDuration, translator } from "./i18n/i18n.js";
 
 /** @typedef {import("./state/state.js").Page} Page */
 /** @typedef {import("./views/context.js").Context} Context */
@@ -57,13 +57,13 @@ const PANELS = { move, draw: drawPanelOf, teach, jobs, watch, set_up: setUp };
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
-const store = createStore(begin({ language: languageOf(navigator.languages), theme: "auto", greeted: false, program: localStorage.getItem(PROGRAM) ?? "", ...readWishes() }));
+const store = createStore(begin({ language: languageOf(navigator.languages), theme: "auto", greeted: false, program: localStorage.getItem(PROGRAM) ?? "", ...readPreferences() }));
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
-const jog = createJog(store, socket, act.takeIfFree);
-const pads = createPads(store, socket, act.takeIfFree);
+const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), createJobs: (takeControlIfFree) => createJobs(store, http, socket, takeControlIfFree), createTeach: (takeControlIfFree) => createTeach(store, http, socket, takeControlIfFree) });
+const jog = createJog(store, socket, act.takeControlIfFree);
+const pads = createPads(store, socket, act.takeControlIfFree);
 const stage = createStage(part("stage"));
 const viewOf = createViewOf();
 
@@ -81,23 +81,23 @@ function draw() {
   asked = 0;
   const { page } = store;
   drawn = page;
-  const say = speak(page.language);
+  const t = translator(page.language);
   document.documentElement.lang = page.language;
   document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
   /** @type {Context} */
-  const context = { page, say, act, jog, pads, connect: socket.connect, look: (preset) => stage.look(preset) };
-  render(strip(context), part("strip"));
+  const context = { page, t, act, jog, pads, connect: socket.connect, look: (preset) => stage.look(preset) };
+  render(statusBar(context), part("strip"));
   render(banners(context), part("banners"));
   render(toasts(context), part("toasts"));
   render(pose(context), part("numbers"));
   render(cameras(context), part("cameras"));
-  render(page.learn.lesson || page.learn.chooses ? learn(context) : first(context), part("first"));
+  render(page.learn.lesson || page.learn.chooses ? learn(context) : welcome(context), part("first"));
   render(tabs(context), part("tabs"));
-  render(foot(context), part("foot"));
+  render(footer(context), part("foot"));
   drawPanel(context);
-  showQuestion(/** @type {HTMLDialogElement} */ (part("sure")), question(context), page.question !== null);
+  showDialog(/** @type {HTMLDialogElement} */ (part("confirm")), question(context), page.question !== null);
   point(page);
-  drawStage(page, say);
+  drawStage(page, t);
 }
 
 /** @param {Context} context */
@@ -108,15 +108,15 @@ function drawPanel(context) {
   render(PANELS[tab](context), panel);
 }
 
-/** @param {Page} page @param {import("./i18n/i18n.js").Say} say */
-function drawStage(page, say) {
+/** @param {Page} page @param {import("./i18n/i18n.js").Translate} t */
+function drawStage(page, t) {
   const then = recorded(page.recordings);
   const arm = then ?? page.station?.arm;
   const silent_ms = silence_ms(page);
   stage.show(viewOf(page, {
     dark: isDark(page),
-    note: then ? say("recorded.note") : silent_ms ? say("old.note", { age: silent_ms < 10_000 ? say("time.s", { s: (silent_ms / 1000).toFixed(1) }) : span(say, silent_ms / 1000) }) : "",
-    label: arm ? say(then ? "recorded.where" : "stage.where", { x: arm.x_mm.toFixed(0), y: arm.y_mm.toFixed(0), z: arm.z_mm.toFixed(0) }) : say("stage.none"),
+    note: then ? t("recorded.note") : silent_ms ? t("old.note", { age: silent_ms < 10_000 ? t("time.s", { s: (silent_ms / 1000).toFixed(1) }) : formatDuration(t, silent_ms / 1000) }) : "",
+    label: arm ? t(then ? "recorded.where" : "stage.where", { x: arm.x_mm.toFixed(0), y: arm.y_mm.toFixed(0), z: arm.z_mm.toFixed(0) }) : t("stage.none"),
   }));
   part("work").classList.toggle("is-old", isVeryOld(page));
 }
@@ -134,9 +134,9 @@ function forget() {
 let kept = store.page.teach.text;
 /** @type {number | undefined} */ let keeping;
 
-store.listen((page, message) => {
+store.subscribe((page, message) => {
   // The stage hears that the arm stood; all else stays as it is.
-  if (message.type === "state" && drawn && looksSame(drawn, page)) drawStage(page, speak(page.language));
+  if (message.type === "state" && drawn && rendersSame(drawn, page)) drawStage(page, translator(page.language));
   else changed();
   if (message.type === "problem") {
     clearTimeout(told);
@@ -149,7 +149,7 @@ store.listen((page, message) => {
   }
   if (KEPT.has(message.type)) {
     const { language, theme, greeted } = page;
-    keepWishes({ language, theme, greeted });
+    savePreferences({ language, theme, greeted });
   }
 });
 part("stage").addEventListener("target", (event) => {
@@ -170,11 +170,11 @@ setInterval(() => {
 
 listenToKeys({ stage: part("stage"), stop: act.stop, jog, frame: () => store.page.jog.frame });
 listenToGamepad({ stop: act.stop, jog, speed_percent: () => store.page.jog.speed_percent, linear: () => store.page.jog.frame === "linear" || store.send({ type: "jog_set", set: { frame: "linear" } }) });
-followAround(store, http);
+followAuxiliaryData(store, http);
 followTarget(store, socket);
 followDrawing(store, http);
 followPackets(store, http);
-listenToDrops(part("work"), act.takeFile);
+listenToDrops(part("work"), act.openFile);
 takeToken(http);
 draw();
 socket.connect();

@@ -44,6 +44,6 @@ for (const size of Object.keys(SIZES)) {
 
 async function letMove(page) {
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForSelector("#stopped", { state: "detached" });
 }

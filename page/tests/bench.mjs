@@ -92,7 +92,7 @@ async function createFront() {
     late(client, station, named);
     late(station, client);
   });
-  server.listen(0, "127.0.0.1");
+  server.subscribe(0, "127.0.0.1");
   await once(server, "listening");
   const { port } = server.address();
   // A station answers to its own name only.
@@ -118,7 +118,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
     // A connection that is reset ends the other one, too: the arm takes the next client only when this one is gone.
     for (const [one, other] of [[station, way], [way, station]]) one.on("error", () => {}).on("close", () => other.end());
   });
-  tap.listen(0, "127.0.0.1");
+  tap.subscribe(0, "127.0.0.1");
   await once(tap, "listening");
   // What the station's own virtual arm speaks, it knows.
   const to = virtual ? ["--virtual", "--time-factor", String(speed)] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", personality];
@@ -183,7 +183,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
 /** Confirms the pose and takes control, as a person does. */
 export async function takeControl(page) {
   await page.click("#confirm-pose");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.click("#take");
   await page.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
   await page.waitForFunction(() => !document.querySelector("[data-axis=x_plus]").disabled);

@@ -53,13 +53,13 @@ for (const [size, viewport] of Object.entries(SIZES)) {
       };
       await look("tiles");
       await page.click("#stop");
-      await page.waitForSelector("#stop-told p");
+      await page.waitForSelector("#stop-status p");
       await page.click("#reset");
       await look("question");
-      await page.click("#sure-yes");
+      await page.click("#confirm-yes");
       await page.waitForSelector("#denied");
       await look("denied");
-      await page.click("#told-close");
+      await page.click("#outcome-close");
       await page.click("#arm-open");
       await page.waitForSelector("#arm");
       await look("virtual arm");
@@ -84,7 +84,7 @@ test("on a phone nothing hangs over the edge, and STOP ALL is the largest thing,
   await page.waitForSelector(".tile");
   const lock = async () => {
     await page.click("#lock");
-    await page.waitForSelector("#told[data-tone=bad]");
+    await page.waitForSelector("#outcome[data-tone=bad]");
   };
   const queued = async () => {
     await page.click("#queue-open");
@@ -131,9 +131,9 @@ test("arrow keys lead from tile to tile, Enter opens one, and Escape stops all f
   await page.keyboard.press("Shift+Tab");
   await page.keyboard.press("Enter");
   assert.equal(await text(page, "#details-title"), "desk-2");
-  await page.focus("#sought");
+  await page.focus("#filter");
   await page.keyboard.press("Escape");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("30 stopped"));
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("30 stopped"));
   assert.deepEqual(stops(station).map(({ body }) => body.to), ["all"]);
 });
 
@@ -152,7 +152,7 @@ test("each STOP of the board acts on the press: of a finger that moves, slides o
       for (const until = performance.now() + 10_000; stops(station).length === before && performance.now() < until;) await page.evaluate(() => new Promise(requestAnimationFrame));
     };
     await fingers.press(selector, it, it.rests ? await fingers.rest(it.rests) : [], acted);
-    await page.waitForSelector("#stop-told p");
+    await page.waitForSelector("#stop-status p");
     assert.deepEqual(stops(station).slice(before).map(({ body }) => body.to), Array(it.by === "mouse" ? 1 : it.fingers).fill(to), `${selector}: ${words(it)}`);
   }
 });
@@ -162,12 +162,12 @@ test("who did not answer a stop is told with the way to his page, and a second p
   const { page, station } = await open(members);
   await page.waitForSelector(".tile");
   await page.click("#stop");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("1 of 3 stopped."));
-  assert.match(await text(page, "#stop-told"), /1 of 3 stopped\. NO ANSWER from desk-3 and desk-7: press STOP on their own pages\. Page of desk-3/);
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("1 of 3 stopped."));
+  assert.match(await text(page, "#stop-status"), /1 of 3 stopped\. NO ANSWER from desk-3 and desk-7: press STOP on their own pages\. Page of desk-3/);
   // What a station tells of itself leads nowhere but to a page.
   assert.deepEqual(await page.$$eval("a[href^='javascript']", (all) => all.length), 0);
   await page.click("#stop");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("1 of 3 stopped."));
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("1 of 3 stopped."));
   assert.equal(stops(station).length, 2);
 });
 
@@ -177,7 +177,7 @@ test("a token that the station does not know keeps nobody from a stop", async ()
   await page.waitForSelector(".tile");
   await page.evaluate(() => sessionStorage.setItem("token", "wrong"));
   await page.keyboard.press("Space");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("1 of 1 stopped."));
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("1 of 1 stopped."));
   assert.deepEqual(stops(station).map(({ token }) => token), ["wrong", null]);
 });
 
@@ -188,7 +188,7 @@ test("where the fleet cannot be asked, the arm of this station is stopped at lea
   await page.waitForSelector(".tile");
   const stopped = page.waitForResponse((it) => new URL(it.url()).pathname === "/api/v1/stop");
   await page.click("#stop");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("The station leaves its fleet."));
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("The station leaves its fleet."));
   await stopped;
   assert.equal(asked(station, "/api/v1/stop").length, 1);
 });
@@ -200,9 +200,9 @@ test("a STOP that nothing answers is told in red, asked for again, and stops the
   const stopped = page.waitForResponse((it) => new URL(it.url()).pathname === "/api/v1/stop");
   await page.click("#stop");
   await stopped;
-  await page.waitForFunction(() => document.querySelector("#stop-told[data-tone=bad]")?.textContent.includes("Switch the arms off"));
+  await page.waitForFunction(() => document.querySelector("#stop-status[data-tone=bad]")?.textContent.includes("Switch the arms off"));
   await page.unroute("**/api/v1/fleet/stop");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("1 of 1 stopped."));
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("1 of 1 stopped."));
 });
 
 test("a station that wants a token is told in its own words, and the token that is given goes along", async () => {
@@ -222,35 +222,35 @@ test("eyes on me and a message go to the group that is shown, or to all", async 
   await page.waitForSelector(".tile");
   const requests = () => asked(station, "/api/v1/fleet/requests").map(({ body }) => body);
   await page.click("#lock");
-  await page.waitForFunction(() => document.querySelector("#told")?.textContent.includes("2 of 2 locked."));
+  await page.waitForFunction(() => document.querySelector("#outcome")?.textContent.includes("2 of 2 locked."));
   assert.deepEqual(requests().at(-1), { to: "all", method: "POST", path: "/api/v1/lock", body: { message: "Eyes on me" } });
   await page.selectOption("#group", "room-2");
   await page.fill("#lesson-text", "Five minutes");
   await page.click("#send");
-  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("Sent to 1 of 1."));
+  await page.waitForFunction(() => document.querySelector("#outcome").textContent.includes("Sent to 1 of 1."));
   assert.deepEqual(requests().at(-1), { to: { group: "room-2" }, method: "POST", path: "/api/v1/message", body: { text: "Five minutes" } });
   await page.waitForFunction(() => document.querySelector("#lesson-text").value === "");
   assert.match(await page.textContent(".tile[data-member=desk-2] .alarms"), /locked/);
   await page.click("#release");
-  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("1 of 1 unlocked."));
+  await page.waitForFunction(() => document.querySelector("#outcome").textContent.includes("1 of 1 unlocked."));
   assert.deepEqual(requests().at(-1), { to: { group: "room-2" }, method: "DELETE", path: "/api/v1/lock" });
 });
 
 test("a text and a group show some of the tiles; STOP ALL stops all of them", async () => {
   const { page, station } = await open(crowd(30));
   await page.waitForSelector(".tile");
-  await page.fill("#sought", "desk-3");
+  await page.fill("#filter", "desk-3");
   await page.waitForFunction(() => document.querySelectorAll(".tile").length === 2);
   assert.deepEqual(await page.$$eval(".tile .name", (all) => all.map((it) => it.textContent)), ["desk-3", "desk-30"]);
-  await page.fill("#sought", "");
+  await page.fill("#filter", "");
   await page.click("#count [data-sort=offline]");
   await page.waitForFunction(() => document.querySelectorAll(".tile").length === 3);
   assert.equal(await page.locator(".tile[data-presence=present]").count(), 0);
   await page.click("#stop");
-  await page.waitForSelector("#stop-told p");
+  await page.waitForSelector("#stop-status p");
   assert.equal(stops(station)[0].body.to, "all");
   await page.click("#count [data-sort=offline]");
-  await page.fill("#sought", "no such thing");
+  await page.fill("#filter", "no such thing");
   await page.waitForSelector("#none");
 });
 
@@ -270,7 +270,7 @@ test("whose time it is stands on the tile, beside an administrator who has contr
   const { page } = await open([member("desk-1", { here: true, ...time("Anna"), lease: lease("anna") }), member("desk-2", { ...time("Ben", 30), lease: lease("Ms Lee") }), member("desk-3", time("Chen"))]);
   await page.waitForSelector(".tile");
   assert.deepEqual(await page.$$eval(".tile .who", (all) => all.map((it) => it.textContent.trim())), ["Anna: 4 min 10 s left", "Ben: 30 s left · Ms Lee", "Chen: 4 min 10 s left"]);
-  await page.fill("#sought", "chen");
+  await page.fill("#filter", "chen");
   await page.waitForFunction(() => document.querySelectorAll(".tile").length === 1);
 });
 
@@ -284,14 +284,14 @@ test("names are dealt over the arms of a group in turn, are listed there, and ar
   await page.fill("#slots-group [name=names]", "Anna\nBen\n\n Chen ");
   await page.fill("#slots-group [name=minutes]", "10");
   await page.click("#slots-group [type=submit]");
-  await page.waitForFunction(() => document.querySelector("#told")?.textContent.includes("2 of 2 have time slots."));
+  await page.waitForFunction(() => document.querySelector("#outcome")?.textContent.includes("2 of 2 have time slots."));
   const slot = (student, starts_in_s) => ({ student, group: "room-1", starts_in_s, ends_in_s: starts_in_s + 600 });
   assert.deepEqual(requests("PUT").map(({ to, body }) => [to, body.slots]), [[{ members: ["desk-1"] }, [slot("Anna", 0), slot("Chen", 600)]], [{ members: ["desk-2"] }, [slot("Ben", 0)]]]);
   await page.waitForFunction(() => document.querySelectorAll("#slots ol li").length === 3);
   assert.equal(await text(page, "#slots ol li:nth-of-type(2)"), "Chen in 10 min 00 s, for 10 min 00 s");
   assert.equal(await page.inputValue("#slots-group [name=names]"), "");
   await page.click("#slots [data-act=clear]");
-  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("2 of 3 have no time slots now."));
+  await page.waitForFunction(() => document.querySelector("#outcome").textContent.includes("2 of 3 have no time slots now."));
   assert.deepEqual(requests("DELETE").map(({ to }) => to), [{ group: "room-1" }]);
   await page.waitForSelector("#slots ol", { state: "detached" });
   // One at a time lies beside the tiles.
@@ -311,7 +311,7 @@ test("why a station gives no time is told in its own words, and the names stay",
   await page.click("#slots-open");
   await page.fill("#slots-group [name=names]", "Anna");
   await page.click("#slots-group [type=submit]");
-  await page.waitForFunction(() => document.querySelector("#told")?.textContent.includes("desk-1: Ends_in_s of Anna is 90000"));
+  await page.waitForFunction(() => document.querySelector("#outcome")?.textContent.includes("desk-1: Ends_in_s of Anna is 90000"));
   assert.equal(await page.inputValue("#slots-group [name=names]"), "Anna");
 });
 

@@ -108,7 +108,7 @@ test("a person finds the zeros of an arm, sees what would be kept, keeps it, and
   for (const [joint, wanted] of ZEROS.entries()) assert.ok(Math.abs(Object.values(zeros)[joint] - wanted) < 1.5, JSON.stringify(zeros));
 
   await page.click("#calibrate-forget");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await says("calibrate-known", "Not calibrated");
   assert.equal((await known()).calibration, null);
   await page.click("#calibrate-before");
@@ -120,13 +120,13 @@ test("the arm is told its angles with its base straight ahead, and a reset makes
   await ask("DELETE", "api/v1/lease");
   lease = undefined;
   await page.click("#calibrate-angles");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await says("calibrate-known", "angles were sent");
   await page.waitForFunction(() => Math.abs(Number(document.querySelector("[data-pose=base_deg]").textContent)) < 0.1);
   assert.equal((await bench.ask("api/v1/state")).calibrated.zeros_told, true);
   assert.equal(await page.locator("#calibrate-angles").count(), 0);
   await page.click("#confirm-pose");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.click("#calibrate-begin");
   await page.fill("#calibrate-bar", "200");
   await page.keyboard.press("Enter");

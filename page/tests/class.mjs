@@ -115,7 +115,7 @@ test("a drawing that is submitted at the board is taken by the arm that has what
 test("eyes on me holds each arm and is told on the student's page, a message too; release lets go", async () => {
   await board.fill("#lesson-text", "eyes on me");
   await board.click("#lock");
-  await says("#told", "3 of 3 locked.");
+  await says("#outcome", "3 of 3 locked.");
   await student.waitForSelector("#locked");
   assert.equal((await student.textContent("#locked")).trim(), "The arm is locked. By teacher: eyes on me.");
   await board.fill("#lesson-text", "Five minutes");
@@ -139,7 +139,7 @@ test("whoever has no arm is given a virtual one by the board, and moves it on a 
   await board.click("#arm-open");
   await board.click(`${tile("chen")} .name`);
   await board.click("#details-end-arm");
-  await board.click("#sure-yes");
+  await board.click("#confirm-yes");
   await board.waitForSelector(tile("chen"), { state: "detached" });
 });
 
@@ -182,11 +182,11 @@ test("with the router killed the others are away, what they have is in doubt, an
   await end(router, "SIGKILL");
   await seen("away");
   await board.waitForSelector(`${entry("Ben")}[data-doubtful=true]`);
-  assert.match(await board.textContent(`${entry("Ben")} .told-of`), /^Desk-2 cannot be reached; \d+ of \d+ commands were done when it was heard of last, and it may go on\.$/);
+  assert.match(await board.textContent(`${entry("Ben")} .reason-note`), /^Desk-2 cannot be reached; \d+ of \d+ commands were done when it was heard of last, and it may go on\.$/);
   await says("#queue-open", "1 uncertain");
   await board.click("#stop");
-  await says("#stop-told", "1 of 3 stopped.");
-  assert.match(await board.textContent("#stop-told"), /NO ANSWER from desk-2 and desk-3: press STOP on their own pages\./);
+  await says("#stop-status", "1 of 3 stopped.");
+  assert.match(await board.textContent("#stop-status"), /NO ANSWER from desk-2 and desk-3: press STOP on their own pages\./);
   await state(board, ({ stop }) => stop !== null);
   // The arm that nobody of the fleet reaches is stopped on its own page.
   assert.equal((await student.evaluate(async () => (await fetch("api/v1/state")).json())).stop, null);
@@ -202,13 +202,13 @@ test("with the router back they find each other, the doubt ends by itself, and n
   const jobs = await board.evaluate(async () => (await fetch("api/v1/jobs")).json());
   assert.deepEqual(jobs, []);
   await board.click("#stop");
-  await says("#stop-told", "3 of 3 stopped.");
+  await says("#stop-status", "3 of 3 stopped.");
   // Only those that the board has heard to be stopped are asked about: each tells of itself every second.
   await says("#reset", "Clear stops (3)…");
   // An arm that is not seen at rest is not let go.
   for (const page of [board, student]) await state(page, ({ stop }) => stop?.at_rest === true);
   await board.click("#reset");
-  await board.click("#sure-yes");
-  await says("#told", "3 of 3 stops cleared.");
+  await board.click("#confirm-yes");
+  await says("#outcome", "3 of 3 stops cleared.");
   await state(student, ({ stop }) => stop === null);
 });

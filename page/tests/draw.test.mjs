@@ -11,7 +11,7 @@ before(async () => {
   await fetch(`${bench.url}api/v1/world`, { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ scene: "[pen]\ndown_z_mm = -40\n" }) });
   if (await page.isVisible("#confirm-pose")) {
     await page.click("#confirm-pose");
-    await page.click("#sure-yes");
+    await page.click("#confirm-yes");
   }
   await page.click("#first-close");
   await page.click("#tab-draw");
@@ -33,7 +33,7 @@ async function drop(name, text) {
   await page.dispatchEvent("#panel", "drop", { dataTransfer: files });
 }
 
-const says = (part) => page.waitForFunction((part) => document.querySelector("#draw-told")?.textContent.includes(part), part);
+const says = (part) => page.waitForFunction((part) => document.querySelector("#draw-status")?.textContent.includes(part), part);
 const value = async (name) => Number(await page.inputValue(`#draw-${name}`));
 
 /** How far the ink goes: the least and the most of X, and of Y. */
@@ -66,8 +66,8 @@ test("a file that is dropped is planned, moved by hand, and drawn where it was p
 
 test("a file that is no drawing is told, and nothing can be started", async () => {
   await drop("letter.svg", "Dear all,");
-  await page.waitForSelector("#draw-told[data-tone=bad]");
-  assert.match(await page.textContent("#draw-told"), /xml/i);
+  await page.waitForSelector("#draw-status[data-tone=bad]");
+  assert.match(await page.textContent("#draw-status"), /xml/i);
   assert.ok(await page.isDisabled("#draw-start"));
 });
 
@@ -84,7 +84,7 @@ test("a file of 100 MB is refused with what to do, and the page goes on", async 
 
 test("a place out of reach is told, and the way back is free", async () => {
   await page.fill("#draw-x", "500");
-  await page.waitForSelector("#draw-told[data-tone=bad]");
+  await page.waitForSelector("#draw-status[data-tone=bad]");
   assert.ok(await page.isDisabled("#draw-start"));
   await page.fill("#draw-x", "");
   await says("Takes ");

@@ -24,7 +24,7 @@ const errors = [];
 
 /** A port that is free now: the stations of this test meet there, and no others of this machine. */
 async function freePort() {
-  const server = createServer().listen(0, "127.0.0.1");
+  const server = createServer().subscribe(0, "127.0.0.1");
   await once(server, "listening");
   const { port } = server.address();
   server.close();
@@ -148,14 +148,14 @@ test("a jog shows on the tile of its arm alone, and STOP ALL stops every arm whi
   await page.waitForSelector("#details-title");
   const [before, other] = [await picture("desk-2"), await picture("desk-3")];
   const told = await listen("desk-2");
-  const letGo = await hold("desk-2", "y_plus");
+  const release = await hold("desk-2", "y_plus");
   await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-2] .who").textContent === "Anna");
   await page.waitForFunction((before) => document.querySelector(".tile[data-member=desk-2] canvas").toDataURL() !== before, before);
   assert.equal(await picture("desk-3"), other);
   await answered("desk-2", "api/v1/state", ({ arm }) => arm.y_mm > 5);
 
   await page.click("#stop");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("3 of 3 stopped."));
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("3 of 3 stopped."));
   for (const name of stations.keys()) {
     const { stop } = await ask(name, "api/v1/state");
     assert.equal(stop.reason, "pressed on the board of desk-1", name);
@@ -165,7 +165,7 @@ test("a jog shows on the tile of its arm alone, and STOP ALL stops every arm whi
   // The button is held on: it moves nothing any more.
   await answered("desk-2", "api/v1/state", ({ stop }) => stop.at_rest);
   const { arm: { y_mm } } = await ask("desk-2", "api/v1/state");
-  await letGo();
+  await release();
   assert.equal((await ask("desk-2", "api/v1/state")).arm.y_mm, y_mm);
   // What the arm was told last of buttons is that they are let go.
   const jogs = told.packets.map(({ command }) => command).filter((it) => it?.type === "linear_jog");
@@ -176,9 +176,9 @@ test("a jog shows on the tile of its arm alone, and STOP ALL stops every arm whi
 
 test("without a token the other stations let nobody more than watch and stop, and the board says so and asks for one", async () => {
   await page.click("#details-reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForSelector("#denied");
-  assert.match(await page.textContent("#told"), /0 of 1 stops cleared\.\s*desk-2: This takes the role control/);
+  assert.match(await page.textContent("#outcome"), /0 of 1 stops cleared\.\s*desk-2: This takes the role control/);
   assert.notEqual((await ask("desk-2", "api/v1/state")).stop, null);
   await page.fill("#token-field", token);
   await page.click("#token button");
@@ -187,13 +187,13 @@ test("without a token the other stations let nobody more than watch and stop, an
 
 test("a person lets them move again, one by one or all, after a question", async () => {
   await page.click("#details-reset");
-  assert.match(await page.textContent("#sure-text"), /^desk-2: look at each arm first/);
-  await page.click("#sure-yes");
+  assert.match(await page.textContent("#confirm-text"), /^desk-2: look at each arm first/);
+  await page.click("#confirm-yes");
   await answered("desk-2", "api/v1/state", ({ stop }) => stop === null);
   assert.notEqual((await ask("desk-3", "api/v1/state")).stop, null);
   await page.waitForFunction(() => document.querySelector("#reset")?.textContent === "Clear stops (2)…");
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop === null);
 });
 
@@ -213,13 +213,13 @@ test("whoever has no arm is given a virtual one, moves it on its own page, and i
   // One who is named as an arm that is there already is told so, and gets another name.
   await page.fill("#arm-name", "desk-2");
   await page.click("#arm-give");
-  await page.waitForFunction(() => /called "desk-2" already/.test(document.querySelector("#told").textContent));
-  await page.click("#told-close");
+  await page.waitForFunction(() => /called "desk-2" already/.test(document.querySelector("#outcome").textContent));
+  await page.click("#outcome-close");
   await page.click("#arm-open");
   await page.click(`${tile("zoe-b")} .name`);
   await page.waitForFunction(() => /Host\s*desk-1/.test(document.querySelector("#details").textContent));
   await page.click("#details-end-arm");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForSelector(tile("zoe-b"), { state: "detached" });
   await page.click(`${tile("desk-2")} .name`);
   await context.close();
@@ -233,7 +233,7 @@ test("Escape stops all, and the button of a group stops its arms alone", async (
   for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop !== null);
   await page.waitForFunction(() => document.querySelector("#reset")?.textContent === "Clear stops (3)…");
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop === null);
 });
 
@@ -347,7 +347,7 @@ test("a second station of a name is told on both tiles, and a stop reaches both"
   stations.set("another", twin);
   await page.waitForFunction(() => [...document.querySelectorAll(".tile[data-member=desk-2] .why")].filter((it) => it.textContent.startsWith("2 stations call themselves desk-2.")).length === 2);
   await page.click("#stop");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("4 of 4 stopped."));
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("4 of 4 stopped."));
   assert.notEqual((await ask("another", "api/v1/state")).stop, null);
   await end(twin.child, "SIGINT");
   stations.delete("another");
@@ -361,8 +361,8 @@ test("without the router the others are away, the arm of the board still stops, 
   await answered("desk-1", "api/v1/state", ({ stop }) => stop === null);
   await page.click("#stop");
   await answered("desk-1", "api/v1/state", ({ stop }) => stop !== null);
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("NO ANSWER from"));
-  assert.match(await page.textContent("#stop-told"), /1 of \d stopped\./);
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("NO ANSWER from"));
+  assert.match(await page.textContent("#stop-status"), /1 of \d stopped\./);
   router.child = (await start(["fleet", "router", "--listen", router.at], /the router is at (\S+)/)).child;
   for (const name of ["desk-2", "desk-3"]) await page.waitForSelector(`${tile(name)}[data-presence=present]`);
 });
@@ -374,8 +374,8 @@ test("a station that is killed is grey, and a stop says that it did not answer",
   await page.waitForSelector(`${tile("desk-3")}[data-presence=away]`);
   await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-3] .why").textContent === "Stop it on its own page");
   await page.click("#stop");
-  await page.waitForFunction(() => /2 of \d stopped\./.test(document.querySelector("#stop-told").textContent));
-  const text = await page.textContent("#stop-told");
+  await page.waitForFunction(() => /2 of \d stopped\./.test(document.querySelector("#stop-status").textContent));
+  const text = await page.textContent("#stop-status");
   assert.match(text, /NO ANSWER from .*desk-3.*: press STOP on their own pages\./);
   assert.equal(new URL(await page.getAttribute(`${tile("desk-3")} .why a`, "href")).port, new URL(url).port);
 });
@@ -394,6 +394,6 @@ test("a board whose station is gone says how old it is, and goes on with the nex
   await page.waitForSelector("#lost");
   assert.match(await page.textContent("#lost"), /NO CONNECTION to the station of this board/);
   await page.click("#stop");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("STOP NOT CONFIRMED by any other station."));
-  assert.ok(await page.$(`#stop-told a[href^="${new URL(stations.get("desk-2").url).origin}"]`));
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("STOP NOT CONFIRMED by any other station."));
+  assert.ok(await page.$(`#stop-status a[href^="${new URL(stations.get("desk-2").url).origin}"]`));
 });

@@ -79,14 +79,14 @@ test("what is over is forgotten, and a refusal stands at its job", async () => {
   await fetch(`${bench.url}api/v1/stop`, { method: "POST" });
   await act(waiting, "start");
   await says(waiting, "stop");
-  await page.waitForSelector(`${entry(waiting)} .told[data-tone=bad]`);
+  await page.waitForSelector(`${entry(waiting)} .status[data-tone=bad]`);
 });
 
 test("a recording is scrubbed on the stage, says that it is one, and gives the arm back", async () => {
   await page.click("#tab-move");
   if (await page.isVisible("#reset")) {
     await page.click("#reset");
-    await page.click("#sure-yes");
+    await page.click("#confirm-yes");
     await page.waitForSelector("#stopped", { state: "detached" });
   }
   await rest(page);
@@ -175,7 +175,7 @@ test("every packet to the arm is shown and exported as it was sent, and the list
   await jog("ArrowRight");
   assert.deepEqual(await says(), paused);
   await page.click("#packets-pause");
-  await page.fill("#packets-sought", "y_minus");
+  await page.fill("#packets-filter", "y_minus");
   await page.waitForFunction(() => document.querySelector(".packets .says")?.textContent.includes("y_minus"));
   assert.ok((await says()).every((it) => it.includes("y_minus")));
 });

@@ -35,7 +35,7 @@ test("the tour leads from the first motion to a drawing and a refusal", async ()
   await at(1);
   if (await page.isVisible("#confirm-pose")) {
     await page.click("#confirm-pose");
-    await page.click("#sure-yes");
+    await page.click("#confirm-yes");
   }
   await page.click("#lesson-next");
   await at(2);
@@ -46,7 +46,7 @@ test("the tour leads from the first motion to a drawing and a refusal", async ()
   await at(4);
   assert.notEqual((await state()).stop, null, "the arm is stopped");
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await at(5);
   await page.click("#tab-teach");
   await page.click("#capture");

@@ -95,7 +95,7 @@ test("Space stops where a button was clicked, and presses the button that the ke
   await page.keyboard.press(" ");
   await page.waitForSelector("#stopped");
   await page.click("#reset");
-  await page.waitForFunction(() => document.activeElement?.id === "sure-no");
+  await page.waitForFunction(() => document.activeElement?.id === "confirm-no");
   await page.keyboard.press("Tab");
   await page.keyboard.press(" ");
   await page.waitForSelector("#stopped", { state: "detached" });
@@ -187,7 +187,7 @@ test("a pointer that is held on the hand pad leads the arm to its place by gestu
   await page.waitForFunction(() => Number(document.querySelector("[data-pose=y_mm]").textContent) > 5);
   await page.mouse.up();
   await rest(page);
-  assert.ok(states().has(8), await page.textContent("#pad-told"));
+  assert.ok(states().has(8), await page.textContent("#pad-status"));
 });
 
 test("a stick of a gamepad jogs while the shoulder button is held, and a face button stops", async () => {
@@ -209,13 +209,13 @@ test("a stick of a gamepad jogs while the shoulder button is held, and a face bu
   assert.deepEqual(pressed(), new Set(["linear 3"]));
   await page.evaluate(() => { window.pad.connected = false; });
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForSelector("#stopped", { state: "detached" });
 });
 
 test("the laser is armed after a question, its countdown stands in the strip, and STOP disarms it", async () => {
   await page.click("#arm-laser");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await reads("laser-chip", "armed");
   await page.keyboard.press("Escape");
   await reads("laser-chip", "off");

@@ -42,7 +42,7 @@ for (const name of names) {
     await writeFile(`${FOLDER}${name}-${size}-${theme}-${language}.webp`, await webp(await page.screenshot()));
     if (name === "stopped") {
       await page.click("#reset");
-      await page.click("#sure-yes");
+      await page.click("#confirm-yes");
       await page.waitForSelector("#stopped", { state: "detached" });
     }
     await page.context().close();
@@ -57,7 +57,7 @@ if (!wanted.length || wanted.includes(BOARD)) {
     await page.waitForSelector(".tile .learner");
     if (size !== "phone") await page.click(".tile[data-member=desk-5] .name");
     await page.click("#stop");
-    await page.waitForSelector("#stop-told .silent");
+    await page.waitForSelector("#stop-status .silent");
     await page.waitForTimeout(800);
     await writeFile(`${FOLDER}${BOARD}-${size}-${theme}-${language}.webp`, await webp(await page.screenshot()));
     await context.close();

@@ -57,13 +57,13 @@ test("what is in doubt says why in the station's words, and goes to another arm 
   const { page, asked } = await open(submitted, answer);
   const give = `${WORK}/${submitted[0].id}/give`;
   assert.equal(await page.textContent("#queue-open"), "Queue: 1, 1 uncertain");
-  assert.equal(await text(page, `${entry("a1")} .told-of`), "Desk-2 cannot be reached; it may have been drawn.");
+  assert.equal(await text(page, `${entry("a1")} .reason-note`), "Desk-2 cannot be reached; it may have been drawn.");
   await page.click(`${entry("a1")} [data-act=reassign]`);
-  assert.match(await text(page, "#sure-text"), /Desk-2 cannot be reached; it may have been drawn\. Look at the paper of desk-2 first/);
-  await page.click("#sure-no");
+  assert.match(await text(page, "#confirm-text"), /Desk-2 cannot be reached; it may have been drawn\. Look at the paper of desk-2 first/);
+  await page.click("#confirm-no");
   assert.equal(asked("POST", give).length, 0);
   await page.click(`${entry("a1")} [data-act=reassign]`);
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForSelector(`${entry("a1")}[data-phase=waiting]`);
   assert.equal(asked("POST", give).length, 1);
   assert.equal(await text(page, `${entry("a1")} .before`), "Earlier, at desk-2: it may have been drawn");
@@ -73,7 +73,7 @@ test("what waits is cancelled after a question; why it cannot be is told where i
   const refused = { type: "/api/v1/problems/work-phase", title: "not now", status: 409, detail: "it is Done; what is waiting, offered or taken can be cancelled" };
   const { page, asked } = await open([work("a1", "waiting")], ({ method }) => (method === "DELETE" ? { status: 409, body: refused } : undefined));
   await page.click(`${entry("a1")} [data-act=cancel]`);
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForSelector(`${entry("a1")} [role=alert]`);
   assert.match(await text(page, `${entry("a1")} [role=alert]`), /^It is Done; what is waiting/);
   assert.equal(asked("DELETE", `${WORK}/${work("a1").id}`).length, 1);

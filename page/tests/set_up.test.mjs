@@ -23,7 +23,7 @@ const THERE = { x_mm: 220, y_mm: 100, z_mm: 0 };
 test("a keep-out that is put in force refuses a target that was free, and is gone when it is removed", async () => {
   const { page, told } = real;
   await typeTarget(page, THERE);
-  await says(page, "target-told", "The path is free");
+  await says(page, "target-status", "The path is free");
   await page.click("#tab-set_up");
   await page.click("[data-new-zone=box]");
   await page.fill("[data-zone=zone_1] label:nth-of-type(6) input", "60");
@@ -34,13 +34,13 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   // Nothing holds before it is put in force.
   assert.deepEqual((await real.ask("api/v1/policy")).keep_out, {});
   await page.click("#policy-keep");
-  await says(page, "policy-told", "This policy is in force");
+  await says(page, "policy-status", "This policy is in force");
   const policy = await real.ask("api/v1/policy");
   assert.deepEqual(policy.keep_out.zone_1, { box: { x_mm: [200, 260], y_mm: [80, 140], z_mm: [-103, 60] } });
   await page.click("#tab-move");
   const from = told.packets.length;
   await typeTarget(page, { z_mm: 1 });
-  await says(page, "target-told", "keep_out.zone_1");
+  await says(page, "target-status", "keep_out.zone_1");
   assert.equal(await page.isDisabled("#target-go"), true);
   assert.deepEqual(told.targets(from), []);
   await page.click("#tab-set_up");
@@ -49,7 +49,7 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   await answered(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
   await page.click("#tab-move");
   await typeTarget(page, THERE);
-  await says(page, "target-told", "The path is free");
+  await says(page, "target-status", "The path is free");
   await page.click("#target-clear");
 });
 
@@ -69,7 +69,7 @@ test("the numbers of a keep-out are typed one after the other by keyboard, and s
   await written("z_mm = [-50, 60]");
   await isChecked();
   await page.click("#policy-keep");
-  await says(page, "policy-told", "This policy is in force");
+  await says(page, "policy-status", "This policy is in force");
   await field(6).focus();
   for (const key of ["Control+A", "7", "0", "Tab"]) await page.keyboard.press(key);
   await written("z_mm = [-50, 70]");
@@ -87,11 +87,11 @@ test("a text that is no policy is told with its line, cannot be put in force, an
   const text = await page.inputValue("#policy-text");
   const before = await real.ask("api/v1/policy");
   await page.fill("#policy-text", text.replace(/line_mm_s = 200/, "line_mm_s = fast"));
-  await page.waitForFunction(() => document.querySelector("#policy-told").dataset.tone === "bad");
-  assert.match(await page.textContent("#policy-told"), /Line \d+/);
+  await page.waitForFunction(() => document.querySelector("#policy-status").dataset.tone === "bad");
+  assert.match(await page.textContent("#policy-status"), /Line \d+/);
   assert.equal(await page.isDisabled("#policy-keep"), true);
   await page.click("#policy-forget");
-  await says(page, "policy-told", "This policy is in force");
+  await says(page, "policy-status", "This policy is in force");
   assert.equal(await page.inputValue("#policy-text"), text);
   assert.deepEqual(await real.ask("api/v1/policy"), before);
 });
@@ -106,7 +106,7 @@ test("a token that is made lets its holder in, is shown as a code for a phone, a
   const status = async () => (await fetch(new URL("api/v1/state", url), { headers: { authorization: `Bearer ${secret}` } })).status;
   assert.equal(await status(), 200);
   await page.click("[aria-label='Remove phone']");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForFunction(() => !document.querySelector(".tokens").textContent.includes("phone"));
   assert.equal(await status(), 401);
 });
@@ -127,9 +127,9 @@ test("the detection asks before it moves the arm, then a little, and says what i
   await page.click("#tab-set_up");
   const from = told.packets.length;
   await page.click("#detect");
-  await page.waitForSelector("#sure-yes");
+  await page.waitForSelector("#confirm-yes");
   assert.deepEqual(told.targets(from), []);
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await says(page, "finding", "firmware-1.1");
   assert.ok((await page.locator(".evidence li").count()) > 0);
   const far = (axis) => Math.max(...told.targets(from).map((it) => it[axis])) - Math.min(...told.targets(from).map((it) => it[axis]));

@@ -119,14 +119,14 @@ export async function tell(hand, seen) {
   await hand.look(1.5);
   await seen("stopped");
   await hand.click("#reset");
-  await hand.click("#sure-yes");
+  await hand.click("#confirm-yes");
   await page.waitForSelector("#stopped", { state: "detached" });
   await hand.click("#teach-end");
   await seen("released");
 
   await hand.click("#tab-draw");
   await hand.drop("#panel", "boat.svg", BOAT);
-  await page.waitForFunction(() => document.querySelector("#draw-told")?.textContent.includes("Takes "));
+  await page.waitForFunction(() => document.querySelector("#draw-status")?.textContent.includes("Takes "));
   await hand.look(2);
   await seen("planned");
   await hand.click("#draw-start");

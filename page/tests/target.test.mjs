@@ -19,7 +19,7 @@ beforeEach(async () => {
 });
 afterEach(() => assert.deepEqual(bench.errors, []));
 
-const says = (part) => page.waitForFunction((part) => document.querySelector("#target-told").textContent.includes(part), part);
+const says = (part) => page.waitForFunction((part) => document.querySelector("#target-status").textContent.includes(part), part);
 const at = (name, value) => page.waitForFunction(([name, value]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - value) < 0.15, [name, value]);
 const field = async (name) => Number(await page.inputValue(`#target-${name}`));
 
@@ -82,5 +82,5 @@ test("Escape stops an arm that was told to go somewhere", async () => {
   await page.waitForSelector("#stopped:visible");
   await page.waitForFunction(() => document.querySelector("#stopped-by").textContent.includes("The arm is at rest"));
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
 });

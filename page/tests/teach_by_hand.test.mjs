@@ -99,7 +99,7 @@ test("Escape stops the arm and lets the carried step lie where it was", async ()
   assert.equal(await page.locator(".is-carried, .takes-below").count(), 0);
   assert.deepEqual(await order(), PLACES);
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForSelector("#stopped", { state: "detached" });
 });
 
@@ -142,5 +142,5 @@ test("Escape stops the arm and puts the dragged place back", async () => {
   await page.mouse.up();
   assert.match(await page.getAttribute("#step-2 .says", "title"), /x = 200, y = 60/);
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
 });

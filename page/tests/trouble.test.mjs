@@ -55,7 +55,7 @@ test("of two pages one has control; the other says who, and gets it when it is g
   await passed(page, 0.4);
   assert.equal(told.jogs(from).at(-1).text, RELEASED);
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await other.context().close();
   await page.click("#take");
   await page.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
@@ -75,7 +75,7 @@ test("a station that is killed while a button is held stops the arm, and the pag
   await rest(page);
   if (await page.isVisible("#confirm-pose")) {
     await page.click("#confirm-pose");
-    await page.click("#sure-yes");
+    await page.click("#confirm-yes");
   }
   // A new press is a new press, and takes control where nobody has it.
   await page.waitForFunction(() => !document.querySelector("[data-axis=y_minus]").disabled);
@@ -105,7 +105,7 @@ test("a STOP that gets no answer is told in red beside it and asked for again, a
   await page.waitForSelector("#link-chip[data-tone=good]");
   await page.waitForSelector("#reset:enabled");
   await page.click("#reset");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForSelector("#late-stop", { state: "detached" });
 });
 

@@ -10,7 +10,7 @@ const tab = (name) => async (page) => {
 const confirm = async (page) => {
   if (!(await page.isVisible("#confirm-pose"))) return;
   await page.click("#confirm-pose");
-  await page.click("#sure-yes");
+  await page.click("#confirm-yes");
   await page.waitForSelector("#confirm-pose", { state: "detached" });
 };
 
@@ -24,7 +24,7 @@ export const VIEWS = {
   question: async (page) => {
     await page.click("#first-close");
     await page.click("#arm-laser, #confirm-pose");
-    await page.waitForSelector("#sure-yes");
+    await page.waitForSelector("#confirm-yes");
   },
   move: async (page) => {
     await page.click("#first-close");
@@ -85,7 +85,7 @@ export const VIEWS = {
     await page.click("#calibrate-next");
     // Anywhere: what the touches tell is a problem then, which is shown, too.
     for (let touch = 0; touch < 4; touch += 1) await page.click("#calibrate-touch");
-    await page.waitForSelector("#calibrate .told");
+    await page.waitForSelector("#calibrate .status");
   },
   paper: async (page) => {
     await tab("set_up")(page);

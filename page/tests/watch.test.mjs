@@ -25,7 +25,7 @@ test("the numbers of the link are those of the station", async () => {
 
 test("what happened stands there, the newest first, and can be searched", async () => {
   await page.waitForFunction(() => document.querySelector("#notices li")?.textContent.includes("has control"));
-  await page.fill("#sought", "CONFIRMED");
+  await page.fill("#filter", "CONFIRMED");
   await page.waitForFunction(() => document.querySelectorAll("#notices li").length === 1);
   assert.match(await page.textContent("#notices li"), /confirmed/);
 });

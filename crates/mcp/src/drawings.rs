@@ -238,13 +238,8 @@ fn bad(why: &dyn std::fmt::Display) -> Refused {
     Refused::new("bad-drawing", why.to_string())
 }
 
-<<<<<<< HEAD
-/// Gives a plan up when nobody waits for it any more.
-struct CancelOnDrop(CancelToken);
-=======
 /// Cancels a plan when its call ends.
 struct CancelOnDrop(CancelToken);
->>>>>>> fleet
 
 impl Drop for CancelOnDrop {
     fn drop(&mut self) {

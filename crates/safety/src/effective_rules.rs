@@ -157,7 +157,8 @@ impl<'a> EffectiveRules<'a> {
         a: &PathPoint,
         b: &PathPoint,
     ) -> Option<Broken> {
-        let Some(swept) = SweptPath::between(interpolation, &a.raw, &b.raw, self.tool, &self.arm) else {
+        let Some(swept) = SweptPath::between(interpolation, &a.raw, &b.raw, self.tool, &self.arm)
+        else {
             return Some(Broken::Unclear);
         };
         let outside = |effective: &&EffectiveLimit| {

@@ -63,7 +63,9 @@ impl<'a> PathCheck<'a> {
         depth: usize,
     ) -> Result<(), Box<Breach>> {
         let broken = match &to {
-            Ok(point) => self.rules.broken_between(path.interpolation(), &self.here, point),
+            Ok(point) => self
+                .rules
+                .broken_between(path.interpolation(), &self.here, point),
             Err(error) => Some(Broken::Unreachable(*error)),
         };
         let is_leaf = |point: &PathPoint| self.here.is_next_to(point) || depth == DEEPEST;

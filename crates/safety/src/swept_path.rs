@@ -32,7 +32,9 @@ impl SweptPath {
         arm: &Calibration,
     ) -> Option<Self> {
         let flat = match interpolation {
-            Interpolation::Joints => return Turns::evenly(&a.joints, &b.joints).swept_path(a, b, arm),
+            Interpolation::Joints => {
+                return Turns::evenly(&a.joints, &b.joints).swept_path(a, b, arm);
+            }
             Interpolation::Line => Flat::line(&a.pose, &b.pose)?,
             Interpolation::Around => Flat::around(a, b),
         };
@@ -217,7 +219,12 @@ impl Flat {
     }
 
     /// What follows for an arm as drawn, whose tool goes just so.
-    fn swept_path(&self, interpolation: Interpolation, turns: &Turns, arm: &Calibration) -> SweptPath {
+    fn swept_path(
+        &self,
+        interpolation: Interpolation,
+        turns: &Turns,
+        arm: &Calibration,
+    ) -> SweptPath {
         let degrees = f64::to_degrees;
         let tool_mm = if interpolation == Interpolation::Around {
             turned(FARTHEST_MM, self.way_mm, 0.0, self.base, 0.0)

@@ -20,13 +20,8 @@ pub(crate) struct FakeDriver {
 }
 
 impl FakeDriver {
-<<<<<<< HEAD
-    /// A driver, and the way to it; it keeps `kept` statuses for whoever is slow.
-    pub(crate) fn new(kept: usize) -> (StationHandle, Self) {
-=======
     /// Returns a driver and its handle; slow receivers can lag by `kept` statuses.
-    pub(crate) fn new(kept: usize) -> (Handle, Self) {
->>>>>>> fleet
+    pub(crate) fn new(kept: usize) -> (StationHandle, Self) {
         let rules = Rules::of(&dobot_safety::Policy::default());
         let (handle, ends) = StationHandle::with_packets(state(0.0), rules, kept);
         (handle, Self { ends, clients: 0 })

@@ -107,14 +107,9 @@ impl FoxglovePort {
     ///
     /// # Errors
     ///
-<<<<<<< HEAD
-    /// A line where the clock of this machine is before 1970 or a channel cannot be made: nothing is told then.
-    pub async fn serve(mut self, handle: &StationHandle) -> Result<(), String> {
-=======
     /// A message if the clock of this machine is before 1970 or a channel cannot be created; then
     /// nothing is published.
-    pub async fn serve(mut self, handle: &Handle) -> Result<(), String> {
->>>>>>> fleet
+    pub async fn serve(mut self, handle: &StationHandle) -> Result<(), String> {
         let mut teller = Teller::new(&self.context, &handle.state())?;
         let (mut passed, mut states, mut notices) =
             (handle.passed(), handle.states(), handle.notices());

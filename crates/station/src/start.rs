@@ -198,7 +198,7 @@ impl Station {
         &self.notes
     }
 
-    /// Ends the station: switches the laser off first, finishes the in-flight commands, then closes
+    /// DriverChannels the station: switches the laser off first, finishes the in-flight commands, then closes
     /// the journal and the recording.
     ///
     /// # Errors
@@ -261,24 +261,15 @@ fn serve_foxglove(port: FoxglovePort, host: &Host) -> SocketAddr {
     host.spawn(async move {
         if let Err(error) = port.serve(&handle).await {
             handle
-<<<<<<< HEAD
-                .report_trouble(format!("Foxglove is told nothing: {error}"))
-=======
-                .trouble(format!("Foxglove gets no data: {error}"))
->>>>>>> fleet
+                .report_trouble(format!("Foxglove gets no data: {error}"))
                 .await;
         }
     });
     address
 }
 
-<<<<<<< HEAD
-/// Lets those who watch know what goes wrong with an old program.
-fn tell(handle: &StationHandle, news: &ProgramNews) {
-=======
 /// Reports the problem of a legacy program to the observers.
-fn tell(handle: &Handle, news: &ProgramNews) {
->>>>>>> fleet
+fn tell(handle: &StationHandle, news: &ProgramNews) {
     if let Some(trouble) = news.trouble() {
         handle.try_report_trouble(trouble);
     }

@@ -2,23 +2,23 @@
 
 import { listenToDrops } from "../input/file_drop.js";
 import { listenToStop } from "../input/keys.js";
-import { isDarkTheme, readWishes } from "../parts/preferences.js";
-import { hold } from "../state/store_core.js";
+import { isDarkTheme, readPreferences } from "../parts/preferences.js";
+import { createStoreCore } from "../state/store_core.js";
 import { createHttp, takeToken } from "../station/http.js";
 import { render } from "../vendor/lit-html/lit-html.js";
-import { showQuestion } from "../views/confirm.js";
-import { languageOf, speak } from "../i18n/i18n.js";
+import { showDialog } from "../views/confirm.js";
+import { languageOf, translator } from "../i18n/i18n.js";
 import { details } from "./details.js";
 import { followFleet } from "./fleet_subscription.js";
 import { followLearners } from "./learner_polling.js";
-import { foot } from "./footer.js";
+import { footer } from "./footer.js";
 import { createPictures } from "./pictures.js";
 import { queue } from "./queue_list.js";
 import { createQueueRequests } from "./queue_requests.js";
 import { createRequests } from "./requests.js";
 import { slotsAside } from "./slot_form.js";
 import { begin, reduce } from "./state.js";
-import { banners, head, question, toasts } from "./header.js";
+import { banners, header, question, toasts } from "./header.js";
 import { tiles } from "./tiles.js";
 import { outcomeOf } from "./outcome.js";
 import { listenToWalk } from "./arrow_keys.js";
@@ -26,7 +26,7 @@ import { listenToWalk } from "./arrow_keys.js";
 /** @typedef {ReturnType<typeof createBoard>} Store */
 /** @typedef {import("./state.js").Board} Board */
 /** @typedef {import("./state.js").Message} Message */
-/** What a view of the board is made of. @typedef {{ board: Board, say: import("../i18n/i18n.js").Say, act: ReturnType<typeof createActions> }} Context */
+/** What a view of the board is made of. @typedef {{ board: Board, t: import("../i18n/i18n.js").Translate, act: ReturnType<typeof createActions> }} Context */
 
 /** Arms move all the time: their texts follow them so often, their pictures with each picture of the screen. */
 const TEXTS_MS = 150;
@@ -38,7 +38,7 @@ const FREQUENT = new Set(["members", "alive", "tick", "queue", "learners", "slot
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const dark = matchMedia("(prefers-color-scheme: dark)"), still = matchMedia("(prefers-reduced-motion: reduce)");
 
-const createBoard = () => hold(reduce, begin({ language: languageOf(navigator.languages), theme: "auto", ...readWishes() }));
+const createBoard = () => createStoreCore(reduce, begin({ language: languageOf(navigator.languages), theme: "auto", ...readPreferences() }));
 
 const store = createBoard();
 const http = createHttp();
@@ -62,7 +62,7 @@ function createActions() {
     /** @param {string} secret */
     useToken(secret) {
       http.useToken(secret);
-      store.send({ type: "told_closed", what: "denied" });
+      store.send({ type: "outcome_closed", what: "denied" });
       fleet.follow();
     },
   };
@@ -98,12 +98,12 @@ function changed(isFrequent) {
 function draw() {
   asked = 0;
   const { page: board } = store;
-  const say = speak(board.language);
+  const t = translator(board.language);
   document.documentElement.lang = board.language;
   document.documentElement.dataset.theme = isDarkTheme(board.theme, dark.matches) ? "dark" : "light";
-  /** @type {Context} */ const context = { board, say, act };
-  render(head(context), part("strip"));
-  part("banners").ariaLabel = say("fleet.banners");
+  /** @type {Context} */ const context = { board, t, act };
+  render(header(context), part("strip"));
+  part("banners").ariaLabel = t("fleet.banners");
   render(banners(context), part("banners"));
   render(tiles(context), part("tiles"));
   render(details(context), part("details"));
@@ -112,9 +112,9 @@ function draw() {
   part("queue").hidden = !board.queue.open;
   render(slotsAside(context), part("slots"));
   part("slots").hidden = !board.slots.open;
-  render(foot(context), part("foot"));
+  render(footer(context), part("foot"));
   render(toasts(context), part("toasts"));
-  showQuestion(/** @type {HTMLDialogElement} */ (part("sure")), question(context), board.question !== null);
+  showDialog(/** @type {HTMLDialogElement} */ (part("confirm")), question(context), board.question !== null);
   pictures.take(part("floor"));
   show();
 }
@@ -131,10 +131,10 @@ function show() {
 /** Takes the message away that says that all went well, unless somebody is at it. */
 function forget() {
   if (part("toasts").matches(":hover, :focus-within")) told = setTimeout(forget, TOLD_MS);
-  else store.send({ type: "told_closed", what: "asked" });
+  else store.send({ type: "outcome_closed", what: "asked" });
 }
 
-store.listen((board, message) => {
+store.subscribe((board, message) => {
   changed(FREQUENT.has(message.type));
   if (message.type === "members") show();
   if (message.type !== "answered" || board.asked?.number !== message.number) return;

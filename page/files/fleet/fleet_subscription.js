@@ -75,8 +75,8 @@ export function followFleet(store, http) {
   }
 
   setInterval(() => {
-    const { connection, heard_ms } = store.page;
-    if (connection === "open" && now_ms() - heard_ms < LOOK_MS) return;
+    const { connection, received_ms } = store.page;
+    if (connection === "open" && now_ms() - received_ms < LOOK_MS) return;
     send({ type: "tick", now_ms: now_ms() });
   }, LOOK_MS);
 

@@ -2,38 +2,38 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { sure } from "../views/confirm.js";
+import { confirmation } from "../views/confirm.js";
 import { tokenForm } from "../views/token.js";
-import { span } from "../i18n/i18n.js";
+import { formatDuration } from "../i18n/i18n.js";
 import { SORTS, count, giver, groups, isMeant, isThere, lockOf, nameOf, recipients } from "./members.js";
 import { counts } from "./queue.js";
-import { problemText, told, toneOfTold, toText } from "./outcome_text.js";
+import { problemText, outcomeText, outcomeTone, toText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
-/** @typedef {import("../i18n/i18n.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 
 /** From when on it is told how old all of this is. */
 const OLD_MS = 2000;
 const SORT_TONES = { running: "good", stopped: "bad", offline: "warn", locked: "warn", stuck: "warn" };
 
 /** @param {Context} context */
-export function head(context) {
-  const { board, say, act } = context;
+export function header(context) {
+  const { board, t, act } = context;
   const all = groups(board.members);
   return html`
-    <h1>${say("fleet")} <small>${board.name ? html`<a href="./" title=${say("fleet.page.own")}>${say("fleet.seen_by", { name: board.name })}</a>` : nothing}</small></h1>
-    <div id="count" role="group" aria-label=${say("fleet.sort")}>
-      <span class="chip" data-tone="off" role="status">${say("fleet.online", { there: board.members.filter(isThere).length, all: board.members.length })}</span>
+    <h1>${t("fleet")} <small>${board.name ? html`<a href="./" title=${t("fleet.page.own")}>${t("fleet.seen_by", { name: board.name })}</a>` : nothing}</small></h1>
+    <div id="count" role="group" aria-label=${t("fleet.sort")}>
+      <span class="chip" data-tone="off" role="status">${t("fleet.online", { there: board.members.filter(isThere).length, all: board.members.length })}</span>
       ${SORTS.map((sort) => chip(context, sort))}
     </div>
     <div class="sift">
-      <input id="sought" type="text" aria-label=${say("fleet.filter")} placeholder=${say("fleet.filter")} .value=${live(board.sought)} @input=${(/** @type {Event} */ event) => act.send({ type: "sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
+      <input id="filter" type="text" aria-label=${t("fleet.filter")} placeholder=${t("fleet.filter")} .value=${live(board.filter)} @input=${(/** @type {Event} */ event) => act.send({ type: "filter", text: /** @type {HTMLInputElement} */ (event.target).value })}>
       ${all.length ? html`
-        <select id="group" aria-label=${say("fleet.group")} @change=${(/** @type {Event} */ event) => act.send({ type: "group", group: /** @type {HTMLSelectElement} */ (event.target).value || null })}>
-          <option value="" .selected=${live(board.group === null)}>${say("fleet.groups.all")}</option>
+        <select id="group" aria-label=${t("fleet.group")} @change=${(/** @type {Event} */ event) => act.send({ type: "group", group: /** @type {HTMLSelectElement} */ (event.target).value || null })}>
+          <option value="" .selected=${live(board.group === null)}>${t("fleet.groups.all")}</option>
           ${all.map((it) => html`<option value=${it} .selected=${live(it === board.group)}>${it}</option>`)}
         </select>` : nothing}
-      <button id="lesson-open" type="button" class="small" aria-expanded=${String(board.lesson)} aria-controls="lesson" @click=${() => act.send({ type: "lesson", open: !board.lesson })}>${say("fleet.lesson")}</button>
+      <button id="lesson-open" type="button" class="small" aria-expanded=${String(board.lesson)} aria-controls="lesson" @click=${() => act.send({ type: "lesson", open: !board.lesson })}>${t("fleet.lesson")}</button>
       ${armButton(context)}
       ${queueButton(context)}
     </div>
@@ -42,19 +42,19 @@ export function head(context) {
 }
 
 /** Opens the queue; what is in doubt waits for a person, so that it is told here already. @param {Context} context */
-function queueButton({ board, say, act }) {
+function queueButton({ board, t, act }) {
   const { open } = board.queue, { open: number, doubt } = counts(board.queue.all);
-  return html`<button id="queue-open" type="button" class="small" data-tone=${doubt ? "warn" : "off"} aria-expanded=${String(open)} aria-controls="queue" @click=${() => act.send({ type: "queue_open", open: !open })}>${say(doubt ? "fleet.queue.open.doubt" : "fleet.queue.open", { number, doubt })}</button>`;
+  return html`<button id="queue-open" type="button" class="small" data-tone=${doubt ? "warn" : "off"} aria-expanded=${String(open)} aria-controls="queue" @click=${() => act.send({ type: "queue_open", open: !open })}>${t(doubt ? "fleet.queue.open.doubt" : "fleet.queue.open", { number, doubt })}</button>`;
 }
 
 /** Opens the form for those who have no arm, where a station gives virtual ones. @param {Context} context */
-function armButton({ board, say, act }) {
+function armButton({ board, t, act }) {
   if (!giver(board.members)) return nothing;
-  return html`<button id="arm-open" type="button" class="small" aria-expanded=${String(board.wanting)} aria-controls="arm" @click=${() => act.send({ type: "wanting", open: !board.wanting })}>${say("fleet.arm.open")}</button>`;
+  return html`<button id="arm-open" type="button" class="small" aria-expanded=${String(board.wanting)} aria-controls="arm" @click=${() => act.send({ type: "wanting", open: !board.wanting })}>${t("fleet.arm.open")}</button>`;
 }
 
 /** Who has no arm asks for a virtual one. @param {Context} context */
-function wanting({ board, say, act }) {
+function wanting({ board, t, act }) {
   const from = giver(board.members);
   if (!from || !board.wanting) return nothing;
   const ask = async (/** @type {SubmitEvent} */ event) => {
@@ -65,24 +65,24 @@ function wanting({ board, say, act }) {
   };
   return html`
     <form id="arm" @submit=${ask}>
-      <label for="arm-name">${say("fleet.arm.text", { giver: from.name })}</label>
-      <input id="arm-name" name="name" type="text" maxlength="40" autocomplete="off" autocapitalize="none" spellcheck="false" required placeholder=${say("fleet.arm.name")}>
-      <button id="arm-give" type="submit" class="small strong">${say("fleet.arm.create")}</button>
+      <label for="arm-name">${t("fleet.arm.text", { giver: from.name })}</label>
+      <input id="arm-name" name="name" type="text" maxlength="40" autocomplete="off" autocapitalize="none" spellcheck="false" required placeholder=${t("fleet.arm.name")}>
+      <button id="arm-give" type="submit" class="small strong">${t("fleet.arm.create")}</button>
     </form>`;
 }
 
 /** How many are of a sort; pressed, these are shown alone. @param {Context} context @param {import("./members.js").Sort} sort */
-function chip({ board, say, act }, sort) {
+function chip({ board, t, act }, sort) {
   const number = count(board.members, sort), pressed = board.sort === sort;
   if (!number && !pressed) return nothing;
-  return html`<button type="button" class="chip" data-sort=${sort} data-tone=${SORT_TONES[sort]} aria-pressed=${String(pressed)} @click=${() => act.send({ type: "sort", sort: pressed ? null : sort })}>${say(/** @type {Word} */ (`fleet.sort.${sort}`), { number })}</button>`;
+  return html`<button type="button" class="chip" data-sort=${sort} data-tone=${SORT_TONES[sort]} aria-pressed=${String(pressed)} @click=${() => act.send({ type: "sort", sort: pressed ? null : sort })}>${t(/** @type {TextKey} */ (`fleet.sort.${sort}`), { number })}</button>`;
 }
 
 /** Words to all, or to the group that is shown: a message, "eyes on me", and the pictures of what was drawn. @param {Context} context */
-function lesson({ board, say, act }) {
+function lesson({ board, t, act }) {
   const to = recipients(board.group);
   const meant = board.members.filter((it) => isThere(it) && isMeant(to, it));
-  const name = toText(say, to, board.language);
+  const name = toText(t, to, board.language);
   const text = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (/** @type {HTMLElement} */ (event.currentTarget).closest("form")?.elements.namedItem("text"));
   const write = async (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
@@ -90,43 +90,43 @@ function lesson({ board, say, act }) {
     const answers = await act.message(to, field.value.trim());
     if (answers.some(({ answer }) => answer.status < 300)) field.value = "";
   };
-  const lock = (/** @type {Event} */ event) => act.lock(to, text(event).value.trim() || say("fleet.eyes"));
+  const lock = (/** @type {Event} */ event) => act.lock(to, text(event).value.trim() || t("fleet.eyes"));
   return html`
     <form id="lesson" data-open=${String(board.lesson)} @submit=${write}>
-      <input id="lesson-text" name="text" type="text" maxlength="200" autocomplete="off" required aria-label=${say("fleet.message.to", { to: name })} placeholder=${say("fleet.message.to", { to: name })}>
-      <button id="send" type="submit" class="small">${say("fleet.message.send")}</button>
-      <button id="lock" type="button" class="small strong" title=${say("fleet.lock.hint")} @click=${lock}>${say("fleet.lock", { to: name })}</button>
-      ${meant.some(({ state }) => lockOf(state)) ? html`<button id="release" type="button" class="small" @click=${() => act.release(to)}>${say("fleet.release", { to: name })}</button>` : nothing}
-      <button id="slots-open" type="button" class="small" aria-expanded=${String(board.slots.open)} aria-controls="slots" @click=${() => act.send({ type: "slots_open", open: !board.slots.open })}>${say("fleet.slots.of", { to: name })}</button>
-      <button id="drawings" type="button" class="small" ?disabled=${!meant.some(({ about }) => about?.is_virtual)} title=${say("fleet.drawings.hint")} @click=${() => void act.saveDrawings(to)}>${say("fleet.drawings", { to: name })}</button>
+      <input id="lesson-text" name="text" type="text" maxlength="200" autocomplete="off" required aria-label=${t("fleet.message.to", { to: name })} placeholder=${t("fleet.message.to", { to: name })}>
+      <button id="send" type="submit" class="small">${t("fleet.message.send")}</button>
+      <button id="lock" type="button" class="small strong" title=${t("fleet.lock.hint")} @click=${lock}>${t("fleet.lock", { to: name })}</button>
+      ${meant.some(({ state }) => lockOf(state)) ? html`<button id="release" type="button" class="small" @click=${() => act.release(to)}>${t("fleet.release", { to: name })}</button>` : nothing}
+      <button id="slots-open" type="button" class="small" aria-expanded=${String(board.slots.open)} aria-controls="slots" @click=${() => act.send({ type: "slots_open", open: !board.slots.open })}>${t("fleet.slots.of", { to: name })}</button>
+      <button id="drawings" type="button" class="small" ?disabled=${!meant.some(({ about }) => about?.is_virtual)} title=${t("fleet.drawings.hint")} @click=${() => void act.saveDrawings(to)}>${t("fleet.drawings", { to: name })}</button>
     </form>`;
 }
 
 /** @param {Context} context */
 export function banners(context) {
-  const { board, say, act } = context;
+  const { board, t, act } = context;
   return html`
     ${lost(context)}
-    ${board.connection === "alone" ? html`<p id="alone" class="banner" data-tone="warn" role="status">${say("fleet.alone")}</p>` : nothing}
-    ${board.denied ? html`<div id="denied">${tokenForm(say, problemText(board.denied), act.useToken)}<button type="button" class="small" @click=${() => act.send({ type: "told_closed", what: "denied" })}>${say("close")}</button></div>` : nothing}`;
+    ${board.connection === "alone" ? html`<p id="alone" class="banner" data-tone="warn" role="status">${t("fleet.alone")}</p>` : nothing}
+    ${board.denied ? html`<div id="denied">${tokenForm(t, problemText(board.denied), act.useToken)}<button type="button" class="small" @click=${() => act.send({ type: "outcome_closed", what: "denied" })}>${t("close")}</button></div>` : nothing}`;
 }
 
 /** Nothing on a board may look as if it were now when it is not. @param {Context} context */
-function lost({ board: { connection, heard_ms, now_ms }, say }) {
-  const quiet_ms = now_ms - heard_ms;
+function lost({ board: { connection, received_ms, now_ms }, t }) {
+  const quiet_ms = now_ms - received_ms;
   const isLost = connection === "closed" || (connection === "open" && quiet_ms > OLD_MS);
   if (!isLost) return nothing;
-  const text = heard_ms ? say("fleet.lost", { age: span(say, quiet_ms / 1000) }) : say("fleet.lost.never");
+  const text = received_ms ? t("fleet.lost", { age: formatDuration(t, quiet_ms / 1000) }) : t("fleet.lost.never");
   return html`<p id="lost" class="banner" data-tone="bad" role="alert">${text}</p>`;
 }
 
 /** @param {Context} context */
 export function toasts(context) {
-  const { board: { asked }, say, act } = context;
+  const { board: { asked }, t, act } = context;
   if (!asked) return nothing;
-  const close = html`<button id="told-close" type="button" class="small" aria-label=${say("close.message")} @click=${() => act.send({ type: "told_closed", what: "asked" })}>${say("close")}</button>`;
-  return html`<section id="told" class="banner" data-tone=${toneOfTold(context, asked)} role="status"><p>${told(context, asked)}</p>${close}</section>`;
+  const close = html`<button id="outcome-close" type="button" class="small" aria-label=${t("close.message")} @click=${() => act.send({ type: "outcome_closed", what: "asked" })}>${t("close")}</button>`;
+  return html`<section id="outcome" class="banner" data-tone=${outcomeTone(context, asked)} role="status"><p>${outcomeText(context, asked)}</p>${close}</section>`;
 }
 
 /** @param {Context} context */
-export const question = ({ board, say, act }) => (board.question ? sure(say, board.question, act.answer) : nothing);
+export const question = ({ board, t, act }) => (board.question ? confirmation(t, board.question, act.answer) : nothing);

@@ -26,7 +26,7 @@ export function followLearners(store, http) {
     timer = setTimeout(() => void read(), AGAIN_MS);
   }
 
-  store.listen((_, { type }) => {
+  store.subscribe((_, { type }) => {
     if (type === "fleet") void read();
   });
 }

@@ -2,11 +2,11 @@
 
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {import("../state/types.js").Station} Station */
-/** @typedef {import("../i18n/i18n.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 /** A student in a lesson. @typedef {Schemas["LearnerView"]} Learner */
 /** A station of the fleet, with what it told last, and the students of whom it was told. @typedef {Omit<Schemas["Member"], "state" | "about"> & { state: Station | null, about: Schemas["MemberAbout"] | null, learners?: readonly Learner[] }} Member */
 /** @typedef {"bad" | "warn" | "good" | "off"} Tone */
-/** Something that a person has to know of an arm. @typedef {{ word: Word, tone: Tone, values?: Record<string, string> }} Alarm */
+/** Something that a person has to know of an arm. @typedef {{ word: TextKey, tone: Tone, values?: Record<string, string> }} Alarm */
 /** @typedef {{ group: string | null, members: Member[] }} Section */
 
 /** By name as a person counts: desk-2 comes before desk-10; two of one name by their numbers. @param {readonly Member[]} members */
@@ -34,10 +34,10 @@ export function pageIn(page) {
 /**
  * The tiles that are shown, in sections: each station stands in the first of its groups, and those without one come last.
  * Where one group is chosen, all stand in it that belong to it.
- * @param {readonly Member[]} members @param {{ sought: string, group: string | null, sort: Sort | null }} sift @returns {Section[]}
+ * @param {readonly Member[]} members @param {{ filter: string, group: string | null, sort: Sort | null }} sift @returns {Section[]}
  */
-export function sections(members, { sought, group, sort }) {
-  const words = sought.toLowerCase().split(/\s+/).filter(Boolean);
+export function sections(members, { filter, group, sort }) {
+  const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
   const shown = members.filter((it) => (group === null || groupsOf(it).includes(group)) && (sort === null || IS[sort](it)) && words.every((word) => textOf(it).includes(word)));
   if (group !== null) return [{ group, members: shown }];
   const named = groups(members).map((name) => ({ group: name, members: shown.filter((it) => groupsOf(it)[0] === name) }));

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { alarms, count, groups, isMeant, order, pageOf, sections, toneOf } from "./members.js";
 import { member } from "./sample.test.js";
 
-const ALL = { sought: "", group: null, sort: null };
+const ALL = { filter: "", group: null, sort: null };
 const names = (members) => members.map(({ name }) => name);
 
 test("tiles stand by name as a person counts, and two of one name by their numbers", () => {
@@ -15,18 +15,18 @@ test("tiles stand by name as a person counts, and two of one name by their numbe
 
 test("each station stands once, in the first of its groups, and those without one come last", () => {
   const all = [member("a", { groups: ["room-2", "pens"] }), member("b"), member("c", { groups: ["room-10"] })];
-  assert.deepEqual(sections(all, { ...ALL, sought: "", group: null }).map(({ group, members }) => [group, names(members)]), [["room-2", ["a"]], ["room-10", ["c"]], [null, ["b"]]]);
+  assert.deepEqual(sections(all, { ...ALL, filter: "", group: null }).map(({ group, members }) => [group, names(members)]), [["room-2", ["a"]], ["room-10", ["c"]], [null, ["b"]]]);
   assert.deepEqual(groups(all), ["pens", "room-2", "room-10"]);
 });
 
 test("a group that is chosen shows all that belong to it", () => {
   const all = [member("a", { groups: ["room-2", "pens"] }), member("b", { groups: ["room-1"] })];
-  assert.deepEqual(sections(all, { ...ALL, sought: "", group: "pens" }).map(({ group, members }) => [group, names(members)]), [["pens", ["a"]]]);
+  assert.deepEqual(sections(all, { ...ALL, filter: "", group: "pens" }).map(({ group, members }) => [group, names(members)]), [["pens", ["a"]]]);
 });
 
 test("a text finds stations by name, group, job and who has control, each word of it", () => {
   const all = [member("desk-1", { groups: ["room-1"], job: { title: "Harbour.svg", phase: "running" } }), member("desk-2", { groups: ["room-1"], lease: { name: "Anna" } })];
-  const found = (text) => sections(all, { ...ALL, sought: text, group: null }).flatMap(({ members }) => names(members));
+  const found = (text) => sections(all, { ...ALL, filter: text, group: null }).flatMap(({ members }) => names(members));
   assert.deepEqual([found("harbour"), found("anna"), found("ROOM-1"), found("room-1 anna"), found("nobody")], [["desk-1"], ["desk-2"], ["desk-1", "desk-2"], ["desk-2"], []]);
 });
 
@@ -53,7 +53,7 @@ test("a student who is at one step for three minutes is stuck, and the tile says
   const all = [{ ...member("a"), learners: [learner] }, { ...member("b"), learners: [{ ...learner, for_s: 179 }] }, { ...member("c"), learners: [{ ...learner, done: 12 }] }, member("d")];
   assert.deepEqual(all.map((it) => alarms(it).map(({ word }) => word)), [["fleet.stuck"], [], [], []]);
   assert.equal(count(all, "stuck"), 1);
-  assert.deepEqual(sections(all, { ...ALL, sought: "anna" }).flatMap(({ members }) => names(members)), ["a", "b", "c"]);
+  assert.deepEqual(sections(all, { ...ALL, filter: "anna" }).flatMap(({ members }) => names(members)), ["a", "b", "c"]);
 });
 
 test("of a station that is away nothing else is told: it may be otherwise by now", () => {

@@ -8,19 +8,19 @@ import { list, outcomeOf, problemOf } from "./outcome.js";
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./state.js").Asked} Asked */
 /** @typedef {import("../state/types.js").Problem} Problem */
-/** @typedef {import("../i18n/i18n.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 
 /** A problem as a person reads it. @param {Problem} problem */
 export const problemText = ({ detail, hint }) => `${sentence(detail)}.${hint ? ` ${sentence(hint)}.` : ""}`;
 
-/** Whom it was for. @param {Context["say"]} say @param {import("./state.js").Recipients} to @param {string} language */
-export function toText(say, to, language) {
-  if (to === "all") return say("fleet.to.all");
+/** Whom it was for. @param {Context["t"]} t @param {import("./state.js").Recipients} to @param {string} language */
+export function toText(t, to, language) {
+  if (to === "all") return t("fleet.to.all");
   return "group" in to ? to.group : list(language, to.members);
 }
 
 /** @param {Context} context @param {Asked} asked @returns {"good" | "warn" | "bad"} */
-export function toneOfTold(context, { answers, problem }) {
+export function outcomeTone(context, { answers, problem }) {
   if (problem) return "bad";
   if (!answers) return "warn";
   const { silent, refused } = outcomeOf(answers);
@@ -28,29 +28,29 @@ export function toneOfTold(context, { answers, problem }) {
 }
 
 /** @param {Context} context @param {Asked} asked */
-export function told(context, asked) {
-  const { board: { language }, say } = context;
+export function outcomeText(context, asked) {
+  const { board: { language }, t } = context;
   const { what, to, answers, problem } = asked;
-  if (problem) return html`<strong>${say(`fleet.failed.${what}`)}</strong> ${problemText(problem)} ${what === "stop" ? pages(context, context.board.members.map(({ name }) => name)) : nothing}`;
-  if (!answers) return html`${say(`fleet.pending.${what}`, { to: toText(say, to, language) })}`;
+  if (problem) return html`<strong>${t(`fleet.failed.${what}`)}</strong> ${problemText(problem)} ${what === "stop" ? pages(context, context.board.members.map(({ name }) => name)) : nothing}`;
+  if (!answers) return html`${t(`fleet.pending.${what}`, { to: toText(t, to, language) })}`;
   const { done, silent, refused } = outcomeOf(answers);
   const all = answers.length;
   return html`
-    ${what === "give_arm" ? given(context, answers) : html`<strong>${say(`fleet.done.${what}`, { done: done.length, all })}</strong>`}
-    ${silent.length ? html`<span class="silent">${say(what === "stop" ? "fleet.silent.stop" : "fleet.silent", { names: list(language, silent) })} ${what === "stop" ? pages(context, silent) : nothing}</span>` : nothing}
+    ${what === "give_arm" ? given(context, answers) : html`<strong>${t(`fleet.done.${what}`, { done: done.length, all })}</strong>`}
+    ${silent.length ? html`<span class="silent">${t(what === "stop" ? "fleet.silent.stop" : "fleet.silent", { names: list(language, silent) })} ${what === "stop" ? pages(context, silent) : nothing}</span>` : nothing}
     ${refused.map((it) => html`<span class="refused">${list(language, it.members)}: ${problemText(it.problem)}</span>`)}`;
 }
 
 /** The virtual arm that was given, with the way to its page. @param {Context} context @param {readonly import("./state.js").MemberAnswer[]} answers */
-function given({ say }, answers) {
+function given({ t }, answers) {
   const arms = answers.filter(({ answer }) => !problemOf(answer)).map(({ answer }) => /** @type {import("../state/types.js").Schemas["GivenArm"]} */ (answer.body));
-  if (!arms.length) return html`<strong>${say("fleet.failed.give_arm")}</strong>`;
-  return arms.map(({ name, page }) => html`<strong>${say("fleet.arm.ready", { name })}</strong> <a id="arm-page" href=${pageIn(page) ?? ""} target="_blank" rel="noreferrer">${say("fleet.page.of", { name })}</a>`);
+  if (!arms.length) return html`<strong>${t("fleet.failed.give_arm")}</strong>`;
+  return arms.map(({ name, page }) => html`<strong>${t("fleet.arm.ready", { name })}</strong> <a id="arm-page" href=${pageIn(page) ?? ""} target="_blank" rel="noreferrer">${t("fleet.page.of", { name })}</a>`);
 }
 
 /** The own pages of these stations, as far as they have told them. @param {Context} context @param {readonly string[]} names */
-function pages({ board, say }, names) {
+function pages({ board, t }, names) {
   const known = board.members.filter((it) => names.includes(it.name) && !it.here && pageOf(it));
   if (!known.length) return nothing;
-  return html`<span class="pages">${known.map((it) => html`<a href=${pageOf(it)} target="_blank" rel="noreferrer">${say("fleet.page.of", { name: it.name })}</a> `)}</span>`;
+  return html`<span class="pages">${known.map((it) => html`<a href=${pageOf(it)} target="_blank" rel="noreferrer">${t("fleet.page.of", { name: it.name })}</a> `)}</span>`;
 }

@@ -2,7 +2,7 @@
 // of them. What is drawn is calculated by pure functions.
 
 import { links, rad } from "../stage/kinematics.js";
-import { css, lookOf } from "../stage/colors.js";
+import { css, colorsOf } from "../stage/colors.js";
 
 /** @typedef {import("../stage/view.js").Joints} Joints */
 /** @typedef {import("../stage/view.js").Point} Point */
@@ -70,7 +70,7 @@ function groundOf(facts) {
 export function paint(pen, { facts, joints, dark, old, laser, size }) {
   /** The ground below a point. @param {Point} point @returns {Point} */
   const below = ([x, y]) => [x, y, -facts.dimensions.pivot_above_table_mm];
-  const look = lookOf(dark), at = placer(size), thick = Math.max(3, size.height / 17);
+  const look = colorsOf(dark), at = placer(size), thick = Math.max(3, size.height / 17);
   /** @param {readonly Point[]} points @param {number} color @param {number} wide @param {number} [alpha] */
   const line = (points, color, wide, alpha = 1) => {
     path(points);

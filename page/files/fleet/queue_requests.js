@@ -37,7 +37,7 @@ export function createQueueRequests(store, http) {
     if (formats) send({ type: "queue_formats", formats });
   }
 
-  store.listen((_, { type }) => {
+  store.subscribe((_, { type }) => {
     if (type === "queue_form") key = newKey();
     if (type === "fleet" || type === "queue_open") void read();
     if (type === "queue_open") void readFormats();

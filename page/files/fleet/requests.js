@@ -75,7 +75,7 @@ export function createRequests(store, http) {
     return value ?? [{ member: name, id, answer: { status: problem?.status ?? 503, body: problem ?? null }, took_ms: 0 }];
   }
 
-  store.listen((_, { type }) => {
+  store.subscribe((_, { type }) => {
     if (type === "chosen") void readJobs();
     if (type === "chosen" || type === "slots_open" || type === "group") void readSlots();
   });

@@ -24,9 +24,9 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * @property {string} name What the station of this board is called; empty until that is known.
  * @property {readonly Member[]} members In the order in which they are shown.
  * @property {import("../state/types.js").Facts | null} facts What the station of this board serves of its arm: all arms are drawn so.
- * @property {number} heard_ms When something came last, by the clock of this page.
+ * @property {number} received_ms When something came last, by the clock of this page.
  * @property {number} now_ms
- * @property {string} sought What a tile has to contain to be shown.
+ * @property {string} filter What a tile has to contain to be shown.
  * @property {string | null} group The group that is shown alone.
  * @property {import("./members.js").Sort | null} sort The only sort that is shown.
  * @property {string | null} current The station whose tile the tab key leads to, by its number.
@@ -54,7 +54,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * | { type: "closed", problem: Problem | null }
  * | { type: "alone" }
  * | { type: "tick", now_ms: number }
- * | { type: "sought", text: string }
+ * | { type: "filter", text: string }
  * | { type: "group", group: string | null }
  * | { type: "sort", sort: import("./members.js").Sort | null }
  * | { type: "current", id: string }
@@ -64,7 +64,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * | { type: "slots", lists: Board["slots"]["lists"] }
  * | { type: "asked", asked: Asked }
  * | { type: "answered", number: number, answers: readonly MemberAnswer[] | null, problem: Problem | null }
- * | { type: "told_closed", what: "stop" | "asked" | "denied" }
+ * | { type: "outcome_closed", what: "stop" | "asked" | "denied" }
  * | { type: "lesson", open: boolean }
  * | { type: "wanting", open: boolean }
  * | { type: "question", question: Question | null }
@@ -77,9 +77,9 @@ export const begin = ({ language, theme }) => ({
   name: "",
   members: [],
   facts: null,
-  heard_ms: 0,
+  received_ms: 0,
   now_ms: 0,
-  sought: "",
+  filter: "",
   group: null,
   sort: null,
   current: null,
@@ -101,11 +101,11 @@ export const begin = ({ language, theme }) => ({
 export function reduce(board, message) {
   switch (message.type) {
     case "fleet":
-      return { ...board, connection: "open", name: message.name, members: order(withLearners(board.members, message.members)), heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...board, connection: "open", name: message.name, members: order(withLearners(board.members, message.members)), received_ms: message.now_ms, now_ms: message.now_ms };
     case "members":
-      return { ...board, chosen: message.gone.includes(board.chosen ?? "") ? null : board.chosen, members: withNews(without(board.members, message.gone), withLearners(board.members, message.members)), heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...board, chosen: message.gone.includes(board.chosen ?? "") ? null : board.chosen, members: withNews(without(board.members, message.gone), withLearners(board.members, message.members)), received_ms: message.now_ms, now_ms: message.now_ms };
     case "alive":
-      return { ...board, heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...board, received_ms: message.now_ms, now_ms: message.now_ms };
     case "learners":
       return { ...board, members: board.members.map((it) => ({ ...it, learners: learnersOf(message.answers, it) })) };
     case "facts":
@@ -118,8 +118,8 @@ export function reduce(board, message) {
       return { ...board, connection: "alone", members: [] };
     case "tick":
       return { ...board, now_ms: message.now_ms };
-    case "sought":
-      return { ...board, sought: message.text };
+    case "filter":
+      return { ...board, filter: message.text };
     case "group":
       return { ...board, group: message.group };
     case "sort":
@@ -135,7 +135,7 @@ export function reduce(board, message) {
       return { ...board, ...(message.asked.what === "reset" && { stop: null }), [placeOf(message.asked.what)]: message.asked, question: null };
     case "answered":
       return answered(board, message);
-    case "told_closed":
+    case "outcome_closed":
       return { ...board, [message.what]: null };
     case "lesson":
       return { ...board, lesson: message.open };

@@ -16,7 +16,7 @@ const checked = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ 
 
 /** @param {Context} context */
 export function submission(context) {
-  const { board: { queue }, say, act } = context;
+  const { board: { queue }, t, act } = context;
   const { form, submitting, submitted, refused } = queue;
   const send = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
@@ -24,17 +24,17 @@ export function submission(context) {
   };
   return html`
     <form id="submit" aria-labelledby="submit-title" @submit=${send}>
-      <h3 id="submit-title">${say("fleet.submit")}</h3>
+      <h3 id="submit-title">${t("fleet.submit")}</h3>
       ${subject(context)}
       <div class="fields">${whose(context)}</div>
       ${needs(context)}
       <div class="fields">
-        <label><span>${say("draw.down")} <small>mm</small></span><input id="submit-down" type="text" inputmode="decimal" autocomplete="off" placeholder=${say("fleet.submit.down")} aria-invalid=${String(isWrongHeight(form))} .value=${live(form.down)} @input=${(/** @type {Event} */ event) => set(context, { down: value(event) })}></label>
-        <label class="check"><input id="submit-fit" type="checkbox" .checked=${live(form.fit)} @change=${(/** @type {Event} */ event) => set(context, { fit: checked(event) })}> <span>${say("draw.fit")}</span></label>
+        <label><span>${t("draw.down")} <small>mm</small></span><input id="submit-down" type="text" inputmode="decimal" autocomplete="off" placeholder=${t("fleet.submit.down")} aria-invalid=${String(isWrongHeight(form))} .value=${live(form.down)} @input=${(/** @type {Event} */ event) => set(context, { down: value(event) })}></label>
+        <label class="check"><input id="submit-fit" type="checkbox" .checked=${live(form.fit)} @change=${(/** @type {Event} */ event) => set(context, { fit: checked(event) })}> <span>${t("draw.fit")}</span></label>
       </div>
-      <div class="row"><button id="submit-send" type="submit" class="small strong" ?disabled=${!canSubmit(form) || submitting}>${say("fleet.submit.send")}</button>
-        ${submitted === null ? nothing : html`<span id="submitted" role="status">${say("fleet.submit.done", { title: submitted })}</span>`}</div>
-      ${refused?.work === null ? html`<p class="told-of" data-tone="bad" role="alert">${problemText(refused.problem)}</p>` : nothing}
+      <div class="row"><button id="submit-send" type="submit" class="small strong" ?disabled=${!canSubmit(form) || submitting}>${t("fleet.submit.send")}</button>
+        ${submitted === null ? nothing : html`<span id="submitted" role="status">${t("fleet.submit.done", { title: submitted })}</span>`}</div>
+      ${refused?.work === null ? html`<p class="status-of" data-tone="bad" role="alert">${problemText(refused.problem)}</p>` : nothing}
     </form>`;
 }
 
@@ -43,7 +43,7 @@ const set = ({ act }, form) => act.send({ type: "queue_form", form });
 
 /** @param {Context} context */
 function subject(context) {
-  const { board: { queue: { form, formats } }, say } = context;
+  const { board: { queue: { form, formats } }, t } = context;
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) set(context, { file: input.files[0] });
@@ -52,30 +52,30 @@ function subject(context) {
   };
   return html`
     <fieldset class="segments">
-      <legend>${say("draw.what")}</legend>
-      ${/** @type {const} */ (["file", "text"]).map((it) => html`<label><input type="radio" name="submit-what" value=${it} .checked=${live(it === form.what)} @change=${() => set(context, { what: it })}><span>${say(`draw.${it}`)}</span></label>`)}
+      <legend>${t("draw.what")}</legend>
+      ${/** @type {const} */ (["file", "text"]).map((it) => html`<label><input type="radio" name="submit-what" value=${it} .checked=${live(it === form.what)} @change=${() => set(context, { what: it })}><span>${t(`draw.${it}`)}</span></label>`)}
     </fieldset>
-    ${form.what === "text" ? html`<textarea id="submit-text" rows="2" aria-label=${say("draw.text")} .value=${live(form.text)} @input=${(/** @type {Event} */ event) => set(context, { text: value(event) })}></textarea>` : html`
+    ${form.what === "text" ? html`<textarea id="submit-text" rows="2" aria-label=${t("draw.text")} .value=${live(form.text)} @input=${(/** @type {Event} */ event) => set(context, { text: value(event) })}></textarea>` : html`
       <div class="drop">
-        <p>${form.file ? html`<strong id="submit-name">${form.file.name}</strong>` : say("fleet.submit.drop")}</p>
-        <input id="submit-file" type="file" accept=${accepted(formats)} aria-label=${say("draw.choose")} @change=${chosen}>
-        <label for="submit-file" class="button">${say(form.file ? "draw.another" : "draw.choose")}</label>
+        <p>${form.file ? html`<strong id="submit-name">${form.file.name}</strong>` : t("fleet.submit.drop")}</p>
+        <input id="submit-file" type="file" accept=${accepted(formats)} aria-label=${t("draw.choose")} @change=${chosen}>
+        <label for="submit-file" class="button">${t(form.file ? "draw.another" : "draw.choose")}</label>
       </div>`}`;
 }
 
 /** @param {Context} context */
 function whose(context) {
-  const { board, say } = context;
+  const { board, t } = context;
   const { form } = board.queue;
   return html`
-    <label><span>${say("fleet.submit.student")}</span><input id="submit-student" type="text" maxlength="60" required autocomplete="off" .value=${live(form.student)} @input=${(/** @type {Event} */ event) => set(context, { student: value(event) })}></label>
-    <label><span>${say("fleet.group")}</span><input id="submit-group" type="text" maxlength="40" list="submit-groups" autocomplete="off" placeholder="room-2" .value=${live(form.group)} @input=${(/** @type {Event} */ event) => set(context, { group: value(event) })}></label>
+    <label><span>${t("fleet.submit.student")}</span><input id="submit-student" type="text" maxlength="60" required autocomplete="off" .value=${live(form.student)} @input=${(/** @type {Event} */ event) => set(context, { student: value(event) })}></label>
+    <label><span>${t("fleet.group")}</span><input id="submit-group" type="text" maxlength="40" list="submit-groups" autocomplete="off" placeholder="room-2" .value=${live(form.group)} @input=${(/** @type {Event} */ event) => set(context, { group: value(event) })}></label>
     <datalist id="submit-groups">${groups(board.members).map((it) => html`<option value=${it}></option>`)}</datalist>`;
 }
 
 /** What an arm has to have, of what there is; and which arms have all of it. @param {Context} context */
 function needs(context) {
-  const { board, say } = context;
+  const { board, t } = context;
   const { needs } = board.queue.form;
   const found = arms(board.members, needs).map(({ name }) => name);
   const toggled = (/** @type {string} */ word, /** @type {boolean} */ on) => set(context, { needs: on ? [...needs, word] : needs.filter((it) => it !== word) });
@@ -83,8 +83,8 @@ function needs(context) {
   return html`
     ${all.length ? html`
       <fieldset id="submit-needs" class="needs">
-        <legend>${say("fleet.submit.needs")}</legend>
+        <legend>${t("fleet.submit.needs")}</legend>
         ${all.map((word) => html`<label class="check"><input type="checkbox" value=${word} .checked=${live(needs.includes(word))} @change=${(/** @type {Event} */ event) => toggled(word, checked(event))}> ${word}</label>`)}
       </fieldset>` : nothing}
-    <p id="submit-arms" class="quiet">${found.length ? say("fleet.submit.arms", { names: list(board.language, found) }) : say("fleet.submit.no_arm")}</p>`;
+    <p id="submit-arms" class="quiet">${found.length ? t("fleet.submit.arms", { names: list(board.language, found) }) : t("fleet.submit.no_arm")}</p>`;
 }

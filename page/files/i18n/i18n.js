@@ -4,18 +4,18 @@
 import { en } from "./en.js";
 import { zh } from "./zh.js";
 
-/** @typedef {keyof typeof en} Word */
+/** @typedef {keyof typeof en} TextKey */
 /** @typedef {keyof typeof LANGUAGES} Language */
-/** Says a text; `{name}` in it is replaced by the value of that name. @typedef {(word: Word, values?: Record<string, string | number>) => string} Say */
+/** Says a text; `{name}` in it is replaced by the value of that name. @typedef {(word: TextKey, values?: Record<string, string | number>) => string} Translate */
 
 /** The languages, as they call themselves. */
 export const LANGUAGES = { en: "English", zh: "中文" };
 
-/** @type {Record<Language, Record<Word, string>>} */
-export const WORDS = { en, zh };
+/** @type {Record<Language, Record<TextKey, string>>} */
+export const TEXTS = { en, zh };
 
-/** @param {Language} language @returns {Say} */
-export const speak = (language) => (word, values = {}) => WORDS[language][word].replace(/\{(\w+)\}/g, (all, name) => String(values[name] ?? all));
+/** @param {Language} language @returns {Translate} */
+export const translator = (language) => (word, values = {}) => TEXTS[language][word].replace(/\{(\w+)\}/g, (all, name) => String(values[name] ?? all));
 
 /** The language that a browser asks for, of those that there are. @param {readonly string[]} wanted @returns {Language} */
 export function languageOf(wanted) {
@@ -26,13 +26,13 @@ export function languageOf(wanted) {
   return "en";
 }
 
-/** A time in words. @param {Say} say @param {number} seconds */
-export function span(say, seconds) {
+/** A time in words. @param {Translate} t @param {number} seconds */
+export function formatDuration(t, seconds) {
   const whole = Math.max(0, Math.round(seconds));
   const [minutes, rest] = [Math.floor(whole / 60), whole % 60];
-  if (whole < 60) return say("time.s", { s: whole });
-  return minutes < 60 ? say("time.min", { min: minutes, s: String(rest).padStart(2, "0") }) : say("time.h", { h: Math.floor(minutes / 60), min: String(minutes % 60).padStart(2, "0") });
+  if (whole < 60) return t("time.s", { s: whole });
+  return minutes < 60 ? t("time.min", { min: minutes, s: String(rest).padStart(2, "0") }) : t("time.h", { h: Math.floor(minutes / 60), min: String(minutes % 60).padStart(2, "0") });
 }
 
 /** A time as on a clock: 9:41. @param {number} seconds */
-export const clock = (seconds) => `${Math.floor(Math.max(0, seconds) / 60)}:${String(Math.floor(Math.max(0, seconds) % 60)).padStart(2, "0")}`;
+export const formatClock = (seconds) => `${Math.floor(Math.max(0, seconds) / 60)}:${String(Math.floor(Math.max(0, seconds) % 60)).padStart(2, "0")}`;

@@ -4,7 +4,7 @@ import { test } from "node:test";
 
 import { LESSONS } from "../state/learn.js";
 import { parse } from "../vendor/smol-toml/index.js";
-import { WORDS, clock, languageOf, span, speak } from "./i18n.js";
+import { TEXTS, formatClock, languageOf, formatDuration, translator } from "./i18n.js";
 
 const ROOT = new URL("../", import.meta.url);
 
@@ -17,9 +17,9 @@ async function modules() {
 
 test("each language has every text, with the same values in it", () => {
   const values = (text) => [...text.matchAll(/\{\w+\}/g)].map(String).sort();
-  for (const [language, words] of Object.entries(WORDS)) {
-    assert.deepEqual(Object.keys(words).sort(), Object.keys(WORDS.en).sort(), language);
-    for (const [word, text] of Object.entries(words)) assert.deepEqual(values(text), values(WORDS.en[word]), `${language} ${word}`);
+  for (const [language, words] of Object.entries(TEXTS)) {
+    assert.deepEqual(Object.keys(words).sort(), Object.keys(TEXTS.en).sort(), language);
+    for (const [word, text] of Object.entries(words)) assert.deepEqual(values(text), values(TEXTS.en[word]), `${language} ${word}`);
   }
 });
 
@@ -27,7 +27,7 @@ test("every text is used", async () => {
   const source = await modules();
   // `link.${phase}` uses all that begin so.
   const families = [...source.matchAll(/`([a-z_.]+)\$\{/g)].map((it) => it[1]);
-  const unused = Object.keys(WORDS.en).filter((word) => !source.includes(`"${word}"`) && !families.some((it) => word.startsWith(it)));
+  const unused = Object.keys(TEXTS.en).filter((word) => !source.includes(`"${word}"`) && !families.some((it) => word.startsWith(it)));
   assert.deepEqual(unused, []);
 });
 
@@ -36,15 +36,15 @@ test("lessons name the controls as the page does", async () => {
     const { steps } = parse(await readFile(new URL(`lessons/${lesson}.toml`, ROOT), "utf8"));
     for (const { text } of steps) {
       for (const [, label] of text.zh.matchAll(/“([^”]+)”/g)) {
-        const keys = Object.keys(WORDS.zh).filter((key) => WORDS.zh[key].replace(/…$/, "") === label);
-        assert.ok(keys.some((key) => text.en.includes(WORDS.en[key].replace(/…$/, ""))), `${lesson}: ${label}`);
+        const keys = Object.keys(TEXTS.zh).filter((key) => TEXTS.zh[key].replace(/…$/, "") === label);
+        assert.ok(keys.some((key) => text.en.includes(TEXTS.en[key].replace(/…$/, ""))), `${lesson}: ${label}`);
       }
     }
   }
 });
 
 test("values stand where the text names them", () => {
-  assert.equal(speak("en")("control.others", { name: "desk 3" }), "desk 3 has control.");
+  assert.equal(translator("en")("control.others", { name: "desk 3" }), "desk 3 has control.");
 });
 
 test("a browser gets the first of its languages that there is, or English", () => {
@@ -53,7 +53,7 @@ test("a browser gets the first of its languages that there is, or English", () =
 });
 
 test("times are said as a person says them", () => {
-  const say = speak("en");
-  assert.deepEqual([span(say, 41.4), span(say, 62), span(say, 3720)], ["41 s", "1 min 02 s", "1 h 02 min"]);
-  assert.equal(clock(581), "9:41");
+  const t = translator("en");
+  assert.deepEqual([formatDuration(t, 41.4), formatDuration(t, 62), formatDuration(t, 3720)], ["41 s", "1 min 02 s", "1 h 02 min"]);
+  assert.equal(formatClock(581), "9:41");
 });

@@ -1,6 +1,6 @@
 // 中文。
 
-/** @type {Record<import("./i18n.js").Word, string>} */
+/** @type {Record<import("./i18n.js").TextKey, string>} */
 export const zh = {
   "time.s": "{s} 秒",
   "time.min": "{min} 分 {s} 秒",

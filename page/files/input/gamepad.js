@@ -16,7 +16,7 @@ const STICKS = /** @type {const} */ ([
 ]);
 
 /**
- * What the sticks say: the one that is furthest out, and how far, from 0 to 1.
+ * What the sticks t: the one that is furthest out, and how far, from 0 to 1.
  * @param {readonly number[]} axes @returns {{ axis: Axis, share: number } | null}
  */
 export function pushed(axes) {
@@ -32,7 +32,7 @@ export function pushed(axes) {
 /**
  * @param {object} outside
  * @param {() => void} outside.stop
- * @param {import("./jog.js").JogHands} outside.jog
+ * @param {import("./jog.js").JogInput} outside.jog
  * @param {() => number} outside.speed_percent
  * @param {() => void} outside.linear sets the buttons to the tip in straight lines
  */
@@ -43,14 +43,14 @@ export function listenToGamepad({ stop, jog, speed_percent, linear }) {
     const pad = navigator.getGamepads().find((it) => it?.connected);
     if (!pad) {
       frame = 0;
-      return jog.letGoOf("gamepad");
+      return jog.releaseBy("gamepad");
     }
     frame = requestAnimationFrame(look);
     const stops = STOPS.some((button) => pad.buttons[button]?.pressed);
     if (stops && !stopped) stop();
     stopped = stops;
     const push = pad.buttons[ENABLES]?.pressed && !stops ? pushed(pad.axes) : null;
-    if (!push) return jog.letGoOf("gamepad");
+    if (!push) return jog.releaseBy("gamepad");
     share = push.share;
     linear();
     jog.hold("gamepad", push.axis, () => Math.max(1, Math.round(share * speed_percent())));

@@ -5,26 +5,26 @@
 /** @typedef {import("../state/jog.js").Axis} Axis */
 /** @typedef {import("../state/jog.js").Frame} Frame */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
-/** @typedef {ReturnType<typeof createJog>} JogHands */
+/** @typedef {ReturnType<typeof createJog>} JogInput */
 
-import { hindrance } from "../state/selectors.js";
+import { blockedReason } from "../state/selectors.js";
 
 const JOG_MS = 50;
 
 /**
  * @param {Store} store
  * @param {import("../station/socket.js").Socket} socket
- * @param {() => void} takeIfFree takes control where nobody has it
+ * @param {() => void} takeControlIfFree takes control where nobody has it
  */
-export function createJog(store, socket, takeIfFree) {
+export function createJog(store, socket, takeControlIfFree) {
   /** @type {{ by: unknown, axis: Axis, timer: number, speed_percent: () => number } | undefined} */ let held;
 
   /** @param {unknown} by what holds @param {Axis} axis @param {() => number} speed_percent of each press */
   function hold(by, axis, speed_percent = () => store.page.jog.speed_percent) {
     if (held && held.by === by && held.axis === axis) return;
-    letGo();
-    if (hindrance(store.page)) return;
-    takeIfFree();
+    release();
+    if (blockedReason(store.page)) return;
+    takeControlIfFree();
     const { frame } = store.page.jog;
     const mine = { by, axis, speed_percent, timer: setInterval(press, JOG_MS) };
     held = mine;
@@ -36,17 +36,17 @@ export function createJog(store, socket, takeIfFree) {
       const { problem } = await socket.ask({ type: "jog", jog });
       // A refusal ends the press: it is told beside the button, and a new press is needed.
       if (!problem || held !== mine) return;
-      letGo();
+      release();
       store.send({ type: "jog_refused", axis, detail: problem.detail });
     }
   }
 
   /** What does not hold any more lets go of nothing else. @param {unknown} by */
-  function letGoOf(by) {
-    if (held?.by === by) letGo();
+  function releaseBy(by) {
+    if (held?.by === by) release();
   }
 
-  function letGo() {
+  function release() {
     if (!held) return;
     clearInterval(held.timer);
     held = undefined;
@@ -57,8 +57,8 @@ export function createJog(store, socket, takeIfFree) {
   /** Moves by one step, from where the arm is when the steps before it are over. @param {Axis} axis @param {number} by millimetres or degrees */
   async function stepBy(axis, by) {
     const { page } = store;
-    if (!page.station?.arm || hindrance(page)) return;
-    takeIfFree();
+    if (!page.station?.arm || blockedReason(page)) return;
+    takeControlIfFree();
     const button = /** @type {Schemas["Button"]} */ ({ frame: page.jog.frame, axis });
     store.send({ type: "jog_held", axis });
     store.send({ type: "jog_held", axis: null });
@@ -66,15 +66,15 @@ export function createJog(store, socket, takeIfFree) {
     if (problem) store.send({ type: "jog_refused", axis, detail: problem.detail });
   }
 
-  store.listen((page, message) => {
-    if (message.type === "closed" || message.type === "stop_pressed" || (held && hindrance(page) !== null)) letGo();
-    if (message.type === "jog_set" && message.set.frame) letGo();
+  store.subscribe((page, message) => {
+    if (message.type === "closed" || message.type === "stop_pressed" || (held && blockedReason(page) !== null)) release();
+    if (message.type === "jog_set" && message.set.frame) release();
   });
 
   return {
     hold,
-    letGoOf,
-    letGo,
+    releaseBy,
+    release,
     /** Begins what a press of a button means: to hold it, or a step. @param {unknown} by @param {Axis} axis */
     press(by, axis) {
       const { step: distance } = store.page.jog;

@@ -45,7 +45,7 @@ export function listenToStop(stop) {
  * @param {object} outside
  * @param {HTMLElement} outside.stage
  * @param {() => void} outside.stop
- * @param {import("./jog.js").JogHands} outside.jog
+ * @param {import("./jog.js").JogInput} outside.jog
  * @param {() => Frame} outside.frame
  */
 export function listenToKeys({ stage, stop, jog, frame }) {
@@ -57,9 +57,9 @@ export function listenToKeys({ stage, stop, jog, frame }) {
     event.preventDefault();
     if (!event.repeat) jog.press(event.code, axis);
   });
-  stage.addEventListener("keyup", (event) => jog.letGoOf(event.code));
-  stage.addEventListener("blur", () => jog.letGo());
-  window.addEventListener("blur", () => jog.letGo());
-  window.addEventListener("pagehide", () => jog.letGo());
-  document.addEventListener("visibilitychange", () => jog.letGo());
+  stage.addEventListener("keyup", (event) => jog.releaseBy(event.code));
+  stage.addEventListener("blur", () => jog.release());
+  window.addEventListener("blur", () => jog.release());
+  window.addEventListener("pagehide", () => jog.release());
+  document.addEventListener("visibilitychange", () => jog.release());
 }

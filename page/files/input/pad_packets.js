@@ -43,11 +43,11 @@ export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
  * @param {object} outside
  * @param {import("../state/store.js").Store} outside.store
  * @param {import("../station/socket.js").Socket} outside.socket
- * @param {() => void} outside.takeIfFree
+ * @param {() => void} outside.takeControlIfFree
  * @param {() => Command | null} outside.next what is to be sent now, or nothing
  * @param {(detail: string) => void} outside.refused
  */
-export function createStream({ store, socket, takeIfFree, next, refused }) {
+export function createStream({ store, socket, takeControlIfFree, next, refused }) {
   let isHeld = false;
   /** Packets that are asked for or under way. @type {Set<number>} */ const under_way = new Set();
   let asking = 0;
@@ -68,7 +68,7 @@ export function createStream({ store, socket, takeIfFree, next, refused }) {
     }
   }
 
-  store.listen((_, message) => {
+  store.subscribe((_, message) => {
     if (message.type === "stop_pressed") isHeld = false;
     if (message.type === "closed") {
       isHeld = false;
@@ -85,7 +85,7 @@ export function createStream({ store, socket, takeIfFree, next, refused }) {
   return {
     begin() {
       over.clear();
-      takeIfFree();
+      takeControlIfFree();
       isHeld = true;
       void pump();
     },

@@ -6,7 +6,7 @@ export const ROW_PX = 34;
 const EDGE_PX = 26;
 const SCROLL_PX = 9;
 
-/** @typedef {{ over(from: number, to: number): void, drop(from: number, to: number): void, giveUp(): void }} Carrying */
+/** @typedef {{ over(from: number, to: number): void, drop(from: number, to: number): void, cancel(): void }} RowDrag */
 
 /** Which row lies there. @param {number} y_px below the upper edge of all rows @param {number} count */
 export const rowBelow = (y_px, count) => Math.max(0, Math.min(count - 1, Math.floor(y_px / ROW_PX)));
@@ -14,8 +14,8 @@ export const rowBelow = (y_px, count) => Math.max(0, Math.min(count - 1, Math.fl
 /** How far the list scrolls while the pointer is there. @param {number} y_px below the upper edge of what is seen @param {number} seen_px */
 export const scrollAt = (y_px, seen_px) => (y_px < EDGE_PX ? -SCROLL_PX : y_px > seen_px - EDGE_PX ? SCROLL_PX : 0);
 
-/** Begins where a grip was pressed. @param {PointerEvent} event @param {number} count how many rows there are @param {Carrying} carrying */
-export function carry(event, count, carrying) {
+/** Begins where a grip was pressed. @param {PointerEvent} event @param {number} count how many rows there are @param {RowDrag} rowDrag */
+export function carry(event, count, rowDrag) {
   const grip = /** @type {Element} */ (event.target).closest(".grip");
   if (!grip || event.button !== 0) return;
   const list = /** @type {HTMLElement} */ (event.currentTarget);
@@ -28,7 +28,7 @@ export function carry(event, count, carrying) {
     const next = rowBelow(y - list.getBoundingClientRect().top + list.scrollTop, count);
     if (next === to) return;
     to = next;
-    carrying.over(from, to);
+    rowDrag.over(from, to);
   }
   /** The list scrolls for as long as the pointer stays at its edge. */
   function follow() {
@@ -42,13 +42,13 @@ export function carry(event, count, carrying) {
     over.abort();
     if (list.hasPointerCapture(event.pointerId)) list.releasePointerCapture(event.pointerId);
   }
-  function giveUp() {
+  function cancel() {
     end();
-    carrying.giveUp();
+    rowDrag.cancel();
   }
 
   list.setPointerCapture(event.pointerId);
-  carrying.over(from, to);
+  rowDrag.over(from, to);
   requestAnimationFrame(follow);
   list.addEventListener("pointermove", (moved) => {
     y = moved.clientY;
@@ -56,9 +56,9 @@ export function carry(event, count, carrying) {
   }, options);
   list.addEventListener("pointerup", () => {
     end();
-    carrying.drop(from, to);
+    rowDrag.drop(from, to);
   }, options);
-  list.addEventListener("pointercancel", giveUp, options);
-  list.addEventListener("lostpointercapture", giveUp, options);
-  document.addEventListener("keydown", ({ key }) => key === "Escape" && giveUp(), { ...options, capture: true });
+  list.addEventListener("pointercancel", cancel, options);
+  list.addEventListener("lostpointercapture", cancel, options);
+  document.addEventListener("keydown", ({ key }) => key === "Escape" && cancel(), { ...options, capture: true });
 }

@@ -4,11 +4,11 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { placeFor, groupJobs } from "../state/jobs.js";
 import { sentence } from "../views/banners.js";
-import { span } from "../i18n/i18n.js";
+import { formatDuration } from "../i18n/i18n.js";
 import { recordings } from "./recordings.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../i18n/i18n.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 /** @typedef {import("../state/jobs.js").JobView} JobView */
 
 export const TONES = { queued: "off", running: "good", paused: "warn", stopped: "off", done: "good", failed: "bad" };
@@ -18,50 +18,50 @@ export const jobs = (context) => html`${list(context)}${recordings(context)}`;
 
 /** @param {Context} context */
 function list(context) {
-  const { page, say } = context;
+  const { page, t } = context;
   const { all } = page.jobs;
   const now = /** @type {JobView | null} */ (page.station?.job ?? null);
   const groups = groupJobs(all ?? [], now);
   return html`
     <section class="card" aria-labelledby="jobs-title">
-      <h2 id="jobs-title">${say("jobs")}</h2>
-      ${all?.length === 0 ? html`<p id="jobs-none" class="drop quiet">${say("jobs.none")}</p>` : nothing}
+      <h2 id="jobs-title">${t("jobs")}</h2>
+      ${all?.length === 0 ? html`<p id="jobs-none" class="drop quiet">${t("jobs.none")}</p>` : nothing}
       ${/** @type {const} */ (["active", "waiting", "finished"]).map((name) => (groups[name].length ? html`
-        <h3 id="jobs-${name}">${say(`jobs.${name}`)}</h3>
+        <h3 id="jobs-${name}">${t(`jobs.${name}`)}</h3>
         <ol class="jobs" aria-labelledby="jobs-${name}">${repeat(groups[name], ({ job }) => job, (job) => entry(context, job, groups.waiting))}</ol>` : nothing))}
     </section>`;
 }
 
 /** @param {Context} context @param {JobView} job @param {readonly JobView[]} waiting */
 function entry(context, job, waiting) {
-  const { page, say } = context;
+  const { page, t } = context;
   const { refused } = page.jobs;
   const begun = job.phase === "running" || job.phase === "paused";
   return html`
     <li class="entry" data-job=${job.job}>
-      <p class="head"><strong class="name">${job.title}</strong> <span class="chip" data-tone=${TONES[job.phase]}>${say(`job.${job.phase}`)}</span></p>
-      ${begun ? html`<progress max="1" .value=${job.commands ? job.completed / job.commands : 0} aria-label=${say("job.progress")}></progress>` : nothing}
-      <p class="quiet">${say(`jobs.kind.${job.kind}`)} · ${say("job.count", { done: job.completed, all: job.commands })} · ${time(say, job)}</p>
-      <p class="quiet">${say("jobs.queued_at", { time: new Date(job.created_ms).toLocaleString(page.language) })}${job.reason ? html` · <span class="reason">${job.reason}</span>` : nothing}</p>
+      <p class="head"><strong class="name">${job.title}</strong> <span class="chip" data-tone=${TONES[job.phase]}>${t(`job.${job.phase}`)}</span></p>
+      ${begun ? html`<progress max="1" .value=${job.commands ? job.completed / job.commands : 0} aria-label=${t("job.progress")}></progress>` : nothing}
+      <p class="quiet">${t(`jobs.kind.${job.kind}`)} · ${t("job.count", { done: job.completed, all: job.commands })} · ${time(t, job)}</p>
+      <p class="quiet">${t("jobs.queued_at", { time: new Date(job.created_ms).toLocaleString(page.language) })}${job.reason ? html` · <span class="reason">${job.reason}</span>` : nothing}</p>
       <div class="row">${acts(context, job, waiting)}</div>
-      ${refused?.job === job.job ? html`<p class="told" data-tone="bad" role="alert">${sentence(refused.problem.detail)}. ${refused.problem.hint ? `${sentence(refused.problem.hint)}.` : ""}</p>` : nothing}
+      ${refused?.job === job.job ? html`<p class="status" data-tone="bad" role="alert">${sentence(refused.problem.detail)}. ${refused.problem.hint ? `${sentence(refused.problem.hint)}.` : ""}</p>` : nothing}
     </li>`;
 }
 
-/** How long it took, takes still, or should take. @param {Context["say"]} say @param {JobView} job */
-function time(say, { phase, took_s, left_s, planned_s }) {
-  if (took_s != null) return say("jobs.took", { time: span(say, took_s) });
-  if (left_s != null && phase !== "queued") return say("jobs.left", { time: span(say, left_s) });
-  return planned_s == null ? say("jobs.untimed") : say("jobs.takes", { time: span(say, planned_s) });
+/** How long it took, takes still, or should take. @param {Context["t"]} t @param {JobView} job */
+function time(t, { phase, took_s, left_s, planned_s }) {
+  if (took_s != null) return t("jobs.took", { time: formatDuration(t, took_s) });
+  if (left_s != null && phase !== "queued") return t("jobs.left", { time: formatDuration(t, left_s) });
+  return planned_s == null ? t("jobs.untimed") : t("jobs.takes", { time: formatDuration(t, planned_s) });
 }
 
 /** What can be done with it. @param {Context} context @param {JobView} job @param {readonly JobView[]} waiting */
-function acts({ page, say, act }, { job, phase, title }, waiting) {
-  const button = (/** @type {string} */ id, /** @type {Word} */ word, /** @type {() => void} */ does, strong = false, off = false) => html`
-    <button type="button" class="small ${strong ? "strong" : ""}" data-act=${id} aria-label=${`${say(word)}: ${title}`} ?disabled=${off} @click=${does}>${say(word)}</button>`;
-  const moves = (/** @type {-1 | 1} */ way, /** @type {Word} */ word, /** @type {string} */ arrow) => {
+function acts({ page, t, act }, { job, phase, title }, waiting) {
+  const button = (/** @type {string} */ id, /** @type {TextKey} */ word, /** @type {() => void} */ does, strong = false, off = false) => html`
+    <button type="button" class="small ${strong ? "strong" : ""}" data-act=${id} aria-label=${`${t(word)}: ${title}`} ?disabled=${off} @click=${does}>${t(word)}</button>`;
+  const moves = (/** @type {-1 | 1} */ way, /** @type {TextKey} */ word, /** @type {string} */ arrow) => {
     const place = placeFor(waiting, job, way);
-    return html`<button type="button" class="small" data-act=${way < 0 ? "up" : "down"} aria-label=${`${say(word)}: ${title}`} title=${say(word)} ?disabled=${place === undefined} @click=${() => place !== undefined && act.jobs.move(job, place)}>${arrow}</button>`;
+    return html`<button type="button" class="small" data-act=${way < 0 ? "up" : "down"} aria-label=${`${t(word)}: ${title}`} title=${t(word)} ?disabled=${place === undefined} @click=${() => place !== undefined && act.jobs.move(job, place)}>${arrow}</button>`;
   };
   const runs = page.station?.job?.phase === "running";
   const end = button("end", "jobs.end", () => act.jobs.end(job));

@@ -2,11 +2,11 @@
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { hindrance } from "../state/selectors.js";
+import { blockedReason } from "../state/selectors.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../i18n/i18n.js").Word} Word */
-/** A button: its axis, its name, its way, and where it lies. @typedef {[axis: string, name: string, way: Word, place: string]} Button */
+/** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
+/** A button: its axis, its name, its way, and where it lies. @typedef {[axis: string, name: string, way: TextKey, place: string]} Button */
 
 /** @type {readonly Button[]} */
 const LINEAR = [
@@ -30,7 +30,7 @@ const JOINT = [
   ["servo_plus", "J4+", "direction.turn", ""],
   ["servo_minus", "J4−", "direction.turn", ""],
 ];
-/** @type {readonly Word[]} */
+/** @type {readonly TextKey[]} */
 const JOINTS = ["pose.base", "pose.base", "pose.rear", "pose.rear", "pose.fore", "pose.fore", "pose.servo", "pose.servo"];
 const STEPS = [0.1, 1, 10];
 
@@ -38,19 +38,19 @@ const STEPS = [0.1, 1, 10];
 export const nameOf = (axis) => [...LINEAR, ...JOINT].find(([it]) => it === axis)?.[1] ?? axis;
 
 /** @param {Context} context */
-export function jogPanel({ page, say, act, jog }) {
+export function jogPanel({ page, t, act, jog }) {
   const { frame, step, speed_percent, held, refused } = page.jog;
-  const why = hindrance(page);
+  const why = blockedReason(page);
   const buttons = frame === "linear" ? LINEAR : JOINT;
-  const hint = step === null ? say("jog.hint.hold") : say(`jog.hint.step.${frame}`, { step });
-  const told = why ? say(`blocked.${why}`) : refused ? `${nameOf(refused.axis)}: ${refused.detail}.` : hint;
+  const hint = step === null ? t("jog.hint.hold") : t(`jog.hint.step.${frame}`, { step });
+  const told = why ? t(`blocked.${why}`) : refused ? `${nameOf(refused.axis)}: ${refused.detail}.` : hint;
 
   const buttonOf = (/** @type {Event} */ event) => /** @type {HTMLButtonElement | null} */ (/** @type {Element} */ (event.target).closest("button[data-axis]"));
   const press = (/** @type {Event} */ event) => {
     const button = buttonOf(event);
     if (button && !button.disabled) jog.press(button, button.dataset.axis ?? "");
   };
-  const letGo = (/** @type {Event} */ event) => jog.letGoOf(buttonOf(event));
+  const release = (/** @type {Event} */ event) => jog.releaseBy(buttonOf(event));
   const pointer = (/** @type {PointerEvent} */ event) => {
     const button = buttonOf(event);
     if (event.button !== 0 || !button) return;
@@ -65,23 +65,23 @@ export function jogPanel({ page, say, act, jog }) {
 
   return html`
     <section class="card" aria-labelledby="jog-title">
-      <h2 id="jog-title">${say("jog")}</h2>
+      <h2 id="jog-title">${t("jog")}</h2>
       <div class="choices">
         <fieldset class="segments">
-          <legend>${say("jog.mode")}</legend>
-          ${(/** @type {const} */ (["linear", "joint"])).map((it) => html`<label><input type="radio" name="frame" value=${it} .checked=${live(it === frame)} @change=${() => act.send({ type: "jog_set", set: { frame: it } })}><span>${say(`jog.${it}`)}</span></label>`)}
+          <legend>${t("jog.mode")}</legend>
+          ${(/** @type {const} */ (["linear", "joint"])).map((it) => html`<label><input type="radio" name="frame" value=${it} .checked=${live(it === frame)} @change=${() => act.send({ type: "jog_set", set: { frame: it } })}><span>${t(`jog.${it}`)}</span></label>`)}
         </fieldset>
         <fieldset class="segments">
-          <legend>${say("jog.step")} <small>${say("jog.mm_or_deg")}</small></legend>
-          ${[null, ...STEPS].map((it) => html`<label><input type="radio" name="step" value=${it ?? "hold"} .checked=${live(it === step)} @change=${() => act.send({ type: "jog_set", set: { step: it } })}><span>${it ?? say("jog.hold")}</span></label>`)}
+          <legend>${t("jog.step")} <small>${t("jog.mm_or_deg")}</small></legend>
+          ${[null, ...STEPS].map((it) => html`<label><input type="radio" name="step" value=${it ?? "hold"} .checked=${live(it === step)} @change=${() => act.send({ type: "jog_set", set: { step: it } })}><span>${it ?? t("jog.hold")}</span></label>`)}
         </fieldset>
       </div>
-      <div class=${frame === "linear" ? "pad" : "pad joints"} @pointerdown=${pointer} @pointerup=${letGo} @pointercancel=${letGo} @lostpointercapture=${letGo}
-        @focusout=${letGo} @keyup=${letGo} @keydown=${key} @contextmenu=${(/** @type {Event} */ event) => event.preventDefault()}>
-        ${buttons.map(([axis, name, way, place], n) => html`<button type="button" data-axis=${axis} class="${place} ${held === axis ? "is-held" : ""}" ?disabled=${why !== null}>${name}<small>${frame === "joint" ? html`<span class="full">${say(/** @type {Word} */ (JOINTS[n]))} </span>` : ""}${say(way)}</small></button>`)}
+      <div class=${frame === "linear" ? "pad" : "pad joints"} @pointerdown=${pointer} @pointerup=${release} @pointercancel=${release} @lostpointercapture=${release}
+        @focusout=${release} @keyup=${release} @keydown=${key} @contextmenu=${(/** @type {Event} */ event) => event.preventDefault()}>
+        ${buttons.map(([axis, name, way, place], n) => html`<button type="button" data-axis=${axis} class="${place} ${held === axis ? "is-held" : ""}" ?disabled=${why !== null}>${name}<small>${frame === "joint" ? html`<span class="full">${t(/** @type {TextKey} */ (JOINTS[n]))} </span>` : ""}${t(way)}</small></button>`)}
       </div>
-      <label class="speed">${say("jog.speed")} <input id="speed" type="range" min="5" max="100" step="5" .value=${live(String(speed_percent))}
+      <label class="speed">${t("jog.speed")} <input id="speed" type="range" min="5" max="100" step="5" .value=${live(String(speed_percent))}
         @input=${(/** @type {Event} */ event) => act.send({ type: "jog_set", set: { speed_percent: Number(/** @type {HTMLInputElement} */ (event.target).value) } })}> <output id="speed-shown" for="speed">${speed_percent} %</output></label>
-      <p id="jog-why" class="told" role="status" data-tone=${!why && refused ? "bad" : "off"}>${told}</p>
+      <p id="jog-why" class="status" role="status" data-tone=${!why && refused ? "bad" : "off"}>${told}</p>
     </section>`;
 }

@@ -17,7 +17,7 @@ const ARROWS = { to_arm: "→", from_arm: "←" };
 
 /** @param {Context} context */
 export function packets(context) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const { listening } = page.packets;
   // The state alone says whether it is open: a picture may be drawn before the browser tells that it has opened it.
   const toggle = (/** @type {Event} */ event) => {
@@ -26,30 +26,30 @@ export function packets(context) {
   };
   return html`
     <details id="packets" class="card" ?open=${listening}>
-      <summary @click=${toggle}><h2>${say("packets")} <small>${say("packets.what")}</small></h2></summary>
+      <summary @click=${toggle}><h2>${t("packets")} <small>${t("packets.what")}</small></h2></summary>
       ${listening ? list(context) : nothing}
     </details>`;
 }
 
 /** @param {Context} context */
-function list({ page, say, act }) {
-  const { frozen, way, sought, lost, problem } = page.packets;
+function list({ page, t, act }) {
+  const { frozen, way, filter, lost, problem } = page.packets;
   const found = wanted(page.packets);
   const newest = found.slice(-SEEN).reverse();
   return html`
     <fieldset class="segments">
-      <legend class="unseen">${say("packets.direction")}</legend>
-      ${WAYS.map((it) => html`<label><input type="radio" name="packets-way" value=${it} .checked=${live(it === way)} @change=${() => act.send({ type: "packets_way", way: it })}><span>${say(`packets.direction.${it}`)}</span></label>`)}
+      <legend class="unseen">${t("packets.direction")}</legend>
+      ${WAYS.map((it) => html`<label><input type="radio" name="packets-way" value=${it} .checked=${live(it === way)} @change=${() => act.send({ type: "packets_way", way: it })}><span>${t(`packets.direction.${it}`)}</span></label>`)}
     </fieldset>
-    <input id="packets-sought" type="text" placeholder=${say("watch.filter")} aria-label=${say("watch.filter")} .value=${live(sought)} @input=${(/** @type {Event} */ event) => act.send({ type: "packets_sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
+    <input id="packets-filter" type="text" placeholder=${t("watch.filter")} aria-label=${t("watch.filter")} .value=${live(filter)} @input=${(/** @type {Event} */ event) => act.send({ type: "packets_filter", text: /** @type {HTMLInputElement} */ (event.target).value })}>
     <div class="row">
-      <button id="packets-pause" type="button" class="small strong" @click=${() => act.send({ type: "packets_frozen", frozen: frozen === null })}>${say(frozen ? "packets.resume" : "packets.pause")}</button>
-      <button id="packets-clear" type="button" class="small" @click=${() => act.send({ type: "packets_cleared" })}>${say("packets.clear")}</button>
-      <button id="packets-save" type="button" class="small" ?disabled=${!found.length} @click=${() => saveAs(new Blob([exported(found)], { type: "application/jsonl" }), "packets.jsonl")}>${say("packets.save")}</button>
-      <span id="packets-count" class="quiet">${say("packets.count", { count: found.length })}</span>
+      <button id="packets-pause" type="button" class="small strong" @click=${() => act.send({ type: "packets_frozen", frozen: frozen === null })}>${t(frozen ? "packets.resume" : "packets.pause")}</button>
+      <button id="packets-clear" type="button" class="small" @click=${() => act.send({ type: "packets_cleared" })}>${t("packets.clear")}</button>
+      <button id="packets-save" type="button" class="small" ?disabled=${!found.length} @click=${() => saveAs(new Blob([exported(found)], { type: "application/jsonl" }), "packets.jsonl")}>${t("packets.save")}</button>
+      <span id="packets-count" class="quiet">${t("packets.count", { count: found.length })}</span>
     </div>
-    ${problem ? html`<p id="packets-problem" class="told" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing}
-    ${lost ? html`<p id="packets-lost" class="told" data-tone="warn">${say("packets.lost", { count: lost })}</p>` : nothing}
+    ${problem ? html`<p id="packets-problem" class="status" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing}
+    ${lost ? html`<p id="packets-lost" class="status" data-tone="warn">${t("packets.lost", { count: lost })}</p>` : nothing}
     <ol class="packets">${repeat(newest, ({ number }) => number, row)}</ol>`;
 }
 

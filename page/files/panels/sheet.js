@@ -64,7 +64,7 @@ export function moved({ kind, lies, from }, to) {
 }
 
 /** @param {Context} context */
-export function sheet({ page, say, act }) {
+export function sheet({ page, t, act }) {
   const { planned } = page.draw;
   const lies = liesOf(page.draw);
   const reach_mm = page.facts?.workspace.reach_mm ?? [];
@@ -82,7 +82,7 @@ export function sheet({ page, say, act }) {
   };
   const hand = (/** @type {NonNullable<typeof held>["kind"]} */ kind) => ({ take: take(kind), move, let_go });
   return html`
-    <svg id="sheet" class="sheet" role="img" aria-label=${say("draw.sheet")} viewBox="${-SEEN.left_mm} ${-SEEN.top_mm} ${SEEN.width_mm} ${SEEN.height_mm}">
+    <svg id="sheet" class="sheet" role="img" aria-label=${t("draw.sheet")} viewBox="${-SEEN.left_mm} ${-SEEN.top_mm} ${SEEN.width_mm} ${SEEN.height_mm}">
       ${reach_mm.map((radius) => svg`<circle class="reach" r=${radius}></circle>`)}
       ${paper(page)}
       ${planned && lies ? drawing(outline(planned), planned.lies, lies, { move: hand("move"), turn: hand("turn"), scale: hand("scale") }) : nothing}

@@ -1,10 +1,10 @@
 // How fast targets and programs go: shares of what the arm was set to (state 10).
 
 import { html } from "../vendor/lit-html/lit-html.js";
-import { hindrance } from "../state/selectors.js";
+import { blockedReason } from "../state/selectors.js";
 
 /** @param {import("../views/context.js").Context} context */
-export function speeds({ page, say, act }) {
+export function speeds({ page, t, act }) {
   const set = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
     const form = /** @type {HTMLFormElement} */ (event.target);
@@ -14,12 +14,12 @@ export function speeds({ page, say, act }) {
   };
   return html`
     <details class="card" id="speeds">
-      <summary><h2>${say("speeds")}</h2></summary>
-      <p class="quiet">${say("speeds.hint")}</p>
+      <summary><h2>${t("speeds")}</h2></summary>
+      <p class="quiet">${t("speeds.hint")}</p>
       <form class="row" @submit=${set}>
-        <label>${say("speeds.percent")} <input id="speed-percent" name="speed" type="number" min="1" max="100" step="any" required value="100"> %</label>
-        <label>${say("speeds.acceleration")} <input id="acceleration-percent" name="acceleration" type="number" min="1" max="100" step="any" required value="100"> %</label>
-        <button id="speeds-set" type="submit" ?disabled=${hindrance(page) !== null}>${say("speeds.set")}</button>
+        <label>${t("speeds.percent")} <input id="speed-percent" name="speed" type="number" min="1" max="100" step="any" required value="100"> %</label>
+        <label>${t("speeds.acceleration")} <input id="acceleration-percent" name="acceleration" type="number" min="1" max="100" step="any" required value="100"> %</label>
+        <button id="speeds-set" type="submit" ?disabled=${blockedReason(page) !== null}>${t("speeds.set")}</button>
       </form>
     </details>`;
 }

@@ -3,7 +3,7 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { hindrance } from "../state/selectors.js";
+import { blockedReason } from "../state/selectors.js";
 import { FIELDS, placeOf } from "../state/target.js";
 import { sentence } from "../views/banners.js";
 
@@ -16,29 +16,29 @@ const NAMES = { x_mm: ["X", "mm"], y_mm: ["Y", "mm"], z_mm: ["Z", "mm"], rotatio
 const PATHS = ["movj", "movl", "jump"];
 
 /** What is said of the target, and how. @param {Context} context @returns {[string, string]} */
-function told({ page, say }) {
+function told({ page, t }) {
   const { target } = page;
-  if (!target.typed) return [say("target.hint"), "off"];
-  if (!placeOf(target)) return [say("target.number"), "off"];
-  if (target.goes) return [say("target.going"), "good"];
+  if (!target.typed) return [t("target.hint"), "off"];
+  if (!placeOf(target)) return [t("target.number"), "off"];
+  if (target.goes) return [t("target.going"), "good"];
   switch (target.check.type) {
     case "unknown":
-      return [say("target.checking"), "off"];
+      return [t("target.checking"), "off"];
     case "refused":
       return [`${sentence(target.check.problem.detail)}.`, "bad"];
     case "free": {
       const { takes_s } = target.check;
-      return [takes_s === null ? say("target.free.untimed") : say("target.free", { time: takes_s.toFixed(1) }), "good"];
+      return [takes_s === null ? t("target.free.untimed") : t("target.free", { time: takes_s.toFixed(1) }), "good"];
     }
   }
 }
 
 /** @param {Context} context */
 export function targetPanel(context) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const { target } = page;
   const [text, tone] = told(context);
-  const why = hindrance(page);
+  const why = blockedReason(page);
   const nearest = target.check.type === "refused" ? target.check.problem.nearest_mm : null;
   const arm = page.station?.arm;
   const submit = (/** @type {SubmitEvent} */ event) => {
@@ -47,7 +47,7 @@ export function targetPanel(context) {
   };
   return html`
     <section class="card" aria-labelledby="target-title">
-      <h2 id="target-title">${say("target")} <small>${say("target.live")}</small></h2>
+      <h2 id="target-title">${t("target")} <small>${t("target.live")}</small></h2>
       <form id="target" novalidate @submit=${submit}>
         <div class="fields">
           ${FIELDS.map((field) => html`<label><span>${NAMES[field][0]} <small>${NAMES[field][1]}</small></span>
@@ -55,15 +55,15 @@ export function targetPanel(context) {
               @input=${(/** @type {Event} */ event) => act.send({ type: "target_typed", field, text: /** @type {HTMLInputElement} */ (event.target).value })}></label>`)}
         </div>
         <fieldset class="segments">
-          <legend>${say("target.path")}</legend>
-          ${PATHS.map((path) => html`<label><input type="radio" name="path" value=${path} .checked=${live(path === target.path)} @change=${() => act.send({ type: "target_path", path })}><span>${say(`target.${path}`)}</span></label>`)}
+          <legend>${t("target.path")}</legend>
+          ${PATHS.map((path) => html`<label><input type="radio" name="path" value=${path} .checked=${live(path === target.path)} @change=${() => act.send({ type: "target_path", path })}><span>${t(`target.${path}`)}</span></label>`)}
         </fieldset>
-        <p id="target-told" class="told" role="status" data-tone=${tone}>${why && target.check.type === "free" ? say(`blocked.${why}`) : text}</p>
+        <p id="target-status" class="status" role="status" data-tone=${tone}>${why && target.check.type === "free" ? t(`blocked.${why}`) : text}</p>
         <div class="row">
-          <button id="target-go" type="submit" class="strong" ?disabled=${target.check.type !== "free" || why !== null || target.goes}>${say("target.go")}</button>
-          ${nearest ? html`<button id="target-nearest" type="button" @click=${() => act.send({ type: "target_placed", place: { x_mm: nearest[0], y_mm: nearest[1], z_mm: nearest[2] } })}>${say("target.nearest")}</button>` : nothing}
-          ${target.typed ? html`<button id="target-clear" type="button" @click=${() => act.send({ type: "target_cleared" })}>${say("target.clear")}</button>` : nothing}
-          <button id="home" type="button" class="end" title=${say("target.home.hint")} ?disabled=${why !== null} @click=${() => act.home()}>${say("target.home")}</button>
+          <button id="target-go" type="submit" class="strong" ?disabled=${target.check.type !== "free" || why !== null || target.goes}>${t("target.go")}</button>
+          ${nearest ? html`<button id="target-nearest" type="button" @click=${() => act.send({ type: "target_placed", place: { x_mm: nearest[0], y_mm: nearest[1], z_mm: nearest[2] } })}>${t("target.nearest")}</button>` : nothing}
+          ${target.typed ? html`<button id="target-clear" type="button" @click=${() => act.send({ type: "target_cleared" })}>${t("target.clear")}</button>` : nothing}
+          <button id="home" type="button" class="end" title=${t("target.home.hint")} ?disabled=${why !== null} @click=${() => act.home()}>${t("target.home")}</button>
         </div>
       </form>
     </section>`;

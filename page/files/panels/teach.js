@@ -3,12 +3,12 @@
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
-import { hindrance, kept, rowsIn } from "../state/selectors.js";
+import { blockedReason, kept, rowsIn } from "../state/selectors.js";
 import { rowAt, stepsIn } from "../state/teach.js";
 import { ROW_PX, carry } from "../input/row_drag.js";
 import { saveAs } from "../parts/download.js";
 import { sentence } from "../views/banners.js";
-import { span } from "../i18n/i18n.js";
+import { formatDuration } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/teach.js").Row} Row */
@@ -25,30 +25,30 @@ const badIn = kept((/** @type {readonly Row[]} */ rows, /** @type {Context["page
 
 /** @param {Context} context */
 export function teach(context) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const { text, mode, report, path } = page.teach;
-  const why = hindrance(page);
+  const why = blockedReason(page);
   const rows = rowsIn(text);
   const modeChoice = html`
     <fieldset class="segments">
-      <legend class="unseen">${say("teach.view")}</legend>
-      ${MODES.map((it) => html`<label><input type="radio" name="teach-mode" value=${it} .checked=${live(it === mode)} @change=${() => act.send({ type: "teach_mode", mode: it })}><span>${say(`teach.${it}`)}</span></label>`)}
+      <legend class="unseen">${t("teach.view")}</legend>
+      ${MODES.map((it) => html`<label><input type="radio" name="teach-mode" value=${it} .checked=${live(it === mode)} @change=${() => act.send({ type: "teach_mode", mode: it })}><span>${t(`teach.${it}`)}</span></label>`)}
     </fieldset>`;
   const views = { table: () => table(context, rows), text: () => area(context), time: () => timeline(context) };
   return html`
     <section class="card" aria-labelledby="teach-title">
-      <h2 id="teach-title">${say("teach")} <small>${page.teach.name}${report?.once_s ? ` · ${span(say, report.once_s)}` : ""}</small></h2>
+      <h2 id="teach-title">${t("teach")} <small>${page.teach.name}${report?.once_s ? ` · ${formatDuration(t, report.once_s)}` : ""}</small></h2>
       <div class="row">
-        <button id="capture" type="button" class="strong" ?disabled=${why === "no_connection" || why === "no_arm"} @click=${() => act.teach.capture()}>${say("teach.capture")}</button>
+        <button id="capture" type="button" class="strong" ?disabled=${why === "no_connection" || why === "no_arm"} @click=${() => act.teach.capture()}>${t("teach.capture")}</button>
         <fieldset class="segments">
-          <legend class="unseen">${say("target.path")}</legend>
+          <legend class="unseen">${t("target.path")}</legend>
           ${PATHS.map((it) => html`<label><input type="radio" name="teach-path" value=${it} .checked=${live(it === path)} @change=${() => act.send({ type: "teach_path", path: it })}><span>${it.toUpperCase()}</span></label>`)}
         </fieldset>
       </div>
       <div class="row">
-        <button id="teach-suction-on" type="button" class="small" @click=${() => act.teach.insert({ suction: true, pause: 0.3 })}>${say("teach.suction_on")}</button>
-        <button id="teach-suction-off" type="button" class="small" @click=${() => act.teach.insert({ suction: false, pause: 0.3 })}>${say("teach.suction_off")}</button>
-        <button id="teach-pause" type="button" class="small" @click=${() => act.teach.insert({ pause: 1 })}>${say("teach.pause")}</button>
+        <button id="teach-suction-on" type="button" class="small" @click=${() => act.teach.insert({ suction: true, pause: 0.3 })}>${t("teach.suction_on")}</button>
+        <button id="teach-suction-off" type="button" class="small" @click=${() => act.teach.insert({ suction: false, pause: 0.3 })}>${t("teach.suction_off")}</button>
+        <button id="teach-pause" type="button" class="small" @click=${() => act.teach.insert({ pause: 1 })}>${t("teach.pause")}</button>
       </div>
       ${modeChoice}
       ${views[mode]()}
@@ -60,9 +60,9 @@ export function teach(context) {
 }
 
 /** @param {Context} context @param {readonly Row[]} rows */
-function table({ page, say, act }, rows) {
+function table({ page, t, act }, rows) {
   const { chosen, first, report, carried } = page.teach;
-  if (!rows.length) return html`<p class="drop quiet">${say("teach.empty")}</p>`;
+  if (!rows.length) return html`<p class="drop quiet">${t("teach.empty")}</p>`;
   const steps = timed(rows, report);
   const job = page.station?.job;
   const runs = job?.program && job.job === page.teach.job ? rowAt(rows, report?.steps[job.program.step - 1]?.line) : null;
@@ -88,37 +88,37 @@ function table({ page, say, act }, rows) {
   const sized = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("height", `${rows.length * ROW_PX}px`);
   const placed = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("transform", `translateY(${from * ROW_PX}px)`);
   return html`
-    <div id="steps" class="steps-seen" @scroll=${scroll} @keydown=${key} @pointerdown=${(/** @type {PointerEvent} */ event) => carry(event, rows.length, carrying(act))} role="listbox" aria-label=${say("teach.table")} tabindex="-1">
+    <div id="steps" class="steps-seen" @scroll=${scroll} @keydown=${key} @pointerdown=${(/** @type {PointerEvent} */ event) => carry(event, rows.length, rowDrag(act))} role="listbox" aria-label=${t("teach.table")} tabindex="-1">
       <div ${ref(sized)}><div ${ref(placed)}>
         ${rows.slice(from, from + SEEN).map(({ says }, n) => {
           const row = from + n;
           return html`<button type="button" role="option" id="step-${row}" class="step ${bad.has(row) ? "is-bad" : ""} ${runs === row ? "is-running" : ""} ${under(row)}" data-row=${row} aria-selected=${row === chosen ? "true" : "false"}
-            @click=${() => act.send({ type: "teach_chosen", row })}><span class="number">${row + 1}</span><span class="says" title=${says}>${steps[row]?.label}</span><span class="time">${steps[row]?.takes_s ? `${steps[row].takes_s.toFixed(1)} s` : ""}</span><span class="grip" title=${say("teach.drag")} aria-hidden="true"></span></button>`;
+            @click=${() => act.send({ type: "teach_chosen", row })}><span class="number">${row + 1}</span><span class="says" title=${says}>${steps[row]?.label}</span><span class="time">${steps[row]?.takes_s ? `${steps[row].takes_s.toFixed(1)} s` : ""}</span><span class="grip" title=${t("teach.drag")} aria-hidden="true"></span></button>`;
         })}
       </div></div>
     </div>
-    <p class="unseen" id="teach-moved" role="status">${page.teach.moved ? say("teach.moved", { step: page.teach.moved.to + 1, steps: page.teach.moved.of }) : ""}</p>`;
+    <p class="unseen" id="teach-moved" role="status">${page.teach.moved ? t("teach.moved", { step: page.teach.moved.to + 1, steps: page.teach.moved.of }) : ""}</p>`;
 }
 
-/** What a row that is carried does. @param {Context["act"]} act @returns {import("../input/row_drag.js").Carrying} */
-const carrying = (act) => ({
+/** What a row that is carried does. @param {Context["act"]} act @returns {import("../input/row_drag.js").RowDrag} */
+const rowDrag = (act) => ({
   over: (from, to) => act.send({ type: "teach_carried", carried: { from, to } }),
   drop(from, to) {
     act.send({ type: "teach_carried", carried: null });
     void act.teach.move(from, to);
   },
-  giveUp: () => act.send({ type: "teach_carried", carried: null }),
+  cancel: () => act.send({ type: "teach_carried", carried: null }),
 });
 
 /** @param {Context} context */
-const area = ({ page, say, act }) => html`
-  <textarea id="teach-text" rows="16" spellcheck="false" aria-label=${say("teach.text")} .value=${live(page.teach.text)} @input=${(/** @type {Event} */ event) => act.send({ type: "teach_text", text: /** @type {HTMLTextAreaElement} */ (event.target).value })}></textarea>`;
+const area = ({ page, t, act }) => html`
+  <textarea id="teach-text" rows="16" spellcheck="false" aria-label=${t("teach.text")} .value=${live(page.teach.text)} @input=${(/** @type {Event} */ event) => act.send({ type: "teach_text", text: /** @type {HTMLTextAreaElement} */ (event.target).value })}></textarea>`;
 
 /** @param {Context} context */
-function timeline({ page, say, act }) {
+function timeline({ page, t, act }) {
   const steps = timed(rowsIn(page.teach.text), page.teach.report);
   const whole_s = steps.reduce((sum, { takes_s }) => sum + takes_s, 0);
-  if (!whole_s) return html`<p class="drop quiet">${say("teach.untimed")}</p>`;
+  if (!whole_s) return html`<p class="drop quiet">${t("teach.untimed")}</p>`;
   let at_s = 0;
   const bars = steps.map(({ takes_s, label }, row) => {
     const from = (1000 * at_s) / whole_s;
@@ -129,63 +129,63 @@ function timeline({ page, say, act }) {
     return svg`<rect class=${row === page.teach.chosen ? "bar is-chosen" : "bar"} x=${from} y="4" width=${Math.max(0.3, width - 0.8)} height="44" @click=${() => act.send({ type: "teach_chosen", row })}><title>${row + 1}: ${label} (${takes_s.toFixed(1)} s)</title></rect>`;
   });
   return html`
-    <svg id="teach-time" class="times" viewBox="0 0 1000 52" preserveAspectRatio="none" role="img" aria-label=${say("teach.time")}>${bars}</svg>
-    <p class="quiet ends"><span>0 s</span><span>${span(say, whole_s)}</span></p>`;
+    <svg id="teach-time" class="times" viewBox="0 0 1000 52" preserveAspectRatio="none" role="img" aria-label=${t("teach.time")}>${bars}</svg>
+    <p class="quiet ends"><span>0 s</span><span>${formatDuration(t, whole_s)}</span></p>`;
 }
 
 /** @param {Context} context @param {readonly Row[]} rows */
-function edits({ page, say, act }, rows) {
+function edits({ page, t, act }, rows) {
   const { chosen, past, future } = page.teach;
   const none = chosen === null || chosen >= rows.length;
   return html`
     <div class="row">
-      <button id="teach-undo" type="button" class="small" ?disabled=${!past.length} @click=${() => act.send({ type: "teach_undo" })}>${say("teach.undo")}</button>
-      <button id="teach-redo" type="button" class="small" ?disabled=${!future.length} @click=${() => act.send({ type: "teach_redo" })}>${say("teach.redo")}</button>
-      <button id="teach-up" type="button" class="small" ?disabled=${none || chosen === 0} aria-label=${say("teach.up")} @click=${() => chosen !== null && void act.teach.move(chosen, chosen - 1)}>↑</button>
-      <button id="teach-down" type="button" class="small" ?disabled=${none || chosen === rows.length - 1} aria-label=${say("teach.down")} @click=${() => chosen !== null && void act.teach.move(chosen, chosen + 1)}>↓</button>
-      <button id="teach-retake" type="button" class="small" ?disabled=${none} @click=${() => act.teach.retake()}>${say("teach.retake")}</button>
-      <button id="teach-remove" type="button" class="small" ?disabled=${none} @click=${() => act.teach.remove()}>${say("teach.remove")}</button>
+      <button id="teach-undo" type="button" class="small" ?disabled=${!past.length} @click=${() => act.send({ type: "teach_undo" })}>${t("teach.undo")}</button>
+      <button id="teach-redo" type="button" class="small" ?disabled=${!future.length} @click=${() => act.send({ type: "teach_redo" })}>${t("teach.redo")}</button>
+      <button id="teach-up" type="button" class="small" ?disabled=${none || chosen === 0} aria-label=${t("teach.up")} @click=${() => chosen !== null && void act.teach.move(chosen, chosen - 1)}>↑</button>
+      <button id="teach-down" type="button" class="small" ?disabled=${none || chosen === rows.length - 1} aria-label=${t("teach.down")} @click=${() => chosen !== null && void act.teach.move(chosen, chosen + 1)}>↓</button>
+      <button id="teach-retake" type="button" class="small" ?disabled=${none} @click=${() => act.teach.retake()}>${t("teach.retake")}</button>
+      <button id="teach-remove" type="button" class="small" ?disabled=${none} @click=${() => act.teach.remove()}>${t("teach.remove")}</button>
     </div>`;
 }
 
 /** What is wrong, each with the way to its step. @param {Context} context @param {readonly Row[]} rows */
-function problems({ page, say, act }, rows) {
+function problems({ page, t, act }, rows) {
   const { report, refused, text } = page.teach;
   const found = text.trim() ? report?.problems ?? [] : [];
   return html`
     <div id="teach-problems" role="status">
-      ${refused ? html`<p class="told" data-tone="bad">${sentence(refused.detail)}. ${refused.hint ? `${sentence(refused.hint)}.` : ""}</p>` : nothing}
+      ${refused ? html`<p class="status" data-tone="bad">${sentence(refused.detail)}. ${refused.hint ? `${sentence(refused.hint)}.` : ""}</p>` : nothing}
       ${found.slice(0, 20).map(({ line, message, remedy }) => {
         const row = rowAt(rows, line);
-        return html`<p class="told" data-tone="bad">${row === null ? (line ? say("teach.line", { line }) : "") : html`<button type="button" class="small problem" @click=${() => act.send({ type: "teach_chosen", row })}>${say("teach.step", { step: row + 1 })}</button>`} ${sentence(message)}. ${remedy ? `${sentence(remedy)}.` : ""}</p>`;
+        return html`<p class="status" data-tone="bad">${row === null ? (line ? t("teach.line", { line }) : "") : html`<button type="button" class="small problem" @click=${() => act.send({ type: "teach_chosen", row })}>${t("teach.step", { step: row + 1 })}</button>`} ${sentence(message)}. ${remedy ? `${sentence(remedy)}.` : ""}</p>`;
       })}
-      ${found.length > 20 ? html`<p class="quiet">${say("teach.more", { count: found.length - 20 })}</p>` : nothing}
+      ${found.length > 20 ? html`<p class="quiet">${t("teach.more", { count: found.length - 20 })}</p>` : nothing}
     </div>`;
 }
 
 /** @param {Context} context @param {readonly Row[]} rows */
-function runs({ page, say, act }, rows) {
-  const why = hindrance(page);
+function runs({ page, t, act }, rows) {
+  const why = blockedReason(page);
   const own = page.station?.job?.job === page.teach.job;
   const busy = page.station?.job?.phase === "running";
   const off = !rows.length || (why !== null && !(own && why === "job_runs")) || (page.teach.report?.problems.length ?? 1) > 0;
   return html`
     <section class="card" aria-labelledby="teach-run-title">
-      <h2 id="teach-run-title">${say("teach.run")}</h2>
+      <h2 id="teach-run-title">${t("teach.run")}</h2>
       <div class="row">
-        <button id="teach-once" type="button" class="strong" ?disabled=${off || busy} @click=${() => act.teach.run(false, null)}>${say("teach.once")}</button>
-        <button id="teach-loop" type="button" ?disabled=${off || busy} @click=${() => act.teach.run(false, "forever")}>${say("teach.loop")}</button>
-        <button id="teach-step" type="button" class="small" ?disabled=${off || busy} @click=${() => act.teach.step()}>${say("teach.one_step")}</button>
-        <button id="teach-from" type="button" class="small" ?disabled=${off || busy || page.teach.chosen === null} @click=${() => act.teach.run(true, null)}>${say("teach.from")}</button>
-        ${own && page.station?.job && page.station.job.phase !== "done" ? html`<button id="teach-end" type="button" class="small" @click=${() => act.ask({ type: "cancel_job", job: page.station?.job?.job ?? 0 })}>${say("teach.end")}</button>` : nothing}
+        <button id="teach-once" type="button" class="strong" ?disabled=${off || busy} @click=${() => act.teach.run(false, null)}>${t("teach.once")}</button>
+        <button id="teach-loop" type="button" ?disabled=${off || busy} @click=${() => act.teach.run(false, "forever")}>${t("teach.loop")}</button>
+        <button id="teach-step" type="button" class="small" ?disabled=${off || busy} @click=${() => act.teach.step()}>${t("teach.one_step")}</button>
+        <button id="teach-from" type="button" class="small" ?disabled=${off || busy || page.teach.chosen === null} @click=${() => act.teach.run(true, null)}>${t("teach.from")}</button>
+        ${own && page.station?.job && page.station.job.phase !== "done" ? html`<button id="teach-end" type="button" class="small" @click=${() => act.ask({ type: "cancel_job", job: page.station?.job?.job ?? 0 })}>${t("teach.end")}</button>` : nothing}
       </div>
-      ${own && page.station?.job?.program ? html`<p class="quiet" id="teach-cycle">${say("teach.cycles", { cycles: page.station.job.program.cycles_done, step: page.station.job.program.step, steps: page.station.job.program.steps })}</p>` : nothing}
-      ${why && !(own && why === "job_runs") ? html`<p class="quiet">${say(`blocked.${why}`)}</p>` : nothing}
+      ${own && page.station?.job?.program ? html`<p class="quiet" id="teach-cycle">${t("teach.cycles", { cycles: page.station.job.program.cycles_done, step: page.station.job.program.step, steps: page.station.job.program.steps })}</p>` : nothing}
+      ${why && !(own && why === "job_runs") ? html`<p class="quiet">${t(`blocked.${why}`)}</p>` : nothing}
     </section>`;
 }
 
 /** @param {Context} context */
-function files({ page, say, act }) {
+function files({ page, t, act }) {
   const choose = (/** @type {Event} */ event) => {
     const field = /** @type {HTMLInputElement} */ (event.target);
     const file = field.files?.[0];
@@ -199,15 +199,15 @@ function files({ page, say, act }) {
   };
   return html`
     <section class="card" aria-labelledby="teach-files-title">
-      <h2 id="teach-files-title">${say("teach.files")}</h2>
+      <h2 id="teach-files-title">${t("teach.files")}</h2>
       <div class="row">
-        <button id="teach-save" type="button" class="small" ?disabled=${!page.teach.text} @click=${save}>${say("teach.save")}</button>
-        <input id="teach-file" type="file" accept=".toml,.xml,.play,text/plain" hidden aria-label=${say("teach.open")} @change=${choose}>
-        <button id="teach-open" type="button" class="small" @click=${() => document.getElementById("teach-file")?.click()}>${say("teach.open")}</button>
+        <button id="teach-save" type="button" class="small" ?disabled=${!page.teach.text} @click=${save}>${t("teach.save")}</button>
+        <input id="teach-file" type="file" accept=".toml,.xml,.play,text/plain" hidden aria-label=${t("teach.open")} @change=${choose}>
+        <button id="teach-open" type="button" class="small" @click=${() => document.getElementById("teach-file")?.click()}>${t("teach.open")}</button>
         <button id="teach-xml" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => void exportAs("xml")}>.xml</button>
         <button id="teach-play" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => void exportAs("play")}>.play</button>
-        <button id="teach-new" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => act.send({ type: "teach_text", text: "", name: "program.toml", chosen: null })}>${say("teach.new")}</button>
+        <button id="teach-new" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => act.send({ type: "teach_text", text: "", name: "program.toml", chosen: null })}>${t("teach.new")}</button>
       </div>
-      <p class="quiet">${say("teach.files.hint")}</p>
+      <p class="quiet">${t("teach.files.hint")}</p>
     </section>`;
 }

@@ -1,8 +1,8 @@
 // Pump, gripper and laser. Each is one command to the station, which decides; what is shown is what the arm then reports.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { hindrance, laser } from "../state/selectors.js";
-import { clock, span } from "../i18n/i18n.js";
+import { blockedReason, laser } from "../state/selectors.js";
+import { formatClock, formatDuration } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 
@@ -11,9 +11,9 @@ const TONES = { off: "off", armed: "warn", burning: "bad" };
 const MOUNTS = /** @type {const} */ ([["suction_cup", "tool.suction_cup"], ["gripper", "tool.gripper_tool"], ["laser", "tool.laser_tool"]]);
 
 /** @param {Context} context */
-export function tools({ page, say, act }) {
+export function tools({ page, t, act }) {
   const arm = page.station?.arm;
-  const why = hindrance(page) !== null;
+  const why = blockedReason(page) !== null;
   const shines = laser(page);
   const allowed = page.policy?.laser.allowed ?? true;
   const grip = (/** @type {SubmitEvent} */ event) => {
@@ -21,38 +21,38 @@ export function tools({ page, say, act }) {
     const form = /** @type {HTMLFormElement} */ (event.target);
     if (form.reportValidity()) act.grip(/** @type {HTMLInputElement} */ (form.elements.namedItem("deg")).valueAsNumber);
   };
-  const words = { off: say("tool.laser.disarmed"), armed: say("tool.laser.armed", { time: clock(page.station?.laser.armed_for_s ?? 0) }), burning: say("tool.laser.burning") };
+  const words = { off: t("tool.laser.disarmed"), armed: t("tool.laser.armed", { time: formatClock(page.station?.laser.armed_for_s ?? 0) }), burning: t("tool.laser.burning") };
   return html`
     <section class="card" aria-labelledby="tool-title">
-      <h2 id="tool-title">${say("tool")}</h2>
+      <h2 id="tool-title">${t("tool")}</h2>
       <div class="tool">
-        <span class="name">${say("tool.suction")}</span>
-        <b id="suction" class="chip" data-tone=${arm?.suction ? "warn" : "off"}>${arm ? say(arm.suction ? "tool.is_on" : "tool.is_off") : "–"}</b>
+        <span class="name">${t("tool.suction")}</span>
+        <b id="suction" class="chip" data-tone=${arm?.suction ? "warn" : "off"}>${arm ? t(arm.suction ? "tool.is_on" : "tool.is_off") : "–"}</b>
         <span class="acts">
-          <button id="suction-on" type="button" class="small" ?disabled=${why} @click=${() => act.suction(true)}>${say("tool.on")}</button>
-          <button id="suction-off" type="button" class="small" ?disabled=${why} @click=${() => act.suction(false)}>${say("tool.off")}</button>
+          <button id="suction-on" type="button" class="small" ?disabled=${why} @click=${() => act.suction(true)}>${t("tool.on")}</button>
+          <button id="suction-off" type="button" class="small" ?disabled=${why} @click=${() => act.suction(false)}>${t("tool.off")}</button>
         </span>
       </div>
       <form id="grip" class="tool" @submit=${grip}>
-        <label class="name" for="grip-deg">${say("tool.gripper")}</label>
+        <label class="name" for="grip-deg">${t("tool.gripper")}</label>
         <b id="gripper" class="chip" data-tone="off">${arm ? `${arm.gripper_deg.toFixed(0)}°` : "–"}</b>
         <span class="acts">
           <input id="grip-deg" name="deg" type="number" min="-90" max="90" step="any" required value="0" aria-describedby="grip-unit"> <span id="grip-unit">°</span>
-          <button type="submit" class="small" ?disabled=${why}>${say("tool.set")}</button>
+          <button type="submit" class="small" ?disabled=${why}>${t("tool.set")}</button>
         </span>
       </form>
       <div class="tool">
-        <span class="name">${say("tool.laser")}</span>
+        <span class="name">${t("tool.laser")}</span>
         <b id="laser" class="chip" data-tone=${TONES[shines]}>${words[shines]}</b>
         <span class="acts">
-          ${shines === "off" ? nothing : html`<button id="disarm" type="button" class="small" @click=${() => act.ask({ type: "disarm_laser" })}>${say("tool.laser.disarm")}</button>`}
-          <button id="arm-laser" type="button" class="small" ?disabled=${why || !allowed} @click=${() => act.question({ about: "arm_laser", values: { time: span(say, act.arming_s()) } })}>${say("tool.laser.arm")}</button>
+          ${shines === "off" ? nothing : html`<button id="disarm" type="button" class="small" @click=${() => act.ask({ type: "disarm_laser" })}>${t("tool.laser.disarm")}</button>`}
+          <button id="arm-laser" type="button" class="small" ?disabled=${why || !allowed} @click=${() => act.question({ about: "arm_laser", values: { time: formatDuration(t, act.arming_s()) } })}>${t("tool.laser.arm")}</button>
         </span>
       </div>
       <div class="tool">
-        <span class="name">${say("tool.mounted")}</span>
-        <span class="acts mounts">${MOUNTS.map(([tool, word]) => html`<button type="button" class="small" data-mount=${tool} ?disabled=${why} @click=${() => act.command({ type: "configuration", mode: "end_effector", tool })}>${say(word)}</button>`)}</span>
+        <span class="name">${t("tool.mounted")}</span>
+        <span class="acts mounts">${MOUNTS.map(([tool, word]) => html`<button type="button" class="small" data-mount=${tool} ?disabled=${why} @click=${() => act.command({ type: "configuration", mode: "end_effector", tool })}>${t(word)}</button>`)}</span>
       </div>
-      ${allowed ? nothing : html`<p class="quiet">${say("tool.laser.forbidden")}</p>`}
+      ${allowed ? nothing : html`<p class="quiet">${t("tool.laser.forbidden")}</p>`}
     </section>`;
 }

@@ -1,14 +1,14 @@
 // The words of voice mode, as buttons and as a text.
 
 import { html } from "../vendor/lit-html/lit-html.js";
-import { hindrance } from "../state/selectors.js";
+import { blockedReason } from "../state/selectors.js";
 
 /** What the arm is told in English, in every language of the page. */
 const WORDS = /** @type {const} */ ({ forward: "ahead ten", back: "back ten", left: "left ten", right: "right ten", up: "up ten", down: "down ten", catch: "catch", release: "release" });
 
 /** @param {import("../views/context.js").Context} context */
-export function voice({ page, say, act }) {
-  const why = hindrance(page) !== null;
+export function voice({ page, t, act }) {
+  const why = blockedReason(page) !== null;
   const tell = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
     const text = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.target).elements.namedItem("text")).value.trim();
@@ -16,14 +16,14 @@ export function voice({ page, say, act }) {
   };
   return html`
     <details class="card" id="voice">
-      <summary><h2>${say("voice")}</h2></summary>
-      <p class="quiet">${say("voice.hint")}</p>
+      <summary><h2>${t("voice")}</h2></summary>
+      <p class="quiet">${t("voice.hint")}</p>
       <div class="row words">
-        ${Object.entries(WORDS).map(([word, text]) => html`<button type="button" class="small" data-say=${text} ?disabled=${why} @click=${() => act.command({ type: "voice", text })}>${say(/** @type {"voice.catch"} */ (`voice.${word}`))}</button>`)}
+        ${Object.entries(WORDS).map(([word, text]) => html`<button type="button" class="small" data-say=${text} ?disabled=${why} @click=${() => act.command({ type: "voice", text })}>${t(/** @type {"voice.catch"} */ (`voice.${word}`))}</button>`)}
       </div>
       <form id="say" class="row" @submit=${tell}>
-        <input id="say-text" name="text" type="text" maxlength="40" autocomplete="off" required aria-label=${say("voice.text")}>
-        <button type="submit" ?disabled=${why}>${say("voice.send")}</button>
+        <input id="say-text" name="text" type="text" maxlength="40" autocomplete="off" required aria-label=${t("voice.text")}>
+        <button type="submit" ?disabled=${why}>${t("voice.send")}</button>
       </form>
     </details>`;
 }

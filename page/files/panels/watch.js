@@ -6,13 +6,13 @@ import { packets } from "./packets.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../i18n/i18n.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 /** @typedef {import("../state/history.js").History} History */
 
 /** @param {Context} context */
 export const watch = (context) => html`${link(context)}${charts(context)}${happened(context)}${packets(context)}`;
 
-/** What is drawn over time, by what is read together. @type {readonly (readonly [Word, readonly [number, number], readonly (readonly [keyof History, Word, string])[]])[]} */
+/** What is drawn over time, by what is read together. @type {readonly (readonly [TextKey, readonly [number, number], readonly (readonly [keyof History, TextKey, string])[]])[]} */
 const CHARTS = [
   ["chart.rate", [0, 15], [["rate", "watch.statuses", "--key"]]],
   ["chart.latency", [0, 50], [["latency_ms", "watch.latency", "--key"]]],
@@ -26,57 +26,57 @@ const DASHES = [[], [8, 4], [2, 3], [8, 3, 2, 3]];
 const last = (values) => values.at(-1)?.toFixed(1) ?? "–";
 
 /** @param {Context} context */
-function charts({ page, say }) {
+function charts({ page, t }) {
   const { history } = page;
   const now_s = history.at_s.at(-1) ?? 0;
   const times = history.at_s.map((it) => (it ?? 0) - now_s);
   const theme = document.documentElement.dataset.theme;
   return html`
     <section class="card" aria-labelledby="charts-title">
-      <h2 id="charts-title">${say("charts")}</h2>
+      <h2 id="charts-title">${t("charts")}</h2>
       ${CHARTS.map(([title, seen, lines]) => html`
-        <figure class="chart" aria-label=${say(title)}>
-          <figcaption>${say(title)} ${lines.map(([name, word], n) => html`<span class="line-${n + 1}">${lines.length > 1 ? say(word) : ""} <b data-last=${name}>${last(history[name])}</b></span>`)}</figcaption>
-          <div ${chart([times, ...lines.map(([name]) => history[name])], lines.map(([, word, color], n) => ({ name: say(word), color, dash: DASHES[n] })), seen, `${theme} ${page.language}`)}></div>
+        <figure class="chart" aria-label=${t(title)}>
+          <figcaption>${t(title)} ${lines.map(([name, word], n) => html`<span class="line-${n + 1}">${lines.length > 1 ? t(word) : ""} <b data-last=${name}>${last(history[name])}</b></span>`)}</figcaption>
+          <div ${chart([times, ...lines.map(([name]) => history[name])], lines.map(([, word, color], n) => ({ name: t(word), color, dash: DASHES[n] })), seen, `${theme} ${page.language}`)}></div>
         </figure>`)}
     </section>`;
 }
 
 /** @param {Context} context */
-function link({ page, say }) {
+function link({ page, t }) {
   const { station } = page;
   if (!station) return html``;
   const { link, dialect, queue, clients } = station;
   const rows = /** @type {const} */ ([
-    ["watch.address", "address", link.address ?? say("watch.not_found")],
-    ["watch.dialect", "dialect", dialect ?? say("watch.not_known")],
-    ["watch.statuses", "statuses", say("watch.statuses.value", { rate: link.statuses_per_s.toFixed(1) })],
-    ["watch.lost", "lost", say("watch.lost.value", { statuses: link.lost_statuses, bytes: link.damaged_bytes })],
-    ["watch.latency", "latency", link.latency_ms === null ? say("watch.not_known") : say("watch.ms", { ms: link.latency_ms.toFixed(0) })],
-    ["watch.waiting", "queue", say("watch.waiting.value", { here: queue.waiting, in_flight: queue.under_way, s: queue.ahead_s.toFixed(1) })],
+    ["watch.address", "address", link.address ?? t("watch.not_found")],
+    ["watch.dialect", "dialect", dialect ?? t("watch.not_known")],
+    ["watch.statuses", "statuses", t("watch.statuses.value", { rate: link.statuses_per_s.toFixed(1) })],
+    ["watch.lost", "lost", t("watch.lost.value", { statuses: link.lost_statuses, bytes: link.damaged_bytes })],
+    ["watch.latency", "latency", link.latency_ms === null ? t("watch.not_known") : t("watch.ms", { ms: link.latency_ms.toFixed(0) })],
+    ["watch.waiting", "queue", t("watch.waiting.value", { here: queue.waiting, in_flight: queue.under_way, s: queue.ahead_s.toFixed(1) })],
     ["watch.clients", "clients", String(clients)],
   ]);
   return html`
     <section class="card" aria-labelledby="link-title">
-      <h2 id="link-title">${say("watch.link")}</h2>
-      ${link.problem ? html`<p id="link-problem" class="told" data-tone="warn">${link.problem}</p>` : ""}
-      <dl class="list">${rows.map(([word, id, value]) => html`<div><dt>${say(word)}</dt><dd id=${id}>${value}</dd></div>`)}</dl>
+      <h2 id="link-title">${t("watch.link")}</h2>
+      ${link.problem ? html`<p id="link-problem" class="status" data-tone="warn">${link.problem}</p>` : ""}
+      <dl class="list">${rows.map(([word, id, value]) => html`<div><dt>${t(word)}</dt><dd id=${id}>${value}</dd></div>`)}</dl>
     </section>`;
 }
 
 /** @param {Context} context */
-function happened({ page, say, act }) {
+function happened({ page, t, act }) {
   const now_s = page.station?.at_s ?? 0;
-  const sought = page.sought.toLowerCase();
-  const newest = page.notices.filter(({ text }) => text.toLowerCase().includes(sought)).slice(-60).reverse();
-  const time = (/** @type {number} */ at_s) => new Date(page.heard_ms - Math.max(0, now_s - at_s) * 1000).toLocaleTimeString(page.language);
+  const filter = page.filter.toLowerCase();
+  const newest = page.notices.filter(({ text }) => text.toLowerCase().includes(filter)).slice(-60).reverse();
+  const time = (/** @type {number} */ at_s) => new Date(page.received_ms - Math.max(0, now_s - at_s) * 1000).toLocaleTimeString(page.language);
   return html`
     <section class="card" aria-labelledby="notices-title">
-      <h2 id="notices-title">${say("watch.events")}</h2>
-      <input id="sought" type="text" placeholder=${say("watch.filter")} aria-label=${say("watch.filter")} .value=${page.sought} @input=${(/** @type {Event} */ event) => act.send({ type: "sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
+      <h2 id="notices-title">${t("watch.events")}</h2>
+      <input id="filter" type="text" placeholder=${t("watch.filter")} aria-label=${t("watch.filter")} .value=${page.filter} @input=${(/** @type {Event} */ event) => act.send({ type: "filter", text: /** @type {HTMLInputElement} */ (event.target).value })}>
       <ol id="notices" class="notices" aria-live="polite">
         ${repeat(newest, ({ number }) => number, ({ at_s, text }) => html`<li><time>${time(at_s)}</time> ${text}</li>`)}
       </ol>
-      <p class="quiet"><a href="api/v1/openapi.json">${say("watch.api")}</a> (OpenAPI)</p>
+      <p class="quiet"><a href="api/v1/openapi.json">${t("watch.api")}</a> (OpenAPI)</p>
     </section>`;
 }

@@ -4,12 +4,12 @@ import { LANGUAGES } from "../i18n/i18n.js";
 
 /** @typedef {import("../i18n/i18n.js").Language} Language */
 /** @typedef {import("../state/state.js").Theme} Theme */
-/** @typedef {{ language: Language, theme: Theme, greeted: boolean }} Wishes */
+/** @typedef {{ language: Language, theme: Theme, greeted: boolean }} Preferences */
 
 const KEY = "dobot";
 
-/** What was kept, where it can be read and still means something. @returns {Partial<Wishes>} */
-export function readWishes() {
+/** What was kept, where it can be read and still means something. @returns {Partial<Preferences>} */
+export function readPreferences() {
   try {
     const { language, theme, greeted } = JSON.parse(localStorage.getItem(KEY) ?? "{}");
     return { ...(language in LANGUAGES && { language }), ...(["auto", "light", "dark"].includes(theme) && { theme }), greeted: greeted === true };
@@ -18,8 +18,8 @@ export function readWishes() {
   }
 }
 
-/** @param {Wishes} wishes */
-export const keepWishes = (wishes) => localStorage.setItem(KEY, JSON.stringify(wishes));
+/** @param {Preferences} preferences */
+export const savePreferences = (preferences) => localStorage.setItem(KEY, JSON.stringify(preferences));
 
 /** @param {Theme} theme @param {boolean} isSystemDark */
 export const isDarkTheme = (theme, isSystemDark) => theme === "dark" || (theme === "auto" && isSystemDark);

@@ -47,15 +47,15 @@ function passColor(color, pass) {
 
 const MOST_LETTERS = 60;
 
-/** What the colours of errors mean. @param {import("../i18n/i18n.js").Say} say @param {number} tolerance_mm */
-export function errorNames(say, tolerance_mm) {
-  return [say("play.error.half", { mm: tolerance_mm / 2 }), say("play.error.whole", { mm: tolerance_mm }), say("play.error.more")];
+/** What the colours of errors mean. @param {import("../i18n/i18n.js").Translate} t @param {number} tolerance_mm */
+export function errorNames(t, tolerance_mm) {
+  return [t("play.error.half", { mm: tolerance_mm / 2 }), t("play.error.whole", { mm: tolerance_mm }), t("play.error.more")];
 }
 
-/** Its name, shortened, or its number. @param {import("../i18n/i18n.js").Say} say @param {{name: string, tool: string}} pass @param {number} i */
-export function passName(say, { name, tool }, i) {
+/** Its name, shortened, or its number. @param {import("../i18n/i18n.js").Translate} t @param {{name: string, tool: string}} pass @param {number} i */
+export function passName(t, { name, tool }, i) {
   const short = name.length > MOST_LETTERS ? `${name.slice(0, MOST_LETTERS)}…` : name;
-  return (short || say("play.pass.number", { number: i + 1 })) + (tool === "laser" ? ` (${say("play.laser")})` : "");
+  return (short || t("play.pass.number", { number: i + 1 })) + (tool === "laser" ? ` (${t("play.laser")})` : "");
 }
 
 /** As in 1:05, or 2:03:04. @param {number} seconds */

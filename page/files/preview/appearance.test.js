@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { EDGE, boundsOf, clock, errorNames, heightFor, inkOfColumns, lookOfErrors, lookOfPasses, passName, roundLength, viewOf } from "./appearance.js";
-import { speak } from "../i18n/i18n.js";
+import { translator } from "../i18n/i18n.js";
 import { readTimeline } from "./timeline.js";
 import { sample } from "./sample.test.js";
 
@@ -64,7 +64,7 @@ test("a pass without a colour has one that its neighbours have not", () => {
 test("errors have three classes: half of the tolerance, all of it, more", () => {
   const path = { ...timeline.path, error_mm: Float32Array.of(0, 0.025, 0.026, 0.05, 0.051, 3) };
   assert.deepEqual([...lookOfErrors({ ...timeline, path }, 0.05).classes], [0, 0, 1, 1, 2, 2]);
-  assert.deepEqual(errorNames(speak("en"), 0.05), ["error 0 to 0.025 mm", "up to 0.05 mm (tolerance)", "larger"]);
+  assert.deepEqual(errorNames(translator("en"), 0.05), ["error 0 to 0.025 mm", "up to 0.05 mm (tolerance)", "larger"]);
 });
 
 test("times are minutes and seconds, and hours where there are any", () => {
@@ -74,9 +74,9 @@ test("times are minutes and seconds, and hours where there are any", () => {
 });
 
 test("a pass is called by its name, cut where it is long, and else by its number", () => {
-  assert.equal(passName(speak("en"), { name: "sky", tool: "pen" }, 0), "sky");
-  assert.equal(passName(speak("en"), { name: "", tool: "laser" }, 1), "pass 2 (laser)");
-  assert.equal(passName(speak("en"), { name: "x".repeat(61), tool: "pen" }, 0), `${"x".repeat(60)}…`);
+  assert.equal(passName(translator("en"), { name: "sky", tool: "pen" }, 0), "sky");
+  assert.equal(passName(translator("en"), { name: "", tool: "laser" }, 1), "pass 2 (laser)");
+  assert.equal(passName(translator("en"), { name: "x".repeat(61), tool: "pen" }, 0), `${"x".repeat(60)}…`);
 });
 
 test("the strip shows when there is ink, and none for travel moves", () => {

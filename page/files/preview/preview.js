@@ -18,9 +18,9 @@ const root = /** @type {HTMLElement} */ (document.getElementById("preview"));
 root.remove();
 root.hidden = false;
 
-/** The texts and labels of its parts. @type {Record<string, import("../i18n/i18n.js").Word>} */
+/** The texts and labels of its parts. @type {Record<string, import("../i18n/i18n.js").TextKey>} */
 const TEXTS = { title: "play", "colors-title": "play.colors", "by-pass": "play.by_pass", "by-error": "play.by_error", "tolerance-title": "play.tolerance", "speed-title": "play.speed", of: "play.of", "does-title": "play.tool", "pass-title": "play.pass", hint: "play.hint" };
-/** @type {Record<string, import("../i18n/i18n.js").Word>} */
+/** @type {Record<string, import("../i18n/i18n.js").TextKey>} */
 const LABELS = { canvas: "play.canvas", time: "play.time" };
 
 /** @type {Timeline | undefined} */ let timeline;
@@ -29,7 +29,7 @@ const LABELS = { canvas: "play.canvas", time: "play.time" };
 /** @type {Sketch | undefined} */ let sketch;
 /** @type {import("../state/draw.js").Draw["timeline"]} */ let shown = null;
 /** @type {string | null} */ let language = null;
-/** @type {import("../i18n/i18n.js").Say} */ let say;
+/** @type {import("../i18n/i18n.js").Translate} */ let t;
 let t_s = 0;
 let playing = false;
 let paintedAt = 0;
@@ -61,7 +61,7 @@ function chosen(name) {
 /** The player, with what the state has to show in it. @param {import("../views/context.js").Context} context @returns {HTMLElement} */
 export function player(context) {
   if (context.page.language !== language) {
-    [language, say] = [context.page.language, context.say];
+    [language, t] = [context.page.language, context.t];
     translate();
   }
   const wanted = context.page.draw.timeline;
@@ -74,9 +74,9 @@ export function player(context) {
 
 /** What stands in the player, in another language. */
 function translate() {
-  for (const [name, word] of Object.entries(TEXTS)) part(name).textContent = say(word);
-  for (const [name, word] of Object.entries(LABELS)) part(name).setAttribute("aria-label", say(word));
-  write("play", say(playing ? "play.pause" : "play.play"));
+  for (const [name, word] of Object.entries(TEXTS)) part(name).textContent = t(word);
+  for (const [name, word] of Object.entries(LABELS)) part(name).setAttribute("aria-label", t(word));
+  write("play", t(playing ? "play.pause" : "play.play"));
   recolor();
 }
 
@@ -100,15 +100,15 @@ function recolor() {
   part("tolerance-row").hidden = !errors;
   if (errors && !tolerance.validity.valid) return;
   look = errors ? lookOfErrors(timeline, tolerance.valueAsNumber) : lookOfPasses(timeline);
-  drawLegend(errors ? errorNames(say, tolerance.valueAsNumber) : timeline.passes.map((pass, n) => passName(say, pass, n)));
+  drawLegend(errors ? errorNames(t, tolerance.valueAsNumber) : timeline.passes.map((pass, n) => passName(t, pass, n)));
   resize();
 }
 
 /** @param {string[]} names */
 function drawLegend(names) {
   const items = names.slice(0, MOST_NAMED).map((name, i) => entry(name, look.styles[i]));
-  if (names.length > MOST_NAMED) items.push(entry(say("draw.more", { count: names.length - MOST_NAMED })));
-  const travel = entry(say("play.does.travel"));
+  if (names.length > MOST_NAMED) items.push(entry(t("draw.more", { count: names.length - MOST_NAMED })));
+  const travel = entry(t("play.does.travel"));
   travel.className = "travel";
   part("legend").replaceChildren(travel, ...items);
 }
@@ -171,7 +171,7 @@ function goTo(to_s) {
 function play(on) {
   if (on && timeline && t_s >= timeline.duration_s) t_s = 0;
   playing = on;
-  write("play", say(on ? "play.pause" : "play.play"));
+  write("play", t(on ? "play.pause" : "play.play"));
   repaint();
 }
 
@@ -199,20 +199,20 @@ function paint(now_ms) {
 
 /** @param {Place} place @param {Timeline} timeline */
 function tell(place, { duration_s, passes }) {
-  const does = say(doing(t_s >= duration_s ? "done" : place.kind));
-  const time = `${clock(t_s)} ${say("play.of")} ${clock(duration_s)}`;
+  const does = t(doing(t_s >= duration_s ? "done" : place.kind));
+  const time = `${clock(t_s)} ${t("play.of")} ${clock(duration_s)}`;
   input("time").value = String(t_s);
   input("time").setAttribute("aria-valuetext", `${time}, ${does}`);
   write("now", clock(t_s));
   write("whole", clock(duration_s));
   write("does", does);
-  const pass = passName(say, passes[place.pass], place.pass);
+  const pass = passName(t, passes[place.pass], place.pass);
   write("pass", passes.length > 1 ? `${place.pass + 1} / ${passes.length}: ${pass}` : pass);
   for (const axis of /** @type {const} */ (["x_mm", "y_mm", "z_mm"])) write(axis, place[axis].toFixed(2));
 }
 
 /** What a tool does, as a word. @param {string} kind */
-const doing = (kind) => /** @type {import("../i18n/i18n.js").Word} */ (`play.does.${kind}`);
+const doing = (kind) => /** @type {import("../i18n/i18n.js").TextKey} */ (`play.does.${kind}`);
 
 // --- Hands -----------------------------------------------------------------------------
 

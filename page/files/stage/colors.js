@@ -51,7 +51,7 @@ const DARK = {
 };
 
 /** @param {boolean} dark */
-export const lookOf = (dark) => (dark ? DARK : LIGHT);
+export const colorsOf = (dark) => (dark ? DARK : LIGHT);
 
 /** A colour, as style sheets and canvases write it. @param {number} hex */
 export const css = (hex) => `#${hex.toString(16).padStart(6, "0")}`;

@@ -1,16 +1,16 @@
 // Pointer and wheel on the stage: a handle of the target is dragged, anything else turns, moves or zooms the camera.
 
-/** @typedef {{ orbit(dx: number, dy: number): void, pan(dx: number, dy: number): void, zoom(times: number): void }} CameraHands Pixels. */
-/** @typedef {{ hover(at: At | null): boolean, grab(at: At): boolean, drag(at: At): void, drop(): void }} TargetHands */
+/** @typedef {{ orbit(dx: number, dy: number): void, pan(dx: number, dy: number): void, zoom(times: number): void }} CameraInput Pixels. */
+/** @typedef {{ hover(at: At | null): boolean, grab(at: At): boolean, drag(at: At): void, drop(): void }} TargetInput */
 /** @typedef {{ x: number, y: number }} At From -1 to 1, to the right and up. */
 
 /**
  * @param {HTMLElement} element
- * @param {CameraHands} camera
- * @param {TargetHands} target
+ * @param {CameraInput} camera
+ * @param {TargetInput} target
  * @returns {() => void} takes the hands away
  */
-export function createHands(element, camera, target) {
+export function createPointerInput(element, camera, target) {
   /** @type {Map<number, { x: number, y: number, right: boolean }>} */ const fingers = new Map();
   let dragging = -1;
   const leave = new AbortController();

@@ -32,7 +32,7 @@ export function createLimit() {
 }
 
 /** @param {boolean} card whether there is a graphics card */
-export function createPace(card) {
+export function createRenderQuality(card) {
   let level = card ? 0 : WITHOUT_CARD;
   /** @type {number[]} */ let took = [];
   /** @type {number | null} */ let last = null;

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createLimit, createPace } from "./render_quality.js";
+import { createLimit, createRenderQuality } from "./render_quality.js";
 
 const FINEST = { density: 2, mirrors: true, shadows: true };
 
@@ -11,23 +11,23 @@ function after(pace, count, each_ms) {
 }
 
 test("a computer that keeps up draws as fine as its screen is", () => {
-  assert.deepEqual(after(createPace(true), 500, 16.7), FINEST);
-  assert.equal(createPace(true).quality(1.5).density, 1.5);
+  assert.deepEqual(after(createRenderQuality(true), 500, 16.7), FINEST);
+  assert.equal(createRenderQuality(true).quality(1.5).density, 1.5);
 });
 
 test("a slow one draws coarser, step by step, and not coarser than that it can be seen", () => {
-  const pace = createPace(true);
+  const pace = createRenderQuality(true);
   assert.deepEqual(after(pace, 16, 60), { density: 1, mirrors: true, shadows: true });
   assert.deepEqual(after(pace, 16, 60), { density: 1, mirrors: false, shadows: true });
   assert.deepEqual(after(pace, 500, 60), { density: 0.75, mirrors: false, shadows: false });
 });
 
 test("one without a graphics card begins with what it can do", () => {
-  assert.deepEqual(createPace(false).quality(2), { density: 0.75, mirrors: false, shadows: true });
+  assert.deepEqual(createRenderQuality(false).quality(2), { density: 0.75, mirrors: false, shadows: true });
 });
 
 test("a single slow frame, or a pause between two motions, is nothing", () => {
-  const pace = createPace(true);
+  const pace = createRenderQuality(true);
   for (let n = 0; n < 100; n += 1) pace.drawn(n * 5000, false);
   for (let n = 0; n < 100; n += 1) pace.drawn(n * 16 + (n > 50 ? 900 : 0), true);
   assert.deepEqual(pace.quality(2), FINEST);

@@ -1,7 +1,7 @@
 // The stage without WebGL: the arm from above and from the side, on a canvas.
 
 import { forward, inverse, links, rad } from "./kinematics.js";
-import { css, lookOf } from "./colors.js";
+import { css, colorsOf } from "./colors.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Joints} Joints */
@@ -19,7 +19,7 @@ const HANDLE_PX = 18;
  * @param {HTMLElement} element
  * @param {{ changed(): void, target(pose: import("./view.js").Target): void }} outside
  */
-export function createFlat(element, outside) {
+export function createScene2d(element, outside) {
   const canvas = document.createElement("canvas");
   element.prepend(canvas);
   const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
@@ -40,7 +40,7 @@ export function createFlat(element, outside) {
 
   function draw() {
     if (!view) return;
-    const look = lookOf(view.dark);
+    const look = colorsOf(view.dark);
     pen.setTransform(density, 0, 0, density, 0, 0);
     pen.fillStyle = css(look.background);
     pen.fillRect(0, 0, width, height);
@@ -81,7 +81,7 @@ export function createFlat(element, outside) {
 
   /** @param {Plot} plot @param {View} now */
   function drawAbove(plot, now) {
-    const look = lookOf(now.dark), at = (/** @type {number} */ x, /** @type {number} */ y) => plot.to(-y, x);
+    const look = colorsOf(now.dark), at = (/** @type {number} */ x, /** @type {number} */ y) => plot.to(-y, x);
     if (now.limits) reach(plot, now, now.limits);
     if (now.paper) {
       const [x0, y0] = at(now.paper.to_mm[0], now.paper.to_mm[1]), [x1, y1] = at(now.paper.from_mm[0], now.paper.from_mm[1]);
@@ -152,7 +152,7 @@ export function createFlat(element, outside) {
 
   /** @param {Plot} plot @param {View} now */
   function drawSide(plot, now) {
-    const look = lookOf(now.dark), { left, width: w } = plot.frame;
+    const look = colorsOf(now.dark), { left, width: w } = plot.frame;
     const [, floor] = plot.to(0, now.table_z_mm);
     line([[left, floor], [left + w, floor]], look.grid, 1);
     for (const { quantity, bound } of now.near.limits) {
@@ -181,7 +181,7 @@ export function createFlat(element, outside) {
 
   /** Where the arm reaches. @param {Plot} plot @param {View} now @param {NonNullable<View["limits"]>} limits */
   function reach(plot, now, { joints: { base_deg: [least = 0, most = 0] }, workspace: { reach_mm: [near = 0, far = 0] } }) {
-    const look = lookOf(now.dark), [x, y] = plot.to(0, 0);
+    const look = colorsOf(now.dark), [x, y] = plot.to(0, 0);
     const close = now.near.limits.some(({ quantity }) => quantity === "reach" || quantity === "base");
     pen.beginPath();
     pen.arc(x, y, far * plot.scale, rad(-90 - most), rad(-90 - least));
@@ -198,9 +198,9 @@ export function createFlat(element, outside) {
   function both(now, from) {
     const { shape } = now;
     if (!shape) return;
-    const look = lookOf(now.dark), aimed = now.ghost && inverse(now.ghost, shape);
+    const look = colorsOf(now.dark), aimed = now.ghost && inverse(now.ghost, shape);
     const wide = Math.max(6, Math.min(width, height) / 38);
-    if (now.arm && drawn) from(drawn, shape, look.dark === lookOf(true).dark ? look.metal : look.pin, wide);
+    if (now.arm && drawn) from(drawn, shape, look.dark === colorsOf(true).dark ? look.metal : look.pin, wide);
     if (!aimed) return;
     pen.globalAlpha = 0.45;
     from(aimed, shape, now.ghost?.refused ? look.refused : look.ghost, wide);
@@ -209,7 +209,7 @@ export function createFlat(element, outside) {
 
   /** @param {View} now @param {(pose: Pose) => [number, number]} at */
   function handle(now, at) {
-    const pose = targetOf(now), look = lookOf(now.dark);
+    const pose = targetOf(now), look = colorsOf(now.dark);
     if (pose && now.draggable) dot(at(pose), HANDLE_PX / 2, now.ghost?.refused ? look.refused : look.ghost, now.ghost !== null);
   }
 

@@ -6,11 +6,11 @@ import {
 import { createArm } from "./arm.js";
 import { LENS_DEG, orbit, pan, place, preset, towards, zoom } from "./camera.js";
 import { createKeepOuts, createLimits } from "./keep_outs.js";
-import { createHands } from "./pointer_input.js";
+import { createPointerInput } from "./pointer_input.js";
 import { createLight, createMirrored } from "./light.js";
 import { createDrawing, createPlanned, createTrail } from "./lines.js";
 import { forward, inverse, rad } from "./kinematics.js";
-import { lookOf } from "./colors.js";
+import { colorsOf } from "./colors.js";
 import { createMarks } from "./marks.js";
 import { createPaper, createPlane, createTable } from "./paper.js";
 import { createTarget } from "./target.js";
@@ -33,7 +33,7 @@ const METAL = { metal: 0.72, dark: 0.25, accent: 0.35, pin: 0.9, rubber: 0 };
  * @param {{ changed(): void, target(pose: import("./view.js").Target): void, still: boolean }} outside
  * @param {boolean} card whether a graphics card draws it
  */
-export function createDeep(element, outside, card) {
+export function createScene3d(element, outside, card) {
   const canvas = document.createElement("canvas");
   const renderer = new WebGLRenderer({ canvas, antialias: card, powerPreference: "high-performance" });
   renderer.shadowMap.enabled = true;
@@ -82,7 +82,7 @@ export function createDeep(element, outside, card) {
   const pointer = (/** @type {{ x: number, y: number }} */ { x, y }) => new Vector2(x, y);
   const dropped = { phase: /** @type {const} */ ("drop") };
   /** @type {import("./view.js").Pose | null} */ let last = null;
-  const leave = createHands(canvas, {
+  const leave = createPointerInput(canvas, {
     orbit: (dx, dy) => look(orbit(camera, -dx * 0.35, dy * 0.35)),
     pan: (dx, dy) => look(pan(camera, -dx * perPixel(), dy * perPixel())),
     zoom: (times) => look(zoom(camera, times)),
@@ -110,7 +110,7 @@ export function createDeep(element, outside, card) {
   });
 
   function paint(/** @type {View} */ { dark, ghost, laser, tool }) {
-    const colors = lookOf(dark);
+    const colors = colorsOf(dark);
     scene.background = new Color(colors.background);
     light.sun.intensity = colors.sun;
     light.sky.intensity = colors.sky;
@@ -142,7 +142,7 @@ export function createDeep(element, outside, card) {
     if (differs("things")) world.show(next.things);
     if (differs("keepOuts")) keepOuts.show(next.keepOuts);
     if (differs("planned", "tool")) planned.show(next.planned, next.tool.length_mm);
-    if (differs("drawing", "tool", "dark")) drawing.show(next.drawing, next.tool.length_mm, lookOf(next.dark));
+    if (differs("drawing", "tool", "dark")) drawing.show(next.drawing, next.tool.length_mm, colorsOf(next.dark));
     marks.show(next.marks, next.paper);
     arm.group.visible = trail.group.visible = next.arm !== null;
     if (differs("dark", "ghost", "tool", "keepOuts")) paint(next);

@@ -1,10 +1,10 @@
 // The stage: shows a `View` (see `view.js`), in three dimensions, or in two where there is no WebGL. It draws only when
 // something changed and it is in sight, and has no state of its own but the camera and what it heard last.
 
-import { createDeep } from "./scene_3d.js";
-import { createFlat } from "./scene_2d.js";
+import { createScene3d } from "./scene_3d.js";
+import { createScene2d } from "./scene_2d.js";
 import { Motion } from "./motion.js";
-import { createLimit, createPace } from "./render_quality.js";
+import { createLimit, createRenderQuality } from "./render_quality.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Preset} Preset */
@@ -23,11 +23,11 @@ export function createStage(element) {
   element.append(note);
   const motion = new Motion();
   const isDue = createLimit();
-  let pace = createPace(true);
+  let pace = createRenderQuality(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
   let asked = 0, inked = 0, inSight = true;
-  /** @type {ReturnType<typeof createDeep> | ReturnType<typeof createFlat>} */ let drawing;
+  /** @type {ReturnType<typeof createScene3d> | ReturnType<typeof createScene2d>} */ let drawing;
 
   const outside = {
     get still() {
@@ -71,9 +71,9 @@ export function createStage(element) {
   function build(deep) {
     drawing?.end();
     const by = deep ? drawsBy() : "nothing";
-    drawing = by === "nothing" ? createFlat(element, outside) : createDeep(element, outside, by === "card");
+    drawing = by === "nothing" ? createScene2d(element, outside) : createScene3d(element, outside, by === "card");
     drawing.canvas.setAttribute("aria-hidden", "true");
-    pace = createPace(by !== "processor");
+    pace = createRenderQuality(by !== "processor");
     if (drawing.kind === "3d") drawing.canvas.addEventListener("webglcontextlost", lost);
     element.dataset.shown = drawing.kind;
     if (view) drawing.show(view);

@@ -7,7 +7,7 @@ import { rests, silence_ms } from "./selectors.js";
 /** @typedef {Schemas["CalibrationFile"]} CalibrationFile */
 /** A point that was the next one: what the arm said there, or nothing where it was left out. @typedef {{ point: number, told_deg: readonly number[] | null, height_mm: number }} Visit */
 /** A touched point, and how high the block was on it. @typedef {{ point: number, told_deg: readonly number[], height_mm: number }} Touch */
-/** Why no touch can be taken now: a key of the words. @typedef {"no_connection" | "no_arm" | "not_confirmed" | "moving"} TouchHindrance */
+/** Why no touch can be taken now: a key of the words. @typedef {"no_connection" | "no_arm" | "not_confirmed" | "moving"} TouchBlockedReason */
 
 /** From so many touches on the station is asked what they tell. */
 export const LEAST_TOUCHES = 4;
@@ -94,8 +94,8 @@ export function numbersOf(file, before = null) {
   });
 }
 
-/** @param {import("./state.js").Page} page @returns {TouchHindrance | null} */
-export function touchHindrance(page) {
+/** @param {import("./state.js").Page} page @returns {TouchBlockedReason | null} */
+export function touchBlockedReason(page) {
   const { connection, station } = page;
   if (connection !== "open" || !station || silence_ms(page) > 0) return "no_connection";
   if (station.link.phase !== "up" || !station.arm) return "no_arm";
@@ -104,10 +104,10 @@ export function touchHindrance(page) {
 }
 
 /** Why the next point of the sheet cannot be touched now: a key of the words. @param {import("./state.js").Page} page */
-export const pointHindrance = (page) => touchHindrance(page) ?? (Number.isNaN(blockHeight(page.calibrate)) ? "no_block" : null);
+export const pointBlockedReason = (page) => touchBlockedReason(page) ?? (Number.isNaN(blockHeight(page.calibrate)) ? "no_block" : null);
 
 /** What the arm itself says of its joints, whatever is known to be wrong with it. @param {import("./types.js").Arm} arm */
-export function toldDegrees(arm) {
+export function rawDegrees(arm) {
   const { base_deg, rear_deg, fore_deg } = arm.told ?? arm;
   return [base_deg, rear_deg, fore_deg];
 }

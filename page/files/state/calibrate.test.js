@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { NO_CALIBRATE, nextPoint, numbersOf, pointHindrance, questionOf, reduceCalibrate, toldDegrees, touchHindrance, touchesOf } from "./calibrate.js";
+import { NO_CALIBRATE, nextPoint, numbersOf, pointBlockedReason, questionOf, reduceCalibrate, rawDegrees, touchBlockedReason, touchesOf } from "./calibrate.js";
 
 const SHEET = { points_mm: [[215, 0], [155, 100], [275, 100]], bar_mm: 200 };
 const FILE = { zeros: { base: 3, rear: -4, fore: 2 }, tool: { out_mm: 1, left_mm: 0 }, axis: { x_mm: 0, y_mm: 0 }, paper: null, backlash: { base: 0.2, rear: 0, fore: 0 }, touched: null };
@@ -35,9 +35,9 @@ test("a block on a point counts for one touch, and a height that no block has hi
   const typed = (text) => ({ type: "calibrate_block_typed", text });
   const all = after([typed("40"), touched(1), touched(2)], BEGUN);
   assert.deepEqual(questionOf(all).touches.map(({ height_mm }) => height_mm), [40, 0]);
-  const page = (text) => ({ connection: "open", station: STATION, heard_ms: 0, now_ms: 0, calibrate: after([typed(text)], BEGUN) });
-  for (const text of ["", "0", "40", "100"]) assert.equal(pointHindrance(page(text)), null, text);
-  for (const text of ["-1", "101"]) assert.equal(pointHindrance(page(text)), "no_block", text);
+  const page = (text) => ({ connection: "open", station: STATION, received_ms: 0, now_ms: 0, calibrate: after([typed(text)], BEGUN) });
+  for (const text of ["", "0", "40", "100"]) assert.equal(pointBlockedReason(page(text)), null, text);
+  for (const text of ["-1", "101"]) assert.equal(pointBlockedReason(page(text)), "no_block", text);
 });
 
 test("a bar that is refused leads nowhere, and another one is asked for again", () => {
@@ -86,12 +86,12 @@ test("numbers are told with what changed, and those that a calibration does not 
 });
 
 test("a touch is what the arm itself says, whatever is known of it", () => {
-  assert.deepEqual(toldDegrees(ARM), [1, 45, 45]);
-  assert.deepEqual(toldDegrees({ ...ARM, told: { base_deg: -2, rear_deg: 49, fore_deg: 43 } }), [-2, 49, 43]);
+  assert.deepEqual(rawDegrees(ARM), [1, 45, 45]);
+  assert.deepEqual(rawDegrees({ ...ARM, told: { base_deg: -2, rear_deg: 49, fore_deg: 43 } }), [-2, 49, 43]);
 });
 
 test("a touch is taken while the arm rests and its pose is trusted", () => {
-  const why = (change, page = {}) => touchHindrance({ connection: "open", heard_ms: 0, now_ms: 0, station: { ...STATION, ...change }, ...page });
+  const why = (change, page = {}) => touchBlockedReason({ connection: "open", received_ms: 0, now_ms: 0, station: { ...STATION, ...change }, ...page });
   assert.equal(why({}), null);
   assert.equal(why({ arm: { ...ARM, moving: true } }), "moving");
   assert.equal(why({ queue: { waiting: 0, under_way: 1 } }), "moving");

@@ -36,7 +36,7 @@ export const accepted = (formats) => formats.flatMap(({ extensions }) => extensi
 export const formatNames = (formats) => formats.map(({ name }) => name).join(", ");
 /** How large a file may be; in Base64 it is a third larger. */
 export const MOST_BYTES = 24_000_000;
-/** What the page calls the options of a drawing that it has fields for. @type {Readonly<Record<string, import("../i18n/i18n.js").Word>>} */
+/** What the page calls the options of a drawing that it has fields for. @type {Readonly<Record<string, import("../i18n/i18n.js").TextKey>>} */
 const FIELD_NAMES = {
   "what.hatch": "draw.hatch", "what.height": "draw.height", "what.layers": "draw.layers",
   "place.scale": "draw.scale", "place.rotate": "draw.rotate", "place.pen_down": "draw.down", "place.fit": "draw.fit", "place.clip": "draw.clip",
@@ -77,8 +77,8 @@ export const NO_DRAW = {
 /** @param {string} text */
 const numberOf = (text) => (text.trim() === "" ? null : Number(text));
 
-/** A text of the station with the names that the page has for the options in it. @param {import("../i18n/i18n.js").Say} say @param {string} text */
-export const withFieldNames = (say, text) => text.replace(/(?<![\w./])`?\b((?:what|place|tool|way)\.\w+)`?/g, (all, /** @type {string} */ field) => (FIELD_NAMES[field] ? `“${say(FIELD_NAMES[field])}”` : all));
+/** A text of the station with the names that the page has for the options in it. @param {import("../i18n/i18n.js").Translate} t @param {string} text */
+export const withFieldNames = (t, text) => text.replace(/(?<![\w./])`?\b((?:what|place|tool|way)\.\w+)`?/g, (all, /** @type {string} */ field) => (FIELD_NAMES[field] ? `“${t(FIELD_NAMES[field])}”` : all));
 
 /** Whether there is something to draw. @param {Draw} draw */
 export const hasSubject = ({ what, file, text }) => (what === "file" ? file !== null : text.trim() !== "");

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { speak } from "../i18n/i18n.js";
+import { translator } from "../i18n/i18n.js";
 import { accepted, formatNames, NO_DRAW, reduceDraw, withFieldNames } from "./draw.js";
 
 const FORMATS = /** @type {import("./draw.js").Formats} */ ([
@@ -15,8 +15,8 @@ test("files are chosen and named by the formats that the station tells", () => {
 });
 
 test("an error names the field of the page, and an option that the page does not have as it is", () => {
-  const say = speak("en");
-  assert.equal(withFieldNames(say, "tool.speed is 2000 mm/s; it takes 0 to 1000 mm/s"), "“Speed” is 2000 mm/s; it takes 0 to 1000 mm/s");
-  assert.equal(withFieldNames(say, "`place.fit`, instead of `place.scale`, is smaller"), "“scale to fit”, instead of “Scale”, is smaller");
-  assert.equal(withFieldNames(say, "tool.kerf is 7 mm"), "tool.kerf is 7 mm");
+  const t = translator("en");
+  assert.equal(withFieldNames(t, "tool.speed is 2000 mm/s; it takes 0 to 1000 mm/s"), "“Speed” is 2000 mm/s; it takes 0 to 1000 mm/s");
+  assert.equal(withFieldNames(t, "`place.fit`, instead of `place.scale`, is smaller"), "“scale to fit”, instead of “Scale”, is smaller");
+  assert.equal(withFieldNames(t, "tool.kerf is 7 mm"), "tool.kerf is 7 mm");
 });

@@ -6,7 +6,7 @@ import { silence_ms } from "./selectors.js";
 /** @typedef {import("./types.js").Station} Station */
 
 /** Compared by what is read of them. */
-const APART = new Set(["station", "heard_ms", "now_ms", "history"]);
+const APART = new Set(["station", "received_ms", "now_ms", "history"]);
 /** How long a time slot lasts is counted by the station's clock: it is written so often in a second. */
 const SLOTS_PER_S = 4;
 
@@ -19,7 +19,7 @@ function read(station, watched) {
 }
 
 /** @param {Page} before @param {Page} after */
-export function looksSame(before, after) {
+export function rendersSame(before, after) {
   const names = /** @type {(keyof Page)[]} */ (Object.keys(after));
   if (names.some((name) => !APART.has(name) && before[name] !== after[name])) return false;
   if (silence_ms(before) !== silence_ms(after)) return false;

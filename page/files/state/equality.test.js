@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { reduce } from "./reduce.js";
-import { looksSame } from "./equality.js";
+import { rendersSame } from "./equality.js";
 import { begin } from "./state.js";
 
 const STATION = {
@@ -18,8 +18,8 @@ const OPEN = after([{ type: "hello", client: 7, role: "control", version: "1", n
 const told = (change, page = OPEN) => reduce(page, { type: "state", station: { ...STATION, at_s: 1.08, ...structuredClone(change) }, now_ms: 1080 });
 
 test("an arm that rests looks the same, however often it says so", () => {
-  assert.ok(looksSame(OPEN, told({})));
-  assert.ok(looksSame(OPEN, told({ at_s: 3, link: { ...STATION.link, statuses_per_s: 12.52, latency_ms: 7 } })));
+  assert.ok(rendersSame(OPEN, told({})));
+  assert.ok(rendersSame(OPEN, told({ at_s: 3, link: { ...STATION.link, statuses_per_s: 12.52, latency_ms: 7 } })));
 });
 
 test("whatever is read of a station is news", () => {
@@ -27,27 +27,27 @@ test("whatever is read of a station is news", () => {
     arm: { ...STATION.arm, x_mm: 200.1 }, link: { ...STATION.link, phase: "lost" }, trust: { trusted: false, reason: "reset" }, clients: 2,
     lease: { client: 7, name: "desk", is_program: false, since_s: 0, asked_by: [] }, laser: { armed_for_s: 2, on: false }, job: { job: 3, completed: 1 },
   };
-  for (const [name, value] of Object.entries(changes)) assert.ok(!looksSame(OPEN, told({ [name]: value })), name);
-  assert.ok(!looksSame(BEGUN, OPEN));
+  for (const [name, value] of Object.entries(changes)) assert.ok(!rendersSame(OPEN, told({ [name]: value })), name);
+  assert.ok(!rendersSame(BEGUN, OPEN));
 });
 
 test("whatever else the page knows is news, and so is a report after a silence", () => {
-  assert.ok(!looksSame(OPEN, reduce(OPEN, { type: "tab", tab: "watch" })));
+  assert.ok(!rendersSame(OPEN, reduce(OPEN, { type: "tab", tab: "watch" })));
   const silent = reduce(OPEN, { type: "tick", now_ms: 3000 });
-  assert.ok(!looksSame(OPEN, silent));
-  assert.ok(!looksSame(silent, told({}, silent)));
+  assert.ok(!rendersSame(OPEN, silent));
+  assert.ok(!rendersSame(silent, told({}, silent)));
 });
 
 test("Watch shows the link and each sample of the charts", () => {
   const watched = reduce(OPEN, { type: "tab", tab: "watch" });
-  assert.ok(looksSame(watched, told({}, watched)));
-  assert.ok(!looksSame(watched, told({ link: { ...STATION.link, latency_ms: 7 } }, watched)));
-  assert.ok(!looksSame(watched, told({ at_s: 1.6 }, watched)));
+  assert.ok(rendersSame(watched, told({}, watched)));
+  assert.ok(!rendersSame(watched, told({ link: { ...STATION.link, latency_ms: 7 } }, watched)));
+  assert.ok(!rendersSame(watched, told({ at_s: 1.6 }, watched)));
 });
 
 test("a time slot is counted down", () => {
   const slots = { now: { student: "Anna", starts_s: 0, ends_s: 250 }, next: null, free_s: 250 };
   const timed = told({ slots });
-  assert.ok(looksSame(timed, told({ slots, at_s: 1.1 }, timed)));
-  assert.ok(!looksSame(timed, told({ slots, at_s: 1.6 }, timed)));
+  assert.ok(rendersSame(timed, told({ slots, at_s: 1.1 }, timed)));
+  assert.ok(!rendersSame(timed, told({ slots, at_s: 1.6 }, timed)));
 });

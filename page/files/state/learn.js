@@ -18,11 +18,11 @@
  * @property {string} answer What a person typed.
  * @property {boolean} chooses Whether the list of lessons is open.
  * @property {string} student Under what name the board of the fleet shows how far this page is; empty where nobody has said one.
- * @property {import("./types.js").Problem | null} untold Why the station did not take it last.
+ * @property {import("./types.js").Problem | null} reportProblem Why the station did not take it last.
  */
 
 /** @type {Learn} */
-export const NO_LEARN = { lesson: null, step: 0, begun: { at: null, notice: 0 }, answer: "", chooses: false, student: "", untold: null };
+export const NO_LEARN = { lesson: null, step: 0, begun: { at: null, notice: 0 }, answer: "", chooses: false, student: "", reportProblem: null };
 
 /** The lessons, by the names of their files, in their order. */
 export const LESSONS = /** @type {const} */ (["tour", "coordinates", "kinematics", "pick_and_place"]);
@@ -32,13 +32,13 @@ export const LESSONS = /** @type {const} */ (["tour", "coordinates", "kinematics
  * | { type: "lesson_answer", text: string }
  * | { type: "lesson_choose", open: boolean }
  * | { type: "lesson_student", name: string }
- * | { type: "lesson_told", problem: import("./types.js").Problem | null }} LearnMessage */
+ * | { type: "lesson_reported", problem: import("./types.js").Problem | null }} LearnMessage */
 
 /** @param {Learn} learn @param {import("./message.js").Message} message @returns {Learn} */
 export function reduceLearn(learn, message) {
   switch (message.type) {
     case "lesson":
-      return { ...NO_LEARN, lesson: message.lesson, begun: message.begun, student: learn.student, untold: learn.untold };
+      return { ...NO_LEARN, lesson: message.lesson, begun: message.begun, student: learn.student, reportProblem: learn.reportProblem };
     case "lesson_step":
       return { ...learn, step: message.step, begun: message.begun, answer: "" };
     case "lesson_answer":
@@ -46,9 +46,9 @@ export function reduceLearn(learn, message) {
     case "lesson_choose":
       return { ...learn, chooses: message.open };
     case "lesson_student":
-      return { ...learn, student: message.name, untold: null };
-    case "lesson_told":
-      return { ...learn, untold: message.problem };
+      return { ...learn, student: message.name, reportProblem: null };
+    case "lesson_reported":
+      return { ...learn, reportProblem: message.problem };
     default:
       return learn;
   }

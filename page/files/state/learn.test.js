@@ -36,9 +36,9 @@ test("how far a student is, is told under the name that was said, and of nobody 
   const page = [{ type: "lesson_student", name: "Anna" }, { type: "lesson", lesson, begun }, { type: "lesson_step", step: 1, begun }].reduce(reduce, NEW);
   assert.deepEqual(progressOf(page.learn), { student: "Anna", lesson: "tour", done: 1, steps: 2 });
   assert.equal(progressOf(reduce(page, { type: "lesson_student", name: "" }).learn), null);
-  const untold = reduce(page, { type: "lesson_told", problem: { title: "", detail: "this takes the role queue" } });
-  assert.equal(untold.learn.untold.detail, "this takes the role queue");
-  assert.equal(reduce(untold, { type: "lesson_student", name: "Ben" }).learn.untold, null);
+  const reportProblem = reduce(page, { type: "lesson_reported", problem: { title: "", detail: "this takes the role queue" } });
+  assert.equal(reportProblem.learn.reportProblem.detail, "this takes the role queue");
+  assert.equal(reduce(reportProblem, { type: "lesson_student", name: "Ben" }).learn.reportProblem, null);
   const left = reduce(page, { type: "lesson", lesson: null, begun });
   assert.equal(progressOf(left.learn), null);
   assert.equal(left.learn.student, "Anna", "the next lesson is hers, too");

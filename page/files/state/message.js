@@ -11,7 +11,7 @@
  * | { type: "state", station: Station, now_ms: number }
  * | { type: "notices", notices: readonly Notice[] }
  * | { type: "notice", notice: Notice }
- * | { type: "sought", text: string }
+ * | { type: "filter", text: string }
  * | { type: "closed", needs_token: boolean }
  * | { type: "connecting" }
  * | { type: "stop_pressed" }

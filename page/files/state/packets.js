@@ -14,12 +14,12 @@
  * @property {number} count How many have passed.
  * @property {number} lost How many came too fast to be told.
  * @property {Way} way
- * @property {string} sought What a packet has to say to be shown.
+ * @property {string} filter What a packet has to say to be shown.
  * @property {Problem | null} problem
  */
 
 /** @type {Packets} */
-export const NO_PACKETS = { listening: false, passed: [], frozen: null, count: 0, lost: 0, way: "both", sought: "", problem: null };
+export const NO_PACKETS = { listening: false, passed: [], frozen: null, count: 0, lost: 0, way: "both", filter: "", problem: null };
 
 /** @typedef {{ type: "packets_wanted", listening: boolean }
  * | { type: "packets", packets: readonly PacketView[] }
@@ -27,7 +27,7 @@ export const NO_PACKETS = { listening: false, passed: [], frozen: null, count: 0
  * | { type: "packets_refused", problem: Problem }
  * | { type: "packets_frozen", frozen: boolean }
  * | { type: "packets_way", way: Way }
- * | { type: "packets_sought", text: string }
+ * | { type: "packets_filter", text: string }
  * | { type: "packets_cleared" }} PacketsMessage */
 
 /** So many are kept: more than two minutes of an arm at rest. */
@@ -51,8 +51,8 @@ export function reducePackets(packets, message) {
       return { ...packets, frozen: message.frozen ? packets.passed : null };
     case "packets_way":
       return { ...packets, way: message.way };
-    case "packets_sought":
-      return { ...packets, sought: message.text };
+    case "packets_filter":
+      return { ...packets, filter: message.text };
     case "packets_cleared":
       return { ...packets, passed: [], frozen: packets.frozen && [], lost: 0 };
     default:
@@ -75,8 +75,8 @@ function word([name, value]) {
 }
 
 /** The packets that a person wants to see, the newest last. @param {Packets} packets */
-export function wanted({ passed, frozen, way, sought }) {
-  const text = sought.trim().toLowerCase();
+export function wanted({ passed, frozen, way, filter }) {
+  const text = filter.trim().toLowerCase();
   return (frozen ?? passed).filter((it) => (way === "both" || it.direction === way) && (!text || line(it).toLowerCase().includes(text) || it.bytes.includes(text)));
 }
 

@@ -17,8 +17,8 @@ test("a packet is told in one line, and one that means nothing by why", () => {
 test("packets are shown by their way, by what they say and by their bytes", () => {
   assert.deepEqual(numbers(SOME), [1, 2, 3]);
   assert.deepEqual(numbers(after([{ type: "packets_way", way: "to_arm" }], SOME)), [2, 3]);
-  assert.deepEqual(numbers(after([{ type: "packets_sought", text: " MOVE_TO" }], SOME)), [2]);
-  assert.deepEqual(numbers(after([{ type: "packets_sought", text: "a5ff" }], SOME)), [3]);
+  assert.deepEqual(numbers(after([{ type: "packets_filter", text: " MOVE_TO" }], SOME)), [2]);
+  assert.deepEqual(numbers(after([{ type: "packets_filter", text: "a5ff" }], SOME)), [3]);
 });
 
 test("a list that is paused stays as it is, and shows all that passed when it goes on", () => {

@@ -42,15 +42,15 @@ export function reduce(page, message) {
 function reduceOwn(page, message) {
   switch (message.type) {
     case "hello":
-      return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, version: message.version, heard_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
+      return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, version: message.version, received_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
     case "state":
-      return { ...page, station: message.station, late_stop: page.station?.stop && !message.station.stop ? unanswered(page) : page.late_stop, heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...page, station: message.station, late_stop: page.station?.stop && !message.station.stop ? unanswered(page) : page.late_stop, received_ms: message.now_ms, now_ms: message.now_ms };
     case "notices":
       return { ...page, notices: message.notices.slice(-NOTICES) };
     case "notice":
       return { ...page, notices: [...page.notices, message.notice].slice(-NOTICES), message: spoken(message.notice) ?? page.message };
-    case "sought":
-      return { ...page, sought: message.text };
+    case "filter":
+      return { ...page, filter: message.text };
     case "connecting":
       return { ...page, connection: page.connection === "token" ? "connecting" : page.connection };
     case "closed":

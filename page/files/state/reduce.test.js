@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { FACTS } from "../stage/sample.test.js";
 import { reduce } from "./reduce.js";
-import { createViewOf, hindrance, shownPolicy, silence_ms } from "./selectors.js";
+import { createViewOf, blockedReason, shownPolicy, silence_ms } from "./selectors.js";
 import { begin } from "./state.js";
 import { placeOf } from "./target.js";
 
@@ -22,24 +22,24 @@ const OPEN = after([{ type: "hello", client: 7, role: "control", version: "1", n
 const told = (change, page = OPEN) => after([{ type: "state", station: { ...STATION, ...change }, now_ms: 1000 }], page);
 
 test("the arm can be moved by hand where nobody or this page has control, and nothing forbids it", () => {
-  assert.equal(hindrance(NEW), "no_connection");
-  assert.equal(hindrance(OPEN), null);
+  assert.equal(blockedReason(NEW), "no_connection");
+  assert.equal(blockedReason(OPEN), null);
   const lease = (client) => ({ client, name: "desk", is_program: false, since_s: 0, asked_by: [] });
-  assert.equal(hindrance(told({ lease: lease(7) })), null);
-  assert.equal(hindrance(told({ lease: lease(8) })), "others_control");
-  assert.equal(hindrance(told({ stop: { by: "x", reason: null, at_s: 0, rests_by_s: 0, at_rest: true } })), "stopped");
-  assert.equal(hindrance(told({ trust: { trusted: false, reason: "reset" } })), "not_confirmed");
-  assert.equal(hindrance(told({ link: { ...STATION.link, phase: "lost" } })), "no_arm");
-  assert.equal(hindrance(after([{ type: "hello", client: 7, role: "watch", version: "1", now_ms: 0 }], OPEN)), "watching_only");
-  assert.equal(hindrance(after([{ type: "hello", client: 7, role: "queue", version: "1", now_ms: 0 }], OPEN)), "queueing_only");
-  assert.equal(hindrance(after([{ type: "closed", needs_token: false }], OPEN)), "no_connection");
+  assert.equal(blockedReason(told({ lease: lease(7) })), null);
+  assert.equal(blockedReason(told({ lease: lease(8) })), "others_control");
+  assert.equal(blockedReason(told({ stop: { by: "x", reason: null, at_s: 0, rests_by_s: 0, at_rest: true } })), "stopped");
+  assert.equal(blockedReason(told({ trust: { trusted: false, reason: "reset" } })), "not_confirmed");
+  assert.equal(blockedReason(told({ link: { ...STATION.link, phase: "lost" } })), "no_arm");
+  assert.equal(blockedReason(after([{ type: "hello", client: 7, role: "watch", version: "1", now_ms: 0 }], OPEN)), "watching_only");
+  assert.equal(blockedReason(after([{ type: "hello", client: 7, role: "queue", version: "1", now_ms: 0 }], OPEN)), "queueing_only");
+  assert.equal(blockedReason(after([{ type: "closed", needs_token: false }], OPEN)), "no_connection");
 });
 
 test("a locked arm is moved by administrators alone, and the page knows that first", () => {
   const lock = { by: "Ms Lee", message: "eyes on me", at_s: 1 };
-  assert.equal(hindrance(told({ lock })), "locked");
+  assert.equal(blockedReason(told({ lock })), "locked");
   const admin = after([{ type: "hello", client: 7, role: "admin", version: "1", now_ms: 1000 }, { type: "state", station: { ...STATION, lock }, now_ms: 1000 }]);
-  assert.equal(hindrance(admin), null);
+  assert.equal(blockedReason(admin), null);
 });
 
 test("what somebody says to all is shown until it is closed; what happens besides does not hide it", () => {

@@ -16,10 +16,10 @@ const OLD_MS = 500;
 /** From when on it is told above everything else. */
 const VERY_OLD_MS = 2000;
 
-/** Why the arm cannot be moved by hand now: a key of the words. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} Hindrance */
+/** Why the arm cannot be moved by hand now: a key of the words. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} BlockedReason */
 
-/** @param {Page} page @returns {Hindrance | null} */
-export function hindrance(page) {
+/** @param {Page} page @returns {BlockedReason | null} */
+export function blockedReason(page) {
   const { connection, station, me, role } = page;
   if (connection !== "open" || !station) return "no_connection";
   if (station.link.phase !== "up") return "no_arm";
@@ -51,9 +51,9 @@ export const rests = ({ arm, queue }) => arm !== null && !arm.moving && queue.wa
 export const isVirtual = ({ station }) => station?.link.address === "virtual:";
 
 /** For how long nothing came, in ms, where something should; else 0. @param {Page} page */
-export function silence_ms({ station, connection, heard_ms, now_ms }) {
+export function silence_ms({ station, connection, received_ms, now_ms }) {
   const expected = station !== null && (connection !== "open" || station.link.phase === "up");
-  const quiet = now_ms - heard_ms;
+  const quiet = now_ms - received_ms;
   return expected && quiet > OLD_MS ? quiet : 0;
 }
 
@@ -160,7 +160,7 @@ export function createViewOf() {
       laser: laser(page),
       ghost: taught ? taughtOf(taught, isChosenBad(page.teach) ?? false) : ghostOf(page.target),
       // Who changes a program moves nothing.
-      draggable: taught !== null || hindrance(page) === null,
+      draggable: taught !== null || blockedReason(page) === null,
       old: silence_ms(page) > 0,
     };
   };

@@ -39,10 +39,10 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {string} version
  * @property {string | null} fleet What this station is called in its fleet; nothing where it belongs to none.
  * @property {Station | null} station What the station told last.
- * @property {number} heard_ms When it did, by the clock of this page.
+ * @property {number} received_ms When it did, by the clock of this page.
  * @property {number} now_ms
  * @property {readonly Notice[]} notices The newest last.
- * @property {string} sought What a notice has to contain to be shown.
+ * @property {string} filter What a notice has to contain to be shown.
  * @property {{ after_s: number | null } | null} late_stop A STOP that was not answered at once, and when it was.
  * @property {Problem | null} problem
  * @property {string | null} message What somebody told all who watch this station, and who.
@@ -82,10 +82,10 @@ export const begin = ({ language, theme, greeted, program }) => ({
   version: "",
   fleet: null,
   station: null,
-  heard_ms: 0,
+  received_ms: 0,
   now_ms: 0,
   notices: [],
-  sought: "",
+  filter: "",
   late_stop: null,
   problem: null,
   message: null,

@@ -5,7 +5,7 @@
  * @param {(state: S, message: M) => S} reduce
  * @param {S} state
  */
-export function hold(reduce, state) {
+export function createStoreCore(reduce, state) {
   /** @type {((state: S, message: M) => void)[]} */
   const listeners = [];
   return {
@@ -19,7 +19,7 @@ export function hold(reduce, state) {
       for (const listener of listeners) listener(state, message);
     },
     /** @param {(state: S, message: M) => void} listener */
-    listen(listener) {
+    subscribe(listener) {
       listeners.push(listener);
     },
   };

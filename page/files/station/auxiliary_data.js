@@ -10,7 +10,7 @@ import { Ink, partsOf } from "../stage/ink.js";
 const WORLD_MS = 400;
 
 /** @param {Store} store @param {import("./http.js").Http} http */
-export function followAround(store, http) {
+export function followAuxiliaryData(store, http) {
   /** Whose turn it is to follow the world; nobody's at 0. A loop that was ended and wakes later finds another turn. */
   let turn = 0, turns = 0;
   /** @type {number | null} */ let job = null;
@@ -75,7 +75,7 @@ export function followAround(store, http) {
     if (job === number && path) store.send({ type: "planned", planned: /** @type {Page["planned"]} */ (/** @type {unknown} */ (path.path_mm)) });
   }
 
-  store.listen((page, message) => {
+  store.subscribe((page, message) => {
     if (message.type === "hello") {
       [turn, job] = [0, null];
       void readNotices();

@@ -1,7 +1,7 @@
 // Asks the station what is known of the arm, what touches tell, and has it keep what a person was shown.
 
 import { saveFrom } from "../parts/download.js";
-import { LEAST_TOUCHES, pointHindrance, questionOf, toldDegrees, touchHindrance, touchesOf } from "../state/calibrate.js";
+import { LEAST_TOUCHES, pointBlockedReason, questionOf, rawDegrees, touchBlockedReason, touchesOf } from "../state/calibrate.js";
 import { PLACES } from "../state/touch_paper.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
@@ -37,7 +37,7 @@ export function createCalibrate(store, http, change) {
     send({ type: "paper_judged", places, found: /** @type {Schemas["PaperReport"] | undefined} */ (value) ?? null, problem: problem ?? null });
   }
 
-  store.listen(({ tab, calibrate, touch_paper: { places } }, message) => {
+  store.subscribe(({ tab, calibrate, touch_paper: { places } }, message) => {
     const news = message.type === "hello" || message.type === "tab" || (message.type === "notice" && message.notice.type === "calibrated");
     if (news && (tab === "set_up" || tab === "draw")) void read();
     if (places !== touched) {
@@ -75,7 +75,7 @@ export function createCalibrate(store, http, change) {
     /** The tip stands on the point. */
     touch() {
       const arm = store.page.station?.arm;
-      if (arm && !pointHindrance(store.page)) send({ type: "calibrate_visited", told_deg: toldDegrees(arm) });
+      if (arm && !pointBlockedReason(store.page)) send({ type: "calibrate_visited", told_deg: rawDegrees(arm) });
     },
     /** Keeps what was shown, and nothing else. */
     async keep() {
@@ -90,7 +90,7 @@ export function createCalibrate(store, http, change) {
     /** The tip stands on the paper. */
     touchPaper() {
       const arm = store.page.station?.arm;
-      if (arm && !touchHindrance(store.page)) send({ type: "paper_touched", place: [arm.x_mm, arm.y_mm, arm.z_mm] });
+      if (arm && !touchBlockedReason(store.page)) send({ type: "paper_touched", place: [arm.x_mm, arm.y_mm, arm.z_mm] });
     },
     /** Keeps how the paper lies, beside all else that is known. @param {Schemas["PaperPlane"] | null} paper */
     keepPaper: (paper) => hold(/** @type {Schemas["CalibrationFile"]} */ ({ zeros: { base: 0, rear: 0, fore: 0 }, ...store.page.calibrate.known?.calibration, paper }), "paper"),

@@ -73,7 +73,7 @@ export function followDrawing(store, http) {
     if (formats) send({ type: "formats", formats });
   }
 
-  store.listen(({ draw }, { type }) => {
+  store.subscribe(({ draw }, { type }) => {
     if (type === "hello") void readChoices();
     if (draw.asked === seen) return;
     seen = draw.asked;

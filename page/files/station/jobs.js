@@ -10,9 +10,9 @@ const AGAIN_MS = 2000;
 
 /**
  * @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket
- * @param {() => void} takeIfFree takes control where nobody has it
+ * @param {() => void} takeControlIfFree takes control where nobody has it
  */
-export function createJobs(store, http, socket, takeIfFree) {
+export function createJobs(store, http, socket, takeControlIfFree) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
   /** How often the list was asked for: an answer to an earlier question is not taken. */
@@ -30,7 +30,7 @@ export function createJobs(store, http, socket, takeIfFree) {
   }
 
   document.addEventListener("visibilitychange", () => isSeen() && void read());
-  store.listen((page, message) => {
+  store.subscribe((page, message) => {
     const news = message.type === "hello" || (message.type === "tab" && message.tab === "jobs") || (message.type === "notice" && message.notice.type === "job");
     if (news && page.tab === "jobs") void read();
   });
@@ -46,7 +46,7 @@ export function createJobs(store, http, socket, takeIfFree) {
   return {
     /** Starts a queued job, or goes on with a paused one. @param {number} job */
     start(job) {
-      takeIfFree();
+      takeControlIfFree();
       void ask(job, { type: "start_job", job });
     },
     /** @param {number} job */

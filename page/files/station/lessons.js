@@ -11,7 +11,7 @@ import { parse } from "../vendor/smol-toml/index.js";
 /** Under what name it is told, for as long as this tab is open: on a computer of a school the next one is another one. */
 const STUDENT = "dobot.student";
 /** A station forgets a student of whom it hears nothing for a minute. */
-const TELL_MS = 20_000;
+const REPORT_MS = 20_000;
 
 /** @param {Store} store @param {import("./http.js").Http} http */
 export function createLessons(store, http) {
@@ -21,26 +21,26 @@ export function createLessons(store, http) {
   const next = () => send({ type: "lesson_step", step: store.page.learn.step + 1, begun: begunNow(store.page) });
 
   /** Tells how far the student is, where that has changed; the board of the fleet shows it. */
-  async function tellNews() {
+  async function reportProgress() {
     const progress = store.page.fleet === null ? null : progressOf(store.page.learn);
     const text = JSON.stringify(progress);
     if (text === told) return;
     told = text;
     if (!progress) return;
     const { problem } = await http.ask("POST", "api/v1/learners", progress);
-    send({ type: "lesson_told", problem: problem ?? null });
+    send({ type: "lesson_reported", problem: problem ?? null });
   }
 
-  store.listen((page, message) => {
-    void tellNews();
+  store.subscribe((page, message) => {
+    void reportProgress();
     if (page.learn.lesson === null || message.type === "tick") return;
     if (isDone(page, rowsOf(page.teach.text).length)) next();
     else if (stepNow(page) === null) send({ type: "lesson", lesson: null, begun: begunNow(page) });
   });
   setInterval(() => {
     told = "";
-    void tellNews();
-  }, TELL_MS);
+    void reportProgress();
+  }, REPORT_MS);
   send({ type: "lesson_student", name: sessionStorage.getItem(STUDENT) ?? "" });
 
   return {
@@ -53,7 +53,7 @@ export function createLessons(store, http) {
     },
     end: () => send({ type: "lesson", lesson: null, begun: begunNow(store.page) }),
     /** Whose lesson it is; nobody's with an empty name. @param {string} name */
-    tellStudent(name) {
+    setStudent(name) {
       sessionStorage.setItem(STUDENT, name);
       send({ type: "lesson_student", name });
     },

@@ -41,7 +41,7 @@ export function followPackets(store, http) {
     if (listening) void listen(listening);
   }
 
-  store.listen((_, { type }) => {
+  store.subscribe((_, { type }) => {
     if (type === "packets_wanted" || type === "tab" || type === "hello" || type === "closed") follow();
   });
 }

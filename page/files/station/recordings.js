@@ -46,7 +46,7 @@ export function createRecordings(store, http) {
     if (chosen && states) send({ type: "recording_near", name: chosen, near: { from_s, to_s, samples: states.samples } });
   }
 
-  store.listen((page, message) => {
+  store.subscribe((page, message) => {
     const opened = message.type === "tab" && message.tab === "jobs";
     if (opened || (message.type === "hello" && page.tab === "jobs")) void list();
     if (message.type === "recording_at") {

@@ -41,7 +41,7 @@ export function createSetUp(store, http, socket) {
     send({ type: "policy_checked", asked, check: problem ? { type: "bad", problem } : { type: "good" }, policy });
   }
 
-  store.listen((page, message) => {
+  store.subscribe((page, message) => {
     const opened = message.type === "tab" && message.tab === "set_up";
     const again = page.tab === "set_up" && (message.type === "hello" || (message.type === "notice" && message.notice.type === "policy_changed"));
     if (opened || again) void read();

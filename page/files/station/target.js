@@ -48,7 +48,7 @@ export function followTarget(store, socket) {
     store.send({ type: "ghost_near", near: reply?.type === "near" ? reply.near : null });
   }
 
-  store.listen(({ target }) => {
+  store.subscribe(({ target }) => {
     void followGhost();
     if (target.asked === seen) return;
     seen = target.asked;

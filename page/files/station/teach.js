@@ -16,9 +16,9 @@ const hundredths = (value) => Math.round(value * 100) / 100;
 
 /**
  * @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket
- * @param {() => void} takeIfFree takes control where nobody has it
+ * @param {() => void} takeControlIfFree takes control where nobody has it
  */
-export function createTeach(store, http, socket, takeIfFree) {
+export function createTeach(store, http, socket, takeControlIfFree) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
   let seen = store.page.teach.asked, checking = false;
@@ -35,7 +35,7 @@ export function createTeach(store, http, socket, takeIfFree) {
     if (store.page.teach.asked !== asked) void check();
   }
 
-  store.listen(({ teach, tab }, message) => {
+  store.subscribe(({ teach, tab }, message) => {
     const opened = message.type === "tab" && tab === "teach" && teach.report === null && teach.text !== "";
     if (teach.asked === seen && !opened) return;
     seen = teach.asked;
@@ -80,7 +80,7 @@ export function createTeach(store, http, socket, takeIfFree) {
   /** A queued job of the program. @param {number} from_step @param {Schemas["Repeat"] | null} times @returns {Promise<number | null>} */
   async function makeJob(from_step, times) {
     const { text, name } = store.page.teach;
-    takeIfFree();
+    takeControlIfFree();
     const { value, problem } = await http.ask("POST", "api/v1/programs/jobs", { program: { text: titled(text, name), files: {} }, from_step, times });
     if (problem) {
       send({ type: "teach_refused", problem });

@@ -2,24 +2,24 @@
 
 import { html, render } from "../vendor/lit-html/lit-html.js";
 
-/** @typedef {import("../i18n/i18n.js").Word} Word */
-/** A question has a title, a text and a yes among the words. @typedef {Extract<Word, `question.${string}.yes`> extends `question.${infer About}.yes` ? About : never} About */
+/** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
+/** A question has a title, a text and a yes among the words. @typedef {Extract<TextKey, `question.${string}.yes`> extends `question.${infer About}.yes` ? About : never} About */
 
 /**
- * @param {import("../i18n/i18n.js").Say} say
+ * @param {import("../i18n/i18n.js").Translate} t
  * @param {{ about: About, values?: Record<string, string | number> }} question
  * @param {(yes: boolean) => void} answer
  */
-export const sure = (say, { about, values }, answer) => html`
-  <h2 id="sure-title">${say(`question.${about}`, values)}</h2>
-  <p id="sure-text">${say(`question.${about}.text`, values)}</p>
+export const confirmation = (t, { about, values }, answer) => html`
+  <h2 id="confirm-title">${t(`question.${about}`, values)}</h2>
+  <p id="confirm-text">${t(`question.${about}.text`, values)}</p>
   <div class="row">
-    <button id="sure-no" type="button" @click=${() => answer(false)}>${say("no")}</button>
-    <button id="sure-yes" type="button" class="strong" @click=${() => answer(true)}>${say(`question.${about}.yes`)}</button>
+    <button id="confirm-no" type="button" @click=${() => answer(false)}>${t("no")}</button>
+    <button id="confirm-yes" type="button" class="strong" @click=${() => answer(true)}>${t(`question.${about}.yes`)}</button>
   </div>`;
 
 /** Opens the dialog where there is a question, and closes it where there is none. @param {HTMLDialogElement} dialog @param {unknown} content @param {boolean} open */
-export function showQuestion(dialog, content, open) {
+export function showDialog(dialog, content, open) {
   render(content, dialog);
   if (open === dialog.open) return;
   if (!open) return dialog.close();

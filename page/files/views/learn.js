@@ -9,50 +9,50 @@ import { sentence } from "./banners.js";
 
 /** @param {Context} context */
 export function learn(context) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   if (page.learn.chooses) return list(context);
   const step = stepNow(page), lesson = page.learn.lesson;
   if (!lesson || !step) return nothing;
   return html`
     <section id="lesson" class="first" aria-labelledby="lesson-title">
-      <p class="quiet"><span id="lesson-title">${lesson.title[page.language]}</span> · ${say("learn.step", { step: page.learn.step + 1, steps: lesson.steps.length })}</p>
+      <p class="quiet"><span id="lesson-title">${lesson.title[page.language]}</span> · ${t("learn.step", { step: page.learn.step + 1, steps: lesson.steps.length })}</p>
       <p id="lesson-text" role="status">${step.text[page.language]}</p>
       ${step.until?.answer ? answer(context) : nothing}
       ${page.fleet === null ? nothing : student(context)}
       <div class="row">
-        ${step.until ? nothing : html`<button id="lesson-next" type="button" class="small strong" @click=${() => act.lessons.next()}>${say(page.learn.step + 1 < lesson.steps.length ? "learn.next" : "learn.done")}</button>`}
-        ${step.until ? html`<button id="lesson-skip" type="button" class="small" @click=${() => act.lessons.next()}>${say("learn.skip")}</button>` : nothing}
-        <button id="lesson-end" type="button" class="small" @click=${() => act.lessons.end()}>${say("learn.end")}</button>
+        ${step.until ? nothing : html`<button id="lesson-next" type="button" class="small strong" @click=${() => act.lessons.next()}>${t(page.learn.step + 1 < lesson.steps.length ? "learn.next" : "learn.done")}</button>`}
+        ${step.until ? html`<button id="lesson-skip" type="button" class="small" @click=${() => act.lessons.next()}>${t("learn.skip")}</button>` : nothing}
+        <button id="lesson-end" type="button" class="small" @click=${() => act.lessons.end()}>${t("learn.end")}</button>
       </div>
     </section>`;
 }
 
 /** @param {Context} context */
-const answer = ({ page, say, act }) => html`
-  <label class="answer">${say("learn.answer")} <input id="lesson-answer" inputmode="decimal" autocomplete="off" .value=${live(page.learn.answer)} @input=${(/** @type {Event} */ event) => act.send({ type: "lesson_answer", text: /** @type {HTMLInputElement} */ (event.target).value })}></label>`;
+const answer = ({ page, t, act }) => html`
+  <label class="answer">${t("learn.answer")} <input id="lesson-answer" inputmode="decimal" autocomplete="off" .value=${live(page.learn.answer)} @input=${(/** @type {Event} */ event) => act.send({ type: "lesson_answer", text: /** @type {HTMLInputElement} */ (event.target).value })}></label>`;
 
 /** Under what name the board shows how far this page is. @param {Context} context */
-function student({ page, say, act }) {
+function student({ page, t, act }) {
   const tell = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
     const field = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.currentTarget).elements.namedItem("student"));
-    act.lessons.tellStudent(field.value.trim());
+    act.lessons.setStudent(field.value.trim());
   };
-  if (page.learn.student) return html`<p class="row"><span id="lesson-student" class="quiet">${page.learn.untold ? `${sentence(page.learn.untold.detail)}.` : say("learn.student.shown", { name: page.learn.student })}</span> <button id="lesson-not-me" type="button" class="small" @click=${() => act.lessons.tellStudent("")}>${say("learn.student.other")}</button></p>`;
+  if (page.learn.student) return html`<p class="row"><span id="lesson-student" class="quiet">${page.learn.reportProblem ? `${sentence(page.learn.reportProblem.detail)}.` : t("learn.student.shown", { name: page.learn.student })}</span> <button id="lesson-not-me" type="button" class="small" @click=${() => act.lessons.setStudent("")}>${t("learn.student.other")}</button></p>`;
   return html`
     <form id="lesson-who" class="row" @submit=${tell}>
-      <input name="student" type="text" maxlength="60" required autocomplete="off" aria-label=${say("learn.student")} placeholder=${say("learn.student")}>
-      <button type="submit" class="small">${say("learn.student.send")}</button>
+      <input name="student" type="text" maxlength="60" required autocomplete="off" aria-label=${t("learn.student")} placeholder=${t("learn.student")}>
+      <button type="submit" class="small">${t("learn.student.send")}</button>
     </form>`;
 }
 
 /** @param {Context} context */
-const list = ({ say, act }) => html`
+const list = ({ t, act }) => html`
   <section id="lessons" class="first" aria-labelledby="lessons-title">
-    <p><strong id="lessons-title">${say("learn")}</strong></p>
+    <p><strong id="lessons-title">${t("learn")}</strong></p>
     <div class="row">
-      ${LESSONS.map((name) => html`<button type="button" class="small" data-lesson=${name} @click=${() => void act.lessons.open(name)}>${say(`learn.${name}`)}</button>`)}
-      <button id="lessons-close" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: false })}>${say("close")}</button>
+      ${LESSONS.map((name) => html`<button type="button" class="small" data-lesson=${name} @click=${() => void act.lessons.open(name)}>${t(`learn.${name}`)}</button>`)}
+      <button id="lessons-close" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: false })}>${t("close")}</button>
     </div>
   </section>`;
 

@@ -4,11 +4,11 @@ import { html } from "../vendor/lit-html/lit-html.js";
 import { recorded } from "../state/recordings.js";
 
 /** @typedef {import("./context.js").Context} Context */
-/** @typedef {import("../i18n/i18n.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 
 /** @type {readonly import("../stage/view.js").Preset[]} */
 const PRESETS = ["iso", "top", "side", "tool"];
-/** @type {readonly ["x_mm" | "y_mm" | "z_mm" | "rotation_deg" | "base_deg" | "rear_deg" | "fore_deg" | "servo_deg", string, Word | null, "mm" | "°"][]} */
+/** @type {readonly ["x_mm" | "y_mm" | "z_mm" | "rotation_deg" | "base_deg" | "rear_deg" | "fore_deg" | "servo_deg", string, TextKey | null, "mm" | "°"][]} */
 const NUMBERS = [
   ["x_mm", "X", null, "mm"],
   ["y_mm", "Y", null, "mm"],
@@ -21,23 +21,23 @@ const NUMBERS = [
 ];
 
 /** The numbers of what the stage shows. @param {Context} context */
-export function pose({ page, say }) {
+export function pose({ page, t }) {
   const then = recorded(page.recordings);
   const arm = then ?? page.station?.arm;
   const moving = !then && (page.station?.arm?.moving ?? false);
   return html`
-    <dl class="pose" id="pose" aria-label=${say("pose")}>
+    <dl class="pose" id="pose" aria-label=${t("pose")}>
       ${NUMBERS.map(([field, short, word, unit], n) => html`
-        <div class=${n < 4 ? "tip" : "joint"} title=${word ? say(word) : short}>
-          <dt>${short}${word ? html` <span class="full">${say(word)}</span>` : ""}</dt>
+        <div class=${n < 4 ? "tip" : "joint"} title=${word ? t(word) : short}>
+          <dt>${short}${word ? html` <span class="full">${t(word)}</span>` : ""}</dt>
           <dd><output data-pose=${field}>${arm ? arm[field].toFixed(1) : "–"}</output> <small>${unit}</small></dd>
         </div>`)}
     </dl>
-    <p id="moving" class="moving" data-moving=${String(moving)}>${then ? say("recorded") : arm ? say(moving ? "pose.moving" : "pose.at_rest") : ""}</p>`;
+    <p id="moving" class="moving" data-moving=${String(moving)}>${then ? t("recorded") : arm ? t(moving ? "pose.moving" : "pose.at_rest") : ""}</p>`;
 }
 
 /** @param {Context} context */
-export const cameras = ({ say, look }) => html`
-  <div class="cameras" role="group" aria-label=${say("camera")}>
-    ${PRESETS.map((preset) => html`<button type="button" class="small" data-look=${preset} @click=${() => look(preset)}>${say(/** @type {Word} */ (`camera.${preset}`))}</button>`)}
+export const cameras = ({ t, look }) => html`
+  <div class="cameras" role="group" aria-label=${t("camera")}>
+    ${PRESETS.map((preset) => html`<button type="button" class="small" data-look=${preset} @click=${() => look(preset)}>${t(/** @type {TextKey} */ (`camera.${preset}`))}</button>`)}
   </div>`;

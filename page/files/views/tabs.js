@@ -9,7 +9,7 @@ export const TABS = ["move", "draw", "teach", "jobs", "watch", "set_up"];
 const WAYS = /** @type {Record<string, number>} */ ({ ArrowRight: 1, ArrowLeft: -1 });
 
 /** @param {Context} context */
-export function tabs({ page, say, act }) {
+export function tabs({ page, t, act }) {
   const step = (/** @type {KeyboardEvent} */ event) => {
     const way = WAYS[event.key];
     if (!way) return;
@@ -20,5 +20,5 @@ export function tabs({ page, say, act }) {
   };
   return html`${TABS.map((tab) => html`
     <button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === page.tab ? "true" : "false"} aria-controls="panel" tabindex=${tab === page.tab ? 0 : -1}
-      @click=${() => act.send({ type: "tab", tab })} @keydown=${step}>${say(`tab.${tab}`)}</button>`)}`;
+      @click=${() => act.send({ type: "tab", tab })} @keydown=${step}>${t(`tab.${tab}`)}</button>`)}`;
 }

@@ -2,8 +2,8 @@
 
 import { html } from "../vendor/lit-html/lit-html.js";
 
-/** @param {import("../i18n/i18n.js").Say} say @param {unknown} why @param {(secret: string) => void} use */
-export function tokenForm(say, why, use) {
+/** @param {import("../i18n/i18n.js").Translate} t @param {unknown} why @param {(secret: string) => void} use */
+export function tokenForm(t, why, use) {
   const submit = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
     const field = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.target).elements.namedItem("token"));
@@ -13,6 +13,6 @@ export function tokenForm(say, why, use) {
     <form id="token" class="banner" data-tone="warn" @submit=${submit}>
       <label for="token-field">${why}</label>
       <input id="token-field" name="token" type="password" autocomplete="current-password" required>
-      <button type="submit">${say("token.use")}</button>
+      <button type="submit">${t("token.use")}</button>
     </form>`;
 }

@@ -4,7 +4,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { isVirtual } from "../state/selectors.js";
 
 /** @param {import("./context.js").Context} context */
-export function first({ page, say, act }) {
+export function welcome({ page, t, act }) {
   if (page.greeted || !isVirtual(page)) return nothing;
   const choose = (/** @type {import("../state/state.js").Tab} */ tab) => {
     act.send({ type: "greeted" });
@@ -12,12 +12,12 @@ export function first({ page, say, act }) {
   };
   return html`
     <section class="first" aria-labelledby="first-title">
-      <p><strong id="first-title">${say("first.title")}</strong> ${say("first.text")}</p>
+      <p><strong id="first-title">${t("first.title")}</strong> ${t("first.text")}</p>
       <div class="row">
-        <button id="first-jog" type="button" class="small strong" @click=${() => choose("move")}>${say("first.jog")}</button>
-        <button id="first-tour" type="button" class="small" @click=${() => { act.send({ type: "greeted" }); void act.lessons.open("tour"); }}>${say("learn.tour")}</button>
-        <button id="first-real" type="button" class="small" @click=${() => choose("set_up")}>${say("first.real")}</button>
-        <button id="first-close" type="button" class="small" @click=${() => act.send({ type: "greeted" })}>${say("close")}</button>
+        <button id="first-jog" type="button" class="small strong" @click=${() => choose("move")}>${t("first.jog")}</button>
+        <button id="first-tour" type="button" class="small" @click=${() => { act.send({ type: "greeted" }); void act.lessons.open("tour"); }}>${t("learn.tour")}</button>
+        <button id="first-real" type="button" class="small" @click=${() => choose("set_up")}>${t("first.real")}</button>
+        <button id="first-close" type="button" class="small" @click=${() => act.send({ type: "greeted" })}>${t("close")}</button>
       </div>
     </section>`;
 }

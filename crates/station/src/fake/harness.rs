@@ -15,13 +15,8 @@ pub(crate) struct Harness<At> {
 }
 
 impl<At> Harness<At> {
-<<<<<<< HEAD
-    /// With what the port is to be served: the way to the driver, and where to tell.
-    pub(crate) fn new(at: At) -> (Self, StationHandle, impl Fn(ProgramNews) + use<At>) {
-=======
     /// Returns the harness, the handle of the driver and the callback for events.
-    pub(crate) fn new(at: At) -> (Self, Handle, impl Fn(ProgramNews) + use<At>) {
->>>>>>> fleet
+    pub(crate) fn new(at: At) -> (Self, StationHandle, impl Fn(ProgramNews) + use<At>) {
         let (handle, driver) = FakeDriver::new(16);
         let (tell, told) = unbounded_channel();
         let tell = move |news| {

@@ -26,13 +26,8 @@ impl Asked {
     }
 }
 
-<<<<<<< HEAD
-/// A stand-in for the driver, and what tells states and notices in its name.
-pub(super) fn driver() -> (StationHandle, Arc<FakeNews>, Asked) {
-=======
 /// Returns a fake driver, and the means to publish states and notices.
-pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
->>>>>>> fleet
+pub(super) fn driver() -> (StationHandle, Arc<FakeNews>, Asked) {
     let rules = Rules::of(&dobot_safety::Policy::default());
     let (handle, mut ends) = StationHandle::new(state(0.0), rules);
     let (_, nothing) = mpsc::channel(1);
@@ -52,13 +47,8 @@ pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
 /// Publishes states and notices in the name of the driver.
 #[derive(Debug)]
 pub(super) struct FakeNews {
-<<<<<<< HEAD
     pub(super) ends: DriverChannels,
-    /// Clients that came: what each is called, and by which name time slots know it.
-=======
-    pub(super) ends: Ends,
     /// Clients that connected: their names, and their names for time slots.
->>>>>>> fleet
     pub(super) came: Mutex<Vec<(String, String)>>,
     /// Clients that left.
     pub(super) gone: Mutex<Vec<ClientId>>,

@@ -1,10 +1,6 @@
 //! The table of all routes, from which router and document are generated.
 //!
-<<<<<<< HEAD
-//! A request is a row of it, with its body beside it: see `docs/recipes.md`, "Add a request".
-=======
-//! Each request is a row, with its body type next to it: see `CONTRIBUTING.md`, "a new request".
->>>>>>> fleet
+//! Each request is a row, with its body type next to it: see `docs/recipes.md`, "Add a request".
 
 mod agents;
 mod arm;

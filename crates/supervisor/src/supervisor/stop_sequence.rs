@@ -123,7 +123,7 @@ impl StopSequence {
             self.round = None;
             return;
         }
-        if round.rounds > 0 && arm.session().under_way() > 0 {
+        if round.rounds > 0 && arm.session().in_flight() > 0 {
             // The arm executes commands in order: earlier packets wait there for their turn, and
             // more would only fill its queue.
             let next = arm.now() + AGAIN;

@@ -10,19 +10,19 @@ import { LANGUAGES } from "../../i18n/i18n.js";
 const THEMES = ["auto", "light", "dark"];
 
 /** @param {import("../../views/context.js").Context} context */
-export function looks({ page, say, act }) {
+export function looks({ page, t, act }) {
   return html`
     <section class="card" aria-labelledby="looks-title">
-      <h2 id="looks-title">${say("set.looks")}</h2>
+      <h2 id="looks-title">${t("set.looks")}</h2>
       <fieldset class="segments">
-        <legend>${say("set.language")}</legend>
+        <legend>${t("set.language")}</legend>
         ${Object.entries(LANGUAGES).map(([it, name]) => html`<label lang=${it}><input type="radio" name="language" value=${it} .checked=${live(it === page.language)} @change=${() => act.send({ type: "language", language: /** @type {Language} */ (it) })}><span>${name}</span></label>`)}
       </fieldset>
       <fieldset class="segments">
-        <legend>${say("set.theme")}</legend>
-        ${THEMES.map((it) => html`<label><input type="radio" name="theme" value=${it} .checked=${live(it === page.theme)} @change=${() => act.send({ type: "theme", theme: it })}><span>${say(`set.${it}`)}</span></label>`)}
+        <legend>${t("set.theme")}</legend>
+        ${THEMES.map((it) => html`<label><input type="radio" name="theme" value=${it} .checked=${live(it === page.theme)} @change=${() => act.send({ type: "theme", theme: it })}><span>${t(`set.${it}`)}</span></label>`)}
       </fieldset>
-      <p><button id="lessons-open" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: true })}>${say("learn.open")}</button></p>
-      <p class="quiet">${say("set.version", { version: page.version })}</p>
+      <p><button id="lessons-open" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: true })}>${t("learn.open")}</button></p>
+      <p class="quiet">${t("set.version", { version: page.version })}</p>
     </section>`;
 }

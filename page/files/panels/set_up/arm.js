@@ -1,7 +1,7 @@
 // From a plugged-in arm to one that can be trusted: is it there, what does it understand, is it where it says.
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
-import { hindrance } from "../../state/selectors.js";
+import { blockedReason } from "../../state/selectors.js";
 import { sentence } from "../../views/banners.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
@@ -10,9 +10,9 @@ const TONES = { searching: "warn", listening: "warn", up: "good", lost: "bad" };
 /** @type {readonly import("../../state/types.js").Schemas["Dialect"][]} */
 const DIALECTS = ["specification", "firmware-1.1"];
 
-/** The arm from above, straight ahead: its cable leaves at its back. @param {Context["say"]} say */
-const straightAhead = (say) => svg`
-  <svg class="ahead" viewBox="0 0 260 110" role="img" aria-label=${say("arm.ahead.picture")}>
+/** The arm from above, straight ahead: its cable leaves at its back. @param {Context["t"]} t */
+const straightAhead = (t) => svg`
+  <svg class="ahead" viewBox="0 0 260 110" role="img" aria-label=${t("arm.ahead.picture")}>
     <path class="cable" d="M62 55 C 40 55 30 42 6 44"/>
     <rect class="base" x="52" y="27" width="60" height="56" rx="8"/>
     <circle class="turn" cx="84" cy="55" r="20"/>
@@ -24,36 +24,36 @@ const straightAhead = (say) => svg`
 
 /** @param {Context} context */
 export function armGuide(context) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const { station, set_up } = page;
   if (!station) return nothing;
   const { link, trust, dialect } = station;
   return html`
     <section class="card guide" aria-labelledby="arm-title">
-      <h2 id="arm-title">${say("arm")}</h2>
+      <h2 id="arm-title">${t("arm")}</h2>
       <ol>
         <li>
-          <h3>${say("arm.found")} <b class="chip" data-tone=${TONES[link.phase]}>${say(`link.${link.phase}`)}</b></h3>
-          <p>${link.address ?? say("watch.not_found")}</p>
-          ${link.problem ? html`<p class="told" data-tone="warn">${sentence(link.problem)}</p>` : nothing}
-          ${link.phase === "up" ? nothing : html`<p class="quiet">${say("arm.found.hint")}</p>`}
+          <h3>${t("arm.found")} <b class="chip" data-tone=${TONES[link.phase]}>${t(`link.${link.phase}`)}</b></h3>
+          <p>${link.address ?? t("watch.not_found")}</p>
+          ${link.problem ? html`<p class="status" data-tone="warn">${sentence(link.problem)}</p>` : nothing}
+          ${link.phase === "up" ? nothing : html`<p class="quiet">${t("arm.found.hint")}</p>`}
         </li>
         <li>
-          <h3>${say("arm.dialect")} <b id="dialect-now" class="chip" data-tone=${dialect ? "good" : "warn"}>${dialect ?? say("watch.not_known")}</b></h3>
-          <p class="quiet">${say("arm.dialect.hint")}</p>
+          <h3>${t("arm.dialect")} <b id="dialect-now" class="chip" data-tone=${dialect ? "good" : "warn"}>${dialect ?? t("watch.not_known")}</b></h3>
+          <p class="quiet">${t("arm.dialect.hint")}</p>
           <div class="row">
-            <button id="detect" type="button" class="small" ?disabled=${hindrance(page) !== null} @click=${() => act.question({ about: "detect" })}>${say("arm.detect")}</button>
-            ${DIALECTS.map((it) => html`<button type="button" class="small" data-dialect=${it} ?disabled=${it === dialect || link.phase !== "up"} @click=${() => act.setUp.useDialect(it)}>${say("arm.use", { dialect: it })}</button>`)}
+            <button id="detect" type="button" class="small" ?disabled=${blockedReason(page) !== null} @click=${() => act.question({ about: "detect" })}>${t("arm.detect")}</button>
+            ${DIALECTS.map((it) => html`<button type="button" class="small" data-dialect=${it} ?disabled=${it === dialect || link.phase !== "up"} @click=${() => act.setUp.useDialect(it)}>${t("arm.use", { dialect: it })}</button>`)}
           </div>
           ${set_up.finding ? html`
-            <p id="finding" class="told" data-tone="good" role="status">${say("arm.is", { dialect: set_up.finding.dialect })}</p>
+            <p id="finding" class="status" data-tone="good" role="status">${t("arm.is", { dialect: set_up.finding.dialect })}</p>
             <ul class="evidence">${set_up.finding.evidence.map(({ question, saw, means }) => html`<li><b>${sentence(question)}</b> ${saw}: ${means}</li>`)}</ul>` : nothing}
         </li>
         <li>
-          <h3>${say("arm.pose")} <b class="chip" data-tone=${trust.trusted ? "good" : "warn"}>${say(trust.trusted ? "arm.pose.trusted" : "arm.pose.not")}</b></h3>
-          ${straightAhead(say)}
-          <p class="quiet">${say("arm.pose.hint")}</p>
-          ${trust.trusted ? nothing : html`<button type="button" class="small strong" ?disabled=${!station.arm} @click=${() => act.question({ about: "confirm_pose" })}>${say("pose.confirm")}</button>`}
+          <h3>${t("arm.pose")} <b class="chip" data-tone=${trust.trusted ? "good" : "warn"}>${t(trust.trusted ? "arm.pose.trusted" : "arm.pose.not")}</b></h3>
+          ${straightAhead(t)}
+          <p class="quiet">${t("arm.pose.hint")}</p>
+          ${trust.trusted ? nothing : html`<button type="button" class="small strong" ?disabled=${!station.arm} @click=${() => act.question({ about: "confirm_pose" })}>${t("pose.confirm")}</button>`}
         </li>
       </ol>
       ${refusal(context, "arm")}
@@ -65,5 +65,5 @@ export function refusal({ page }, place) {
   const { refused } = page.set_up;
   if (refused?.place !== place) return nothing;
   const { detail, hint } = refused.problem;
-  return html`<p class="told refusal" data-tone="bad" role="alert">${sentence(detail)}. ${hint ? `${sentence(hint)}.` : ""}</p>`;
+  return html`<p class="status refusal" data-tone="bad" role="alert">${sentence(detail)}. ${hint ? `${sentence(hint)}.` : ""}</p>`;
 }

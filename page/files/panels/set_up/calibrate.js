@@ -2,8 +2,8 @@
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
-import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointHindrance, touchesOf } from "../../state/calibrate.js";
-import { hindrance } from "../../state/selectors.js";
+import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointBlockedReason, touchesOf } from "../../state/calibrate.js";
+import { blockedReason } from "../../state/selectors.js";
 import { sentence } from "../../views/banners.js";
 import { refusal } from "./arm.js";
 
@@ -32,17 +32,17 @@ const onSheet = ([x_mm = 0, y_mm = 0]) => [SHEET.wide_mm / 2 - y_mm, SHEET.high_
 const focusOn = (id) => requestAnimationFrame(() => document.getElementById(id)?.focus());
 
 /** @param {Problem | null} problem */
-const told = (problem) => (problem ? html`<p class="told" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing);
+const told = (problem) => (problem ? html`<p class="status" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing);
 
 /** @param {Context} context */
 export function calibrateGuide(context) {
-  const { page, say } = context;
+  const { page, t } = context;
   const { known, sheet, bar_mm } = page.calibrate;
   if (!known) return nothing;
   const part = !sheet ? choices : bar_mm === null ? printing : touching;
   return html`
     <section id="calibrate" class="card" aria-labelledby="calibrate-title">
-      <h2 id="calibrate-title">${say("calibrate")}</h2>
+      <h2 id="calibrate-title">${t("calibrate")}</h2>
       ${whatIsKnown(context, known)}
       ${part(context)}
       ${refusal(context, "calibrate")}
@@ -50,71 +50,71 @@ export function calibrateGuide(context) {
 }
 
 /** @param {Context} context @param {ReturnType<typeof numbersOf>} rows */
-const numbers = ({ say }, rows) => html`
-  <dl class="list">${rows.map(({ name, unit, value, by }) => html`<div><dt>${say(`calibrate.number.${name}`)}</dt><dd data-number=${name}>${number(value)}${unit}${by === null ? "" : ` (${change(by)})`}</dd></div>`)}</dl>`;
+const numbers = ({ t }, rows) => html`
+  <dl class="list">${rows.map(({ name, unit, value, by }) => html`<div><dt>${t(`calibrate.number.${name}`)}</dt><dd data-number=${name}>${number(value)}${unit}${by === null ? "" : ` (${change(by)})`}</dd></div>`)}</dl>`;
 
 /** @param {Context} context @param {Schemas["Calibrations"]} known */
 function whatIsKnown(context, { calibration }) {
-  const { page, say } = context;
-  if (!calibration || isAsDrawn(calibration)) return html`<p id="calibrate-known">${say("calibrate.nominal")}</p>`;
+  const { page, t } = context;
+  if (!calibration || isAsDrawn(calibration)) return html`<p id="calibrate-known">${t("calibrate.nominal")}</p>`;
   const { touched } = calibration;
   return html`
     <div id="calibrate-known">
-      <p>${say("calibrate.known")}${calibration.name ? ` ${say("calibrate.name", { name: calibration.name })}` : ""}</p>
+      <p>${t("calibrate.known")}${calibration.name ? ` ${t("calibrate.name", { name: calibration.name })}` : ""}</p>
       ${numbers(context, numbersOf(calibration).filter(({ name }) => MAIN.has(name)))}
-      ${touched ? html`<p class="quiet">${say("calibrate.agreed", { points: touched.points, typical: number(touched.typical_mm), largest: number(touched.largest_mm) })}</p>` : nothing}
-      ${page.station?.calibrated?.zeros_told ? html`<p class="quiet">${say("calibrate.angles_sent")}</p>` : nothing}
+      ${touched ? html`<p class="quiet">${t("calibrate.agreed", { points: touched.points, typical: number(touched.typical_mm), largest: number(touched.largest_mm) })}</p>` : nothing}
+      ${page.station?.calibrated?.zeros_told ? html`<p class="quiet">${t("calibrate.angles_sent")}</p>` : nothing}
     </div>`;
 }
 
 /** @param {Context} context */
-function choices({ page, say, act }) {
+function choices({ page, t, act }) {
   const { known } = page.calibrate;
   const mayKeep = page.role === "admin";
   const begin = () => act.calibrate.begin().then(() => focusOn("calibrate-bar"));
   const mayTell = known?.calibration && page.station?.calibrated?.zeros_told === false;
   return html`
-    <p class="quiet">${say(mayKeep ? "calibrate.hint" : "policy.admin")}</p>
+    <p class="quiet">${t(mayKeep ? "calibrate.hint" : "policy.admin")}</p>
     <div class="row">
-      <button id="calibrate-begin" type="button" class="small strong" @click=${begin}>${say("calibrate.begin")}</button>
-      <button id="calibrate-before" type="button" class="small" ?disabled=${!known?.before || !mayKeep} @click=${() => act.calibrate.bringBack()}>${say("calibrate.restore")}</button>
-      <button id="calibrate-forget" type="button" class="small" ?disabled=${!known?.calibration || !mayKeep} @click=${() => act.question({ about: "clear_calibration" })}>${say("calibrate.clear")}</button>
-      ${mayTell ? html`<button id="calibrate-angles" type="button" class="small" ?disabled=${hindrance(page) !== null} @click=${() => act.question({ about: "send_angles" })}>${say("calibrate.angles")}</button>` : nothing}
+      <button id="calibrate-begin" type="button" class="small strong" @click=${begin}>${t("calibrate.begin")}</button>
+      <button id="calibrate-before" type="button" class="small" ?disabled=${!known?.before || !mayKeep} @click=${() => act.calibrate.bringBack()}>${t("calibrate.restore")}</button>
+      <button id="calibrate-forget" type="button" class="small" ?disabled=${!known?.calibration || !mayKeep} @click=${() => act.question({ about: "clear_calibration" })}>${t("calibrate.clear")}</button>
+      ${mayTell ? html`<button id="calibrate-angles" type="button" class="small" ?disabled=${blockedReason(page) !== null} @click=${() => act.question({ about: "send_angles" })}>${t("calibrate.angles")}</button>` : nothing}
     </div>`;
 }
 
 /** @param {Context} context */
-function leave({ say, act }) {
+function leave({ t, act }) {
   const end = () => {
     act.send({ type: "calibrate_ended" });
     focusOn("calibrate-begin");
   };
-  return html`<button id="calibrate-leave" type="button" class="small end" @click=${end}>${say("calibrate.leave")}</button>`;
+  return html`<button id="calibrate-leave" type="button" class="small end" @click=${end}>${t("calibrate.leave")}</button>`;
 }
 
 /** The first step: a sheet, and whether the printer has scaled it. @param {Context} context */
 function printing(context) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const { bar, bar_refused } = page.calibrate;
   const take = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
     void act.calibrate.takeBar().then(() => focusOn("calibrate-touch"));
   };
   return html`
-    <h3>${say("calibrate.print")}</h3>
-    <p class="quiet">${say("calibrate.print.hint")}</p>
-    <div class="row"><button id="calibrate-sheet" type="button" class="small" @click=${() => act.calibrate.saveSheet()}>${say("calibrate.sheet")}</button></div>
+    <h3>${t("calibrate.print")}</h3>
+    <p class="quiet">${t("calibrate.print.hint")}</p>
+    <div class="row"><button id="calibrate-sheet" type="button" class="small" @click=${() => act.calibrate.saveSheet()}>${t("calibrate.sheet")}</button></div>
     <form class="row" @submit=${take}>
-      <label for="calibrate-bar">${say("calibrate.bar")}</label>
+      <label for="calibrate-bar">${t("calibrate.bar")}</label>
       <input id="calibrate-bar" class="length" type="number" step="any" required placeholder="200" .value=${live(bar)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_bar_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}> mm
-      <button id="calibrate-next" type="submit" class="small strong">${say("calibrate.next")}</button>
+      <button id="calibrate-next" type="submit" class="small strong">${t("calibrate.next")}</button>
       ${leave(context)}
     </form>
     ${told(bar_refused)}`;
 }
 
 /** The sheet as it lies before the arm, with the point that is next. @param {Context} context */
-function picture({ page, say }) {
+function picture({ page, t }) {
   const { sheet, visits } = page.calibrate;
   const next = nextPoint(page.calibrate);
   const touched = new Set(touchesOf(page.calibrate).map(({ point }) => point));
@@ -123,7 +123,7 @@ function picture({ page, say }) {
     return svg`<g class=${point === next ? "is-next" : touched.has(point) ? "is-touched" : ""}><circle cx=${right} cy=${down} r="11"/><text x=${right} y=${down} dy="5">${point + 1}</text></g>`;
   };
   return svg`
-    <svg class="sheet-points" viewBox="0 0 297 230" role="img" aria-label=${say("calibrate.picture", { point: next + 1, touched: touched.size, visits: visits.length })}>
+    <svg class="sheet-points" viewBox="0 0 297 230" role="img" aria-label=${t("calibrate.picture", { point: next + 1, touched: touched.size, visits: visits.length })}>
       <rect x="1" y="1" width="295" height="208" rx="2"/>
       <path d="M148.5 180 V 226 M 141 218 L 148.5 227 L 156 218"/>
       ${(sheet?.points_mm ?? []).map(mark)}
@@ -132,27 +132,27 @@ function picture({ page, say }) {
 
 /** The second step: one point after the other. @param {Context} context */
 function touching(context) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const { sheet, visits, fit, shown, problem, lost, block } = page.calibrate;
   const point = nextPoint(page.calibrate);
   const [x, y] = sheet?.points_mm[point] ?? [];
-  const why = pointHindrance(page);
+  const why = pointBlockedReason(page);
   return html`
-    <h3 id="calibrate-point" aria-live="polite">${say("calibrate.point", { point: point + 1, x: x ?? 0, y: y ?? 0 })}</h3>
+    <h3 id="calibrate-point" aria-live="polite">${t("calibrate.point", { point: point + 1, x: x ?? 0, y: y ?? 0 })}</h3>
     ${picture(context)}
-    <p class="quiet">${say("calibrate.point.hint")}</p>
+    <p class="quiet">${t("calibrate.point.hint")}</p>
     <div class="row">
-      <button id="calibrate-touch" type="button" class="small strong" ?disabled=${why !== null} aria-describedby="calibrate-why" @click=${() => act.calibrate.touch()}>${say("calibrate.touch")}</button>
-      <button id="calibrate-skip" type="button" class="small" @click=${() => act.send({ type: "calibrate_visited", told_deg: null })}>${say("calibrate.skip")}</button>
-      <button id="calibrate-back" type="button" class="small" ?disabled=${visits.length === 0} @click=${() => act.send({ type: "calibrate_back" })}>${say("calibrate.undo")}</button>
+      <button id="calibrate-touch" type="button" class="small strong" ?disabled=${why !== null} aria-describedby="calibrate-why" @click=${() => act.calibrate.touch()}>${t("calibrate.touch")}</button>
+      <button id="calibrate-skip" type="button" class="small" @click=${() => act.send({ type: "calibrate_visited", told_deg: null })}>${t("calibrate.skip")}</button>
+      <button id="calibrate-back" type="button" class="small" ?disabled=${visits.length === 0} @click=${() => act.send({ type: "calibrate_back" })}>${t("calibrate.undo")}</button>
       ${leave(context)}
     </div>
     <div class="row">
-      <label for="calibrate-block">${say("calibrate.block")}</label>
+      <label for="calibrate-block">${t("calibrate.block")}</label>
       <input id="calibrate-block" class="length" type="number" min="0" max=${HIGHEST_BLOCK_MM} step="any" placeholder="0" aria-describedby="calibrate-why" .value=${live(block)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_block_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}> mm
     </div>
-    <p id="calibrate-why" class="quiet">${why ? say(`blocked.${why}`) : ""}</p>
-    ${lost ? html`<p id="calibrate-lost" class="told" data-tone="warn" role="alert">${say("calibrate.lost", { lost })}</p>` : nothing}
+    <p id="calibrate-why" class="quiet">${why ? t(`blocked.${why}`) : ""}</p>
+    ${lost ? html`<p id="calibrate-lost" class="status" data-tone="warn" role="alert">${t("calibrate.lost", { lost })}</p>` : nothing}
     ${told(problem)}
     ${touches(context)}
     ${fit ? result(context, fit) : nothing}
@@ -160,20 +160,20 @@ function touching(context) {
 }
 
 /** What was touched, and how far each touch is from where it should be. @param {Context} context */
-function touches({ page, say }) {
+function touches({ page, t }) {
   const { fit } = page.calibrate;
   const all = touchesOf(page.calibrate);
-  const away = (/** @type {number} */ n) => (fit ? say("calibrate.away", { mm: number(fit.away_mm[n] ?? 0) }) : "–");
+  const away = (/** @type {number} */ n) => (fit ? t("calibrate.away", { mm: number(fit.away_mm[n] ?? 0) }) : "–");
   const missing = LEAST_TOUCHES - all.length;
   return html`
-    <dl id="calibrate-touches" class="list">${all.map(({ point, height_mm }, n) => html`<div><dt>${say(height_mm ? "calibrate.touched.block" : "calibrate.touched", { point: point + 1, height: height_mm })}</dt>
-      <dd>${away(n)} ${fit?.left_out === n ? html`<b class="chip" data-tone="bad">${say("calibrate.left_out")}</b>` : nothing}</dd></div>`)}</dl>
-    ${missing > 0 ? html`<p class="quiet">${say("calibrate.missing", { missing })}</p>` : nothing}`;
+    <dl id="calibrate-touches" class="list">${all.map(({ point, height_mm }, n) => html`<div><dt>${t(height_mm ? "calibrate.touched.block" : "calibrate.touched", { point: point + 1, height: height_mm })}</dt>
+      <dd>${away(n)} ${fit?.left_out === n ? html`<b class="chip" data-tone="bad">${t("calibrate.left_out")}</b>` : nothing}</dd></div>`)}</dl>
+    ${missing > 0 ? html`<p class="quiet">${t("calibrate.missing", { missing })}</p>` : nothing}`;
 }
 
 /** @param {Context} context @param {Schemas["FitReport"]} fit */
 function result(context, fit) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const { calibration, expected_mm, trust, unsure, advice } = fit;
   const before = page.calibrate.known?.calibration ?? null;
   const best = advice && page.calibrate.sheet?.points_mm.findIndex((it) => String(it) === String(advice.place_mm));
@@ -183,26 +183,26 @@ function result(context, fit) {
   };
   return html`
     <div id="calibrate-result" role="status">
-      <p><b id="calibrate-trust" class="chip" data-tone=${TONES[trust]}>${say(`calibrate.trust.${trust}`)}</b> ${say("calibrate.expected", { mm: number(expected_mm) })}</p>
-      <p class="quiet">${say(`calibrate.trust.${trust}.text`)}</p>
-      ${unsure.map(({ what, by, unit }) => html`<p class="quiet">${say("calibrate.uncertain", { what, by: number(by), unit })}</p>`)}
-      ${typeof best === "number" && best >= 0 ? html`<p class="quiet">${say(advice?.height_mm ? "calibrate.advice.block" : "calibrate.advice", { point: best + 1, height: advice?.height_mm ?? 0 })}</p>` : nothing}
+      <p><b id="calibrate-trust" class="chip" data-tone=${TONES[trust]}>${t(`calibrate.trust.${trust}`)}</b> ${t("calibrate.expected", { mm: number(expected_mm) })}</p>
+      <p class="quiet">${t(`calibrate.trust.${trust}.text`)}</p>
+      ${unsure.map(({ what, by, unit }) => html`<p class="quiet">${t("calibrate.uncertain", { what, by: number(by), unit })}</p>`)}
+      ${typeof best === "number" && best >= 0 ? html`<p class="quiet">${t(advice?.height_mm ? "calibrate.advice.block" : "calibrate.advice", { point: best + 1, height: advice?.height_mm ?? 0 })}</p>` : nothing}
     </div>
     ${numbers(context, numbersOf(calibration, before).filter(({ name }) => MAIN.has(name)))}
-    ${before ? html`<p class="quiet">${say("calibrate.since")}</p>` : nothing}
-    <div class="row"><button id="calibrate-show" type="button" class="small" @click=${show}>${say("calibrate.review")}</button></div>`;
+    ${before ? html`<p class="quiet">${t("calibrate.since")}</p>` : nothing}
+    <div class="row"><button id="calibrate-show" type="button" class="small" @click=${show}>${t("calibrate.review")}</button></div>`;
 }
 
 /** The last step: all that is kept. @param {Context} context @param {Schemas["CalibrationFile"]} shown */
 function review(context, shown) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const keep = () => act.calibrate.keep().then(() => focusOn("calibrate-begin"));
   const mayKeep = page.role === "admin";
   return html`
     <section id="calibrate-shown" class="made" aria-labelledby="calibrate-shown-title">
-      <h3 id="calibrate-shown-title">${say("calibrate.new")}</h3>
+      <h3 id="calibrate-shown-title">${t("calibrate.new")}</h3>
       ${numbers(context, numbersOf(shown))}
-      <p class="quiet">${say(mayKeep ? "calibrate.new.hint" : "policy.admin")}</p>
-      <div class="row"><button id="calibrate-keep" type="button" class="strong" ?disabled=${!mayKeep} @click=${keep}>${say("calibrate.save")}</button></div>
+      <p class="quiet">${t(mayKeep ? "calibrate.new.hint" : "policy.admin")}</p>
+      <div class="row"><button id="calibrate-keep" type="button" class="strong" ?disabled=${!mayKeep} @click=${keep}>${t("calibrate.save")}</button></div>
     </section>`;
 }

@@ -39,42 +39,42 @@ function numbersOf(zone) {
 
 /** @param {Context} context */
 export function policy(context) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const { draft, check, overtaken } = page.set_up;
   if (draft === null) return nothing;
   const mayKeep = page.role === "admin";
   const shown = shownPolicy(page), zones = shown?.keep_out ?? {};
   const write = (/** @type {string} */ text) => act.send({ type: "policy_typed", text });
   const changed = isChanged(page.set_up);
-  const told = check.type === "bad" ? `${sentence(check.problem.detail)}.` : changed ? say(mayKeep ? "policy.changed" : "policy.admin") : say("policy.in_force");
+  const told = check.type === "bad" ? `${sentence(check.problem.detail)}.` : changed ? t(mayKeep ? "policy.changed" : "policy.admin") : t("policy.in_force");
   const tone = check.type === "bad" ? "bad" : changed ? "warn" : "off";
   return html`
     <section class="card" aria-labelledby="policy-title">
-      <h2 id="policy-title">${say("policy")}</h2>
-      <h3>${say("policy.zones")}</h3>
+      <h2 id="policy-title">${t("policy")}</h2>
+      <h3>${t("policy.zones")}</h3>
       <div id="zones">${Object.entries(zones).map(([name, zone]) => zoneRow(context, name, zone, (keep_out) => void act.setUp.editKeepOut(keep_out ? { type: "replace", name, keep_out } : { type: "remove", name })))}</div>
-      ${Object.keys(zones).length ? nothing : html`<p class="quiet">${say("policy.no_zones")}</p>`}
+      ${Object.keys(zones).length ? nothing : html`<p class="quiet">${t("policy.no_zones")}</p>`}
       <div class="row">
         ${(/** @type {const} */ (["box", "cylinder"])).map((shape) => html`<button type="button" class="small" data-new-zone=${shape} ?disabled=${check.type !== "good" || !shown}
-          @click=${() => shown && act.setUp.editKeepOut({ type: "add", keep_out: created(shown.table.z_mm)[shape] })}>${say(`policy.new_${shape}`)}</button>`)}
+          @click=${() => shown && act.setUp.editKeepOut({ type: "add", keep_out: created(shown.table.z_mm)[shape] })}>${t(`policy.new_${shape}`)}</button>`)}
       </div>
       <details id="policy-text-part">
-        <summary><h3>${say("policy.text")}</h3></summary>
-        <textarea id="policy-text" rows="16" spellcheck="false" aria-label=${say("policy.text")} aria-describedby="policy-told" .value=${live(draft)}
+        <summary><h3>${t("policy.text")}</h3></summary>
+        <textarea id="policy-text" rows="16" spellcheck="false" aria-label=${t("policy.text")} aria-describedby="policy-status" .value=${live(draft)}
           @input=${(/** @type {Event} */ event) => write(/** @type {HTMLTextAreaElement} */ (event.target).value)}></textarea>
       </details>
-      <p id="policy-told" class="told" role="status" data-tone=${tone}>${told}</p>
-      ${overtaken ? html`<p class="told" data-tone="warn">${say("policy.conflict")}</p>` : nothing}
+      <p id="policy-status" class="status" role="status" data-tone=${tone}>${told}</p>
+      ${overtaken ? html`<p class="status" data-tone="warn">${t("policy.conflict")}</p>` : nothing}
       <div class="row">
-        <button id="policy-keep" type="button" class="strong" ?disabled=${!changed || check.type !== "good" || !mayKeep} @click=${() => act.setUp.keepPolicy()}>${say("policy.apply")}</button>
-        <button id="policy-forget" type="button" ?disabled=${!changed} @click=${() => act.send({ type: "policy_forgotten" })}>${say("policy.discard")}</button>
+        <button id="policy-keep" type="button" class="strong" ?disabled=${!changed || check.type !== "good" || !mayKeep} @click=${() => act.setUp.keepPolicy()}>${t("policy.apply")}</button>
+        <button id="policy-forget" type="button" ?disabled=${!changed} @click=${() => act.send({ type: "policy_forgotten" })}>${t("policy.discard")}</button>
       </div>
       ${refusal(context, "policy")}
     </section>`;
 }
 
 /** @param {Context} context @param {string} name @param {Zone} zone @param {(zone: Zone | null) => void} write */
-function zoneRow({ say }, name, zone, write) {
+function zoneRow({ t }, name, zone, write) {
   return html`
     <fieldset class="zone" data-zone=${name}>
       <legend>${name}</legend>
@@ -82,6 +82,6 @@ function zoneRow({ say }, name, zone, write) {
         const number = /** @type {HTMLInputElement} */ (event.target).valueAsNumber;
         if (Number.isFinite(number)) write(to(number));
       }}></label>`)}
-      <button type="button" class="small" aria-label=${say("policy.remove", { name })} @click=${() => write(null)}>×</button>
+      <button type="button" class="small" aria-label=${t("policy.remove", { name })} @click=${() => write(null)}>×</button>
     </fieldset>`;
 }

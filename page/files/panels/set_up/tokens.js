@@ -19,7 +19,7 @@ function qr(text, label) {
 
 /** @param {Context} context */
 export function tokens(context) {
-  const { page, say, act } = context;
+  const { page, t, act } = context;
   const { tokens, made } = page.set_up;
   if (!tokens) return nothing;
   const make = (/** @type {SubmitEvent} */ event) => {
@@ -33,25 +33,25 @@ export function tokens(context) {
   const isLoopback = ["localhost", "127.0.0.1", "[::1]"].includes(location.hostname);
   return html`
     <section class="card" aria-labelledby="tokens-title">
-      <h2 id="tokens-title">${say("tokens")}</h2>
-      <p class="quiet">${say("tokens.hint")}</p>
+      <h2 id="tokens-title">${t("tokens")}</h2>
+      <p class="quiet">${t("tokens.hint")}</p>
       <ul class="tokens">
-        ${tokens.map(({ name, role, shared }) => html`<li><span>${name} <b class="chip">${say(`role.${role}`)}</b>${shared ? html` <b class="chip">${say("tokens.is_shared")}</b>` : nothing}</span>
-          <button type="button" class="small" aria-label=${say("tokens.remove", { name })} @click=${() => act.question({ about: "remove_token", values: { name } })}>×</button></li>`)}
+        ${tokens.map(({ name, role, shared }) => html`<li><span>${name} <b class="chip">${t(`role.${role}`)}</b>${shared ? html` <b class="chip">${t("tokens.is_shared")}</b>` : nothing}</span>
+          <button type="button" class="small" aria-label=${t("tokens.remove", { name })} @click=${() => act.question({ about: "remove_token", values: { name } })}>×</button></li>`)}
       </ul>
       <form id="token-new" class="row" @submit=${make}>
-        <input name="name" type="text" required maxlength="60" autocomplete="off" placeholder=${say("tokens.name")} aria-label=${say("tokens.name")}>
-        <select name="role" aria-label=${say("tokens.role")}>${ROLES.map((role) => html`<option value=${role} ?selected=${role === "control"}>${say(`role.${role}`)}</option>`)}</select>
-        <label class="check"><input name="shared" type="checkbox"> ${say("tokens.shared")}</label>
-        <button type="submit" class="small">${say("tokens.create")}</button>
+        <input name="name" type="text" required maxlength="60" autocomplete="off" placeholder=${t("tokens.name")} aria-label=${t("tokens.name")}>
+        <select name="role" aria-label=${t("tokens.role")}>${ROLES.map((role) => html`<option value=${role} ?selected=${role === "control"}>${t(`role.${role}`)}</option>`)}</select>
+        <label class="check"><input name="shared" type="checkbox"> ${t("tokens.shared")}</label>
+        <button type="submit" class="small">${t("tokens.create")}</button>
       </form>
       ${made ? html`
         <div id="token-made" class="made" role="status">
-          <p><strong>${say("tokens.once", { name: made.name })}</strong></p>
-          ${qr(address, say("tokens.qr"))}
+          <p><strong>${t("tokens.once", { name: made.name })}</strong></p>
+          ${qr(address, t("tokens.qr"))}
           <p><code id="token-secret">${made.secret}</code></p>
           <p class="quiet"><a href=${address} rel="noreferrer">${address.slice(0, 60)}…</a></p>
-          ${isLoopback ? html`<p class="told" data-tone="warn">${say("tokens.loopback")}</p>` : nothing}
+          ${isLoopback ? html`<p class="status" data-tone="warn">${t("tokens.loopback")}</p>` : nothing}
         </div>` : nothing}
       ${refusal(context, "tokens")}
     </section>`;

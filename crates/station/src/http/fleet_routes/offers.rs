@@ -221,15 +221,9 @@ fn others_time(state: &State, student: &str) -> Option<String> {
     is_others.then(|| format!("it is the time of {} at this arm", now.student))
 }
 
-<<<<<<< HEAD
-/// Starts a job of the fleet, where its owner has allowed it and nobody has control; where it cannot be started a person
-/// does it.
-async fn start(handle: StationHandle, job: u64, student: String) {
-=======
 /// Starts a job of the fleet if the owner has allowed it and nobody has control; otherwise a person
 /// has to start it.
-async fn start(handle: Handle, job: u64, student: String) {
->>>>>>> fleet
+async fn start(handle: StationHandle, job: u64, student: String) {
     let coming = handle.client_of("work of the fleet", Role::Control, &student);
     let Ok(client) = coming.await else {
         return;

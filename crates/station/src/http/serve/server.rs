@@ -80,13 +80,8 @@ pub struct Served {
 ///
 /// # Errors
 ///
-<<<<<<< HEAD
-/// [`ServeError`]; nothing is served then.
-pub async fn serve(web: &Web, handle: StationHandle) -> Result<Served, ServeError> {
-=======
 /// [`ServeError`]; then nothing is served.
-pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
->>>>>>> fleet
+pub async fn serve(web: &Web, handle: StationHandle) -> Result<Served, ServeError> {
     let mut tokens = Tokens::open(&web.folders.tokens())?;
     if !web.is_near() && tokens.list().next().is_none() {
         return Err(ServeError::NoTokens(web.address));
@@ -177,7 +172,7 @@ impl Served {
         self.running.fingerprint.as_deref()
     }
 
-    /// Ends it: notifies all clients and finishes pending responses, within three seconds.
+    /// DriverChannels it: notifies all clients and finishes pending responses, within three seconds.
     ///
     /// # Errors
     ///

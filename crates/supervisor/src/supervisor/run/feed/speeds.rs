@@ -104,8 +104,8 @@ impl Speeds {
     }
 
     /// Returns the arm limits for a vector of the job.
-    pub(crate) fn machine_at(&self, plan: &JobPlan, index: usize) -> Machine {
-        Machine {
+    pub(crate) fn arm_limits_at(&self, plan: &JobPlan, index: usize) -> ArmLimits {
+        ArmLimits {
             acceleration_mm_s2: plan.drawn_with(index).acceleration_mm_s2,
             ..self.arm_limits
         }
