@@ -543,7 +543,7 @@ mod tests {
             let mut it = pendant(Drive::Jog);
             it.handle_pad(Duration::ZERO, Some(stick(-32767)));
             assert_eq!(asked(&mut it, Duration::ZERO), [forward(50.0)]);
-            // It tells nothing while it stays where it is.
+            // It sends no events while it is held in place.
             assert_eq!(asked(&mut it, DEAD_MAN / 10 * 9), [forward(50.0)]);
             it.handle_pad(DEAD_MAN, end);
             assert_eq!(asked(&mut it, DEAD_MAN), [Request::Release], "{end:?}");

@@ -125,25 +125,26 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         return args.to.with_arm("calibrate", forget).await;
     }
     if let Some(times) = args.test {
-        let look = async |station: &mut StationClient| test::test(station, &args.to, times).await;
-        return args.to.with_arm("calibrate", look).await;
+        let run_test =
+            async |station: &mut StationClient| test::test(station, &args.to, times).await;
+        return args.to.with_arm("calibrate", run_test).await;
     }
     if args.angles {
-        let tell = async |station: &mut StationClient| send_angles(station, &args.to).await;
-        return args.to.with_arm("calibrate", tell).await;
+        let send = async |station: &mut StationClient| send_angles(station, &args.to).await;
+        return args.to.with_arm("calibrate", send).await;
     }
     let file = args.file.as_deref().expect("clap asks for one");
     if args.use_file {
         let known = read(file)?;
-        let take = async |station: &mut StationClient| apply(station, Some(known)).await;
-        return args.to.with_arm("calibrate", take).await;
+        let apply_file = async |station: &mut StationClient| apply(station, Some(known)).await;
+        return args.to.with_arm("calibrate", apply_file).await;
     }
     if let Some(of) = args.comb {
         let known = read(file)?;
-        let look = async |station: &mut StationClient| {
+        let comb = async |station: &mut StationClient| {
             measure_backlash(station, &args.to, file, known, of).await
         };
-        return args.to.with_arm("calibrate", look).await;
+        return args.to.with_arm("calibrate", comb).await;
     }
     if args.undo {
         return bring_back(file);

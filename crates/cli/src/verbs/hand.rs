@@ -29,7 +29,7 @@ before the next target."
 )]
 pub(crate) struct Args {
     /// Position of the hand, in the unit of the dialect
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, value_parser = values::finite)]
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, action = clap::ArgAction::Set, value_parser = values::finite)]
     place: Vec<f32>,
     /// Closed hand, on or off (default: as the pump)
     #[arg(long, value_name = "on|off", value_parser = values::on_off)]

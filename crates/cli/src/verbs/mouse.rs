@@ -33,7 +33,7 @@ up to 5 units. After a key is released, at most two more steps are made."
 )]
 pub(crate) struct Args {
     /// Distance, in the unit of the dialect
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "keys", value_parser = values::finite)]
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "keys", action = clap::ArgAction::Set, value_parser = values::finite)]
     by: Vec<f32>,
     /// Move with the keyboard, in small steps while a key is held
     #[arg(long, conflicts_with_all = ["by", "rotation", "suction"])]

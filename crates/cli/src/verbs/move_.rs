@@ -29,7 +29,7 @@ has no stop command."
 )]
 pub(crate) struct Args {
     /// Target point, in mm
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "joints", value_parser = values::finite)]
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "joints", action = clap::ArgAction::Set, value_parser = values::finite)]
     point: Vec<f32>,
     /// Joint angles instead of a point, in degrees
     #[arg(long, num_args = 3, value_names = ["BASE", "REAR", "FORE"], conflicts_with_all = ["point", "rotation"], value_parser = values::finite)]

@@ -28,7 +28,7 @@ plans the speeds of whole drawings."
 )]
 pub(crate) struct Args {
     /// Distance, in mm
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, value_parser = values::finite)]
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, action = clap::ArgAction::Set, value_parser = values::finite)]
     by: Vec<f32>,
     /// Maximum speed, in mm/s
     #[arg(long, value_name = "MM/S", default_value = "20", value_parser = values::positive)]

@@ -536,13 +536,13 @@ mod tests {
             [Request::StartJob { job: 4 }]
         );
         keyed(&mut it, KeyCode::Char('t'));
-        let anew = keyed(&mut it, KeyCode::Char('g'));
+        let again = keyed(&mut it, KeyCode::Char('g'));
         assert!(
             matches!(
-                anew[..],
+                again[..],
                 [Request::CancelJob { job: 4 }, Request::SubmitJob { .. }]
             ),
-            "it was changed: {anew:?}"
+            "it was changed: {again:?}"
         );
     }
 
