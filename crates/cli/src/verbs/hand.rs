@@ -4,7 +4,7 @@ use dobot_host::StationClient;
 use dobot_wire::{Gesture, Status};
 
 use crate::connect::To;
-use crate::control::carry_out_one;
+use crate::control::run_one_command;
 use crate::failure::Failure;
 use crate::{output, values};
 
@@ -44,7 +44,7 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let follow = async |station: &mut StationClient| {
         let command = |status: &Status, _| Ok(args.gesture(status).into());
-        carry_out_one(station, &args.to, None, command).await
+        run_one_command(station, &args.to, None, command).await
     };
     let status = args.to.with_arm("hand", follow).await?;
     Ok(output::status(&status, args.json)?)

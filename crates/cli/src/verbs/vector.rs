@@ -6,7 +6,7 @@ use dobot_host::StationClient;
 use dobot_wire::WriteVector;
 
 use crate::connect::To;
-use crate::control::carry_out_one;
+use crate::control::run_one_command;
 use crate::failure::Failure;
 use crate::{output, values};
 
@@ -55,7 +55,7 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let draw = async |station: &mut StationClient| {
         let command = |_: &_, _| Ok(args.vector().into());
-        carry_out_one(station, &args.to, args.arm_laser, command).await
+        run_one_command(station, &args.to, args.arm_laser, command).await
     };
     let status = args.to.with_arm("vector", draw).await?;
     Ok(output::status(&status, args.json)?)

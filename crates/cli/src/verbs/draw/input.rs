@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::verbs::calibrate;
 
 /// Reads what is to be drawn, and drops defaults that do not fit it.
-pub(super) fn asked(args: Args) -> Result<(Args, DrawingRequest), Failure> {
+pub(super) fn drawing_request(args: Args) -> Result<(Args, DrawingRequest), Failure> {
     let subject = subject(&args)?;
     let args = fitted(args, &subject)?;
     let materials = materials(args.materials.as_deref())?;
@@ -96,10 +96,10 @@ fn read(file: &Path) -> Result<Vec<u8>, Failure> {
         return Ok(read.context("cannot read standard input")?);
     }
     let read = File::open(file).and_then(|file| bounded::bytes(file, Source::most_bytes));
-    read.map_err(|error| unread(file, error))
+    read.map_err(|error| read_failure(file, error))
 }
 
-fn unread(file: &Path, error: io::Error) -> Failure {
+fn read_failure(file: &Path, error: io::Error) -> Failure {
     let missing = error.kind() == ErrorKind::NotFound;
     let error = anyhow::Error::from(error).context(format!("cannot read {}", file.display()));
     if missing {
