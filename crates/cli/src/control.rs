@@ -35,7 +35,7 @@ pub(crate) async fn arm_laser(
 }
 
 /// Sends a command and waits for its end; Ctrl-C stops the arm.
-pub(crate) async fn carry_out(
+pub(crate) async fn run_command(
     station: &mut StationClient,
     command: Command,
 ) -> Result<(), Failure> {
@@ -55,7 +55,7 @@ pub(crate) async fn carry_out(
 
 /// Carries out one command, created from the status and the dialect of the arm. Arms the laser for a
 /// time, if any. Returns the status at rest.
-pub(crate) async fn carry_out_one(
+pub(crate) async fn run_one_command(
     station: &mut StationClient,
     to: &To,
     laser: Option<Duration>,
@@ -66,8 +66,8 @@ pub(crate) async fn carry_out_one(
     let command = command(&arm.status, dialect)?;
     take_control(station).await?;
     arm_laser(station, laser).await?;
-    carry_out(station, command).await?;
-    rest(station).await
+    run_command(station, command).await?;
+    wait_for_rest(station).await
 }
 
 /// Stops the arm, because this program was interrupted.
@@ -166,7 +166,7 @@ async fn ask_about_pose(why: &str, status: &Status) -> Result<bool, Failure> {
 }
 
 /// Waits until the arm is at rest, and returns its status.
-pub(crate) async fn rest(station: &mut StationClient) -> Result<Status, Failure> {
+pub(crate) async fn wait_for_rest(station: &mut StationClient) -> Result<Status, Failure> {
     loop {
         let (arm, _) = arm(station).await?;
         if !arm.moving {
@@ -176,7 +176,7 @@ pub(crate) async fn rest(station: &mut StationClient) -> Result<Status, Failure>
 }
 
 /// Waits until the arm is at rest, at most 5 s.
-pub(crate) async fn rest_soon(station: &mut StationClient) -> Result<(), Failure> {
+pub(crate) async fn wait_briefly_for_rest(station: &mut StationClient) -> Result<(), Failure> {
     let until = station.now() + PATIENCE;
     while arm(station).await?.0.moving && station.now() < until {}
     Ok(())

@@ -128,7 +128,7 @@ async fn ask_to_resume(
     let why = why
         .strip_prefix(&format!("job {job} is paused: "))
         .unwrap_or(why);
-    let answer = match ask(job, why).await {
+    let answer = match ask_person(job, why).await {
         // A virtual arm in this process is harmless, and nobody changes its pen.
         None if station.virtual_arm().is_some() => PausedChoice::Resume,
         answer => answer.unwrap_or(PausedChoice::Leave),
@@ -232,7 +232,7 @@ fn paused(station: &StationClient, (job, burns): (u64, bool), text: &str) -> Fai
 }
 
 /// Asks the person at the terminal, if there is one.
-async fn ask(job: u64, why: &str) -> Option<PausedChoice> {
+async fn ask_person(job: u64, why: &str) -> Option<PausedChoice> {
     if !std::io::stdin().is_terminal() {
         return None;
     }

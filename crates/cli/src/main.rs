@@ -80,8 +80,8 @@ A dialect is the protocol that an arm understands, a personality is the
 behaviour of a virtual arm. They have the same names: specification (the
 published protocol) and firmware-1.1 (the arms that were sold).
 
-Exit codes: 0 done, 1 failed, 2 invalid command line. With `--json`, an error
-is one JSON object on standard error: error, hint and exit_code.";
+Exit codes: 0 done, 1 failed, 2 invalid command line. With `--json`, the last
+line on standard error is a JSON object for an error: error, hint, exit_code.";
 
 #[cfg(test)]
 mod tests {

@@ -22,7 +22,7 @@ use self::keys::{KeyMeaning, folded, meaning};
 pub(crate) use self::gamepad::PadArgs;
 pub(crate) use self::hold::KeyReports;
 pub(crate) use self::mouse::{Mouse, kept_rotation_deg};
-pub(crate) use self::screen::{alarm, answer, held, key_line, move_lines};
+pub(crate) use self::screen::{alarm, answer, held_line, key_line, move_lines};
 pub(crate) use self::session::{Panel, run};
 pub(crate) use self::terminal::check_terminal;
 
@@ -173,7 +173,7 @@ impl Pendant {
     }
 
     /// Queues a request to the station.
-    pub(crate) fn ask(&mut self, request: Request) {
+    pub(crate) fn send(&mut self, request: Request) {
         self.requests.push_back(request);
     }
 
@@ -193,7 +193,7 @@ impl Pendant {
     }
 
     /// Returns the status of an arm that is at rest with a confirmed pose, or the reason why there is none.
-    pub(crate) fn resting(&self, untrusted: &'static str) -> Result<&Status, &'static str> {
+    pub(crate) fn status_at_rest(&self, untrusted: &'static str) -> Result<&Status, &'static str> {
         let state = self.state().ok_or("no status of the arm yet")?;
         if !state.trust.trusted {
             return Err(untrusted);
@@ -301,16 +301,16 @@ impl Pendant {
             JointJogAxis::SuctionOff
         };
         let command = JointJog::new(axis, 0.0).into();
-        self.ask(Request::Command { command });
+        self.send(Request::Command { command });
     }
 
     /// Moves an arm at rest by one step.
     fn step(&mut self, button: Button, size: f32) {
         let untrusted = "the pose is not confirmed; press r, look, and press y";
-        match self.resting(untrusted) {
+        match self.status_at_rest(untrusted) {
             Ok(status) if button.step(status, size).is_some() => {
                 self.answer = None;
-                self.ask(Request::Step { button, by: size });
+                self.send(Request::Step { button, by: size });
             }
             Ok(_) => self.show("no step: this key must be held; press . to leave step mode".into()),
             Err(why) => self.show(format!("no step: {why}")),
@@ -543,7 +543,7 @@ mod tests {
             let mut it = pendant(Drive::Jog);
             it.handle_pad(Duration::ZERO, Some(stick(-32767)));
             assert_eq!(asked(&mut it, Duration::ZERO), [forward(50.0)]);
-            // It tells nothing while it stays where it is.
+            // It sends no events while it is held in place.
             assert_eq!(asked(&mut it, DEAD_MAN / 10 * 9), [forward(50.0)]);
             it.handle_pad(DEAD_MAN, end);
             assert_eq!(asked(&mut it, DEAD_MAN), [Request::Release], "{end:?}");

@@ -24,7 +24,7 @@ impl Station {
 
     /// The address of the station; `None` if none is named and none runs.
     pub(crate) async fn address(&self) -> Result<Option<StationAddress>, Failure> {
-        self.options.search().find().await.map_err(no_search)
+        self.options.search().find().await.map_err(search_failure)
     }
 
     /// The address of the station, which must be named or running.
@@ -47,7 +47,7 @@ impl Station {
 /// The folders of this user's station.
 pub(crate) fn folders(data: Option<PathBuf>) -> Result<Folders, Failure> {
     let folders = data.map(Folders::at).or_else(Folders::of_environment);
-    folders.ok_or_else(|| no_search(SearchError::NoFolders))
+    folders.ok_or_else(|| search_failure(SearchError::NoFolders))
 }
 
 /// The client name of a verb, as other clients see it.
@@ -55,7 +55,7 @@ pub(crate) fn client_name(verb: &str) -> String {
     format!("dobot {verb}")
 }
 
-fn no_search(error: SearchError) -> Failure {
+fn search_failure(error: SearchError) -> Failure {
     match error.hint() {
         Some(hint) => Failure::new(error, hint),
         None => error.into(),

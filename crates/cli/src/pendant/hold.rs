@@ -275,14 +275,14 @@ mod tests {
         #[test]
         fn nothing_is_held_longer_than_its_patience_whatever_comes(
             events in prop::collection::vec((0_u64..400, 0_u8..4, 0_u8..3), 0..60),
-            tells in any::<bool>(),
+            reports_releases in any::<bool>(),
         ) {
-            let keys = if tells { KeyReports::Releases } else { KeyReports::Presses };
+            let keys = if reports_releases { KeyReports::Releases } else { KeyReports::Presses };
             let mut it = hold(keys);
             let (mut now, mut pressed) = (0, 0);
             for (after, event, key) in events {
                 for (at, beat) in said(&mut it, now, now + after) {
-                    let patience = if tells { 1000 } else { 150 };
+                    let patience = if reports_releases { 1000 } else { 150 };
                     prop_assert!(beat == Beat::Release || at < pressed + patience);
                 }
                 now += after;

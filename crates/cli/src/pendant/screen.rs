@@ -23,7 +23,7 @@ pub(crate) fn draw(frame: &mut Frame, pendant: &Pendant) {
         Constraint::Length(2),
     ];
     let [top, alarm_row, arm, rest, keys, bottom] = Layout::vertical(rows).areas(frame.area());
-    frame.render_widget(held(pendant), top);
+    frame.render_widget(held_line(pendant), top);
     frame.render_widget(alarm(pendant), alarm_row);
     if let Some(state) = &pendant.state {
         panels::arm(frame, arm, state);
@@ -39,7 +39,7 @@ pub(crate) fn alarm(pendant: &Pendant) -> Paragraph<'static> {
 }
 
 /// The held button and its speed.
-pub(crate) fn held(pendant: &Pendant) -> Paragraph<'static> {
+pub(crate) fn held_line(pendant: &Pendant) -> Paragraph<'static> {
     let (name, unit) = match pendant.drive {
         Drive::Jog => (" jog ", "% of the jog speed"),
         Drive::Mouse(_) => (" mouse ", "% of the increment"),

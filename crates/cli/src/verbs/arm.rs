@@ -105,8 +105,8 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     #[cfg(unix)]
     if let Some(link) = pty {
         let link = Some(link).filter(|link| !link.as_os_str().is_empty());
-        let pty =
-            dobot_sim::Pty::open(link.as_deref()).map_err(|error| no_pty(error, link.as_ref()))?;
+        let pty = dobot_sim::Pty::open(link.as_deref())
+            .map_err(|error| pty_failure(error, link.as_ref()))?;
         output::line(&format!("serial:{}   the same arm", pty.path().display()))?;
         let only = servers.pop().expect("there is at least one arm");
         servers.push(only.on_pty(pty));
@@ -278,7 +278,7 @@ async fn listen(address: SocketAddr, option: &str) -> Result<TcpListener, Failur
 }
 
 #[cfg(unix)]
-fn no_pty(error: std::io::Error, link: Option<&PathBuf>) -> Failure {
+fn pty_failure(error: std::io::Error, link: Option<&PathBuf>) -> Failure {
     let exists = error.kind() == std::io::ErrorKind::AlreadyExists;
     let Some(link) = link else {
         return anyhow::Error::from(error)

@@ -23,7 +23,7 @@ use self::paper::PaperToucher;
 use self::toucher::Toucher;
 use crate::bounded;
 use crate::connect::To;
-use crate::control::{self, carry_out, check_pose, take_control};
+use crate::control::{self, check_pose, run_command, take_control};
 use crate::failure::Failure;
 use crate::pendant::{Drive, PadArgs, check_terminal};
 use crate::verbs::jog::with_keys;
@@ -125,28 +125,29 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         return args.to.with_arm("calibrate", forget).await;
     }
     if let Some(times) = args.test {
-        let look = async |station: &mut StationClient| test::test(station, &args.to, times).await;
-        return args.to.with_arm("calibrate", look).await;
+        let run_test =
+            async |station: &mut StationClient| test::test(station, &args.to, times).await;
+        return args.to.with_arm("calibrate", run_test).await;
     }
     if args.angles {
-        let tell = async |station: &mut StationClient| send_angles(station, &args.to).await;
-        return args.to.with_arm("calibrate", tell).await;
+        let send = async |station: &mut StationClient| send_angles(station, &args.to).await;
+        return args.to.with_arm("calibrate", send).await;
     }
     let file = args.file.as_deref().expect("clap asks for one");
     if args.use_file {
         let known = read(file)?;
-        let take = async |station: &mut StationClient| apply(station, Some(known)).await;
-        return args.to.with_arm("calibrate", take).await;
+        let apply_file = async |station: &mut StationClient| apply(station, Some(known)).await;
+        return args.to.with_arm("calibrate", apply_file).await;
     }
     if let Some(of) = args.comb {
         let known = read(file)?;
-        let look = async |station: &mut StationClient| {
+        let comb = async |station: &mut StationClient| {
             measure_backlash(station, &args.to, file, known, of).await
         };
-        return args.to.with_arm("calibrate", look).await;
+        return args.to.with_arm("calibrate", comb).await;
     }
     if args.undo {
-        return bring_back(file);
+        return restore_previous(file);
     }
     check_terminal(
         "`dobot calibrate`",
@@ -239,10 +240,10 @@ async fn send_angles(station: &mut StationClient, to: &To) -> Result<(), Failure
     // Approach from the right, so that the backlash is on the same side as during the touches.
     for base_deg in [-RUN_UP_DEG, 0.0] {
         let turned = MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg]);
-        carry_out(station, turned.with_mode(MovingMode::MovJ).into()).await?;
+        run_command(station, turned.with_mode(MovingMode::MovJ).into()).await?;
     }
     station.request_at_rest(Request::TellAngles).await?;
-    control::rest(station).await?;
+    control::wait_for_rest(station).await?;
     Ok(output::line(
         "the arm has its calibrated angles until it is switched off; look at it, then run `dobot confirm`",
     )?)
@@ -292,7 +293,7 @@ fn save(file: &Path, known: &CalibrationFile) -> Result<(), Failure> {
 }
 
 /// Swaps a calibration with the previous one.
-fn bring_back(file: &Path) -> Result<(), Failure> {
+fn restore_previous(file: &Path) -> Result<(), Failure> {
     let before = before(file);
     let Some(known) = known(&before)? else {
         let error = anyhow!("{} does not exist", before.display());

@@ -93,8 +93,8 @@ fn lines(compiled: &Compiled, report: &Report) -> Vec<String> {
         lines.push(format!("a cycle takes {}", output::clock(cycle_s)));
     }
     lines.push(match report.total_s {
-        Some(total_s) => format!("all of it takes {}", output::clock(total_s)),
-        None => "it goes on until a person ends it".to_owned(),
+        Some(total_s) => format!("the whole program takes {}", output::clock(total_s)),
+        None => "it runs until a person ends it".to_owned(),
     });
     lines
 }

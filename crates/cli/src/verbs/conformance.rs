@@ -91,7 +91,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         report.summary(),
         args.report.display()
     ))?;
-    judged(&report, &args.address)
+    judge(&report, &args.address)
 }
 
 impl Args {
@@ -180,7 +180,7 @@ fn text(row: &Row) -> String {
 }
 
 /// Judges the report, for the exit code.
-fn judged(report: &Report, address: &Address) -> Result<(), Failure> {
+fn judge(report: &Report, address: &Address) -> Result<(), Failure> {
     if report.conforms() {
         return Ok(());
     }

@@ -30,7 +30,7 @@ use self::args::export_format;
 use self::defaults::Defaults;
 pub(crate) use self::defaults::read;
 use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute};
-use self::input::asked;
+use self::input::drawing_request;
 pub(crate) use self::input::materials;
 use self::output_files::{check_apart, check_writable, write, write_json};
 use self::planning::{Shown, shown};
@@ -56,7 +56,7 @@ async fn draw(args: Args) -> Result<(), Failure> {
     for file in files.into_iter().flatten() {
         check_writable(file)?;
     }
-    let (args, mut asked) = asked(args)?;
+    let (args, mut asked) = drawing_request(args)?;
     // Report problems of the drawing before connecting to an arm.
     let mut drawing = Drawing::new(
         &args,
@@ -248,11 +248,15 @@ impl<'a> Drawing<'a> {
         } else if is_virtual {
             carried.as_ref().map(Drawn::carried)
         } else {
-            Some(Drawn::seen(&executed, &self.prepared, &self.settings))
+            Some(Drawn::from_statuses(
+                &executed,
+                &self.prepared,
+                &self.settings,
+            ))
         };
         let report = self.write_files(carried.or(estimate).as_ref(), drawn.as_ref(), times)?;
         executed.outcome?;
-        estimates::keep(&self.title, times)?;
+        estimates::log(&self.title, times)?;
         print(self.args, &report)
     }
 
@@ -374,7 +378,7 @@ impl Drawn {
         }
     }
 
-    fn seen(executed: &Executed, prepared: &Prepared, settings: &Settings) -> Self {
+    fn from_statuses(executed: &Executed, prepared: &Prepared, settings: &Settings) -> Self {
         let wanted = prepared.wanted();
         let seen = executed.seen.iter().copied();
         let dots: Vec<Stroke> = ink_seen(seen, &prepared.plan, &settings.paper);

@@ -4,7 +4,7 @@ use dobot_host::StationClient;
 use dobot_wire::{Gesture, Status};
 
 use crate::connect::To;
-use crate::control::carry_out_one;
+use crate::control::run_one_command;
 use crate::failure::Failure;
 use crate::{output, values};
 
@@ -29,7 +29,7 @@ before the next target."
 )]
 pub(crate) struct Args {
     /// Position of the hand, in the unit of the dialect
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, value_parser = values::finite)]
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, action = clap::ArgAction::Set, value_parser = values::finite)]
     place: Vec<f32>,
     /// Closed hand, on or off (default: as the pump)
     #[arg(long, value_name = "on|off", value_parser = values::on_off)]
@@ -44,7 +44,7 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let follow = async |station: &mut StationClient| {
         let command = |status: &Status, _| Ok(args.gesture(status).into());
-        carry_out_one(station, &args.to, None, command).await
+        run_one_command(station, &args.to, None, command).await
     };
     let status = args.to.with_arm("hand", follow).await?;
     Ok(output::status(&status, args.json)?)

@@ -203,7 +203,7 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
             )
         }
     };
-    ask(station, request, &done, args.json).await
+    send(station, request, &done, args.json).await
 }
 
 async fn list(station: &mut StationClient, as_json: bool) -> Result<(), Failure> {
@@ -292,7 +292,7 @@ async fn step(
 }
 
 /// Sends a request; takes control of the arm if that is needed and possible.
-async fn ask(
+async fn send(
     station: &mut StationClient,
     request: Request,
     done: &str,

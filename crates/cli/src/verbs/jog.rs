@@ -7,7 +7,7 @@ use dobot_host::StationClient;
 use dobot_wire::Status;
 
 use crate::connect::To;
-use crate::control::{self, arm_laser, carry_out, check_pose, take_control};
+use crate::control::{self, arm_laser, check_pose, run_command, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::pendant::{self, Drive, PadArgs, Panel, Pendant, check_terminal};
@@ -105,16 +105,16 @@ impl Args {
             station.request(Request::Release).await?;
             held?;
         } else {
-            carry_out(station, jog.command()).await?;
+            run_command(station, jog.command()).await?;
             if let Some(end) = button.end() {
                 tokio::select! {
                     () = station.wait(self.time) => {}
                     () = interrupt() => {}
                 }
-                carry_out(station, end.command()).await?;
+                run_command(station, end.command()).await?;
             }
         }
-        let now = control::rest(station).await?;
+        let now = control::wait_for_rest(station).await?;
         if button.moves() && now == before {
             eprintln!(
                 "the arm did not move: the axis is at its limit, or the time was over before the motion began; jog longer, \
@@ -137,16 +137,16 @@ pub(crate) async fn with_keys<P: Panel>(
     check_pose(station, to.pose_confirmed).await?;
     take_control(station).await?;
     // The first press then moves the arm immediately.
-    control::rest_soon(station).await?;
+    control::wait_briefly_for_rest(station).await?;
     pendant::run(station, drive, pad, panel).await?;
-    control::rest(station).await
+    control::wait_for_rest(station).await
 }
 
 /// Holds a button by repeated requests, until its time is over or Ctrl-C is pressed.
 async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(), Failure> {
     let mut interrupt = std::pin::pin!(interrupt());
     // A press waits for the previous motion to end; the time is that of the motion itself.
-    control::rest_soon(station).await?;
+    control::wait_briefly_for_rest(station).await?;
     station.request_at_rest(Request::Jog { jog }).await?;
     let until = station.now() + time;
     while station.now() < until {

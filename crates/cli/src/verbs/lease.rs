@@ -69,15 +69,15 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         Action::Show => show(&mut station, args.json).await,
         Action::Take { time } => {
             take_control(&mut station).await?;
-            keep(&mut station, time).await
+            keep_control(&mut station, time).await
         }
         Action::Ask => {
-            ask(&mut station).await?;
-            keep(&mut station, None).await
+            request_control(&mut station).await?;
+            keep_control(&mut station, None).await
         }
         Action::Seize => {
             station.request(Request::SeizeLease).await?;
-            keep(&mut station, None).await
+            keep_control(&mut station, None).await
         }
         Action::Release => {
             station.request(Request::SeizeLease).await?;
@@ -88,7 +88,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             take_control(&mut station).await?;
             arm_laser(&mut station, Some(time)).await?;
             output::line("the laser is armed; wear goggles")?;
-            keep(&mut station, Some(time)).await
+            keep_control(&mut station, Some(time)).await
         }
     }
 }
@@ -118,7 +118,7 @@ fn lines(lease: Option<&LeaseView>, now_s: f64) -> Vec<String> {
 }
 
 /// Requests control and waits until it is granted.
-async fn ask(station: &mut StationClient) -> Result<(), Failure> {
+async fn request_control(station: &mut StationClient) -> Result<(), Failure> {
     let me = station.id();
     let reply = station.request(Request::AskLease).await?;
     let Reply::Lease { lease } = reply else {
@@ -126,13 +126,13 @@ async fn ask(station: &mut StationClient) -> Result<(), Failure> {
     };
     if let Some(lease) = lease.filter(|lease| lease.client != me) {
         output::line(&format!("asked {} (client {})", lease.name, lease.client.0))?;
-        wait(station, me).await?;
+        wait_for_control(station, me).await?;
     }
     Ok(())
 }
 
 /// Waits until control is this client's.
-async fn wait(station: &mut StationClient, me: ClientId) -> Result<(), Failure> {
+async fn wait_for_control(station: &mut StationClient, me: ClientId) -> Result<(), Failure> {
     loop {
         let heard = tokio::select! {
             heard = station.next() => heard?,
@@ -151,7 +151,7 @@ async fn wait(station: &mut StationClient, me: ClientId) -> Result<(), Failure> 
 }
 
 /// Keeps control until the time is over, Ctrl-C is pressed, or another client gets it.
-async fn keep(station: &mut StationClient, time: Option<Duration>) -> Result<(), Failure> {
+async fn keep_control(station: &mut StationClient, time: Option<Duration>) -> Result<(), Failure> {
     output::line("you have control; press Ctrl-C to release it")?;
     let me = station.id();
     let mut over = std::pin::pin!(over(time));

@@ -156,11 +156,11 @@ impl Shelf {
 
 /// Opens a recording.
 pub(crate) fn open(path: &Path) -> Result<Recording, Failure> {
-    Recording::open(path).map_err(|error| no_recording(path, error))
+    Recording::open(path).map_err(|error| recording_failure(path, error))
 }
 
 /// Converts a failure to open a recording.
-pub(crate) fn no_recording(path: &Path, error: OpenError) -> Failure {
+pub(crate) fn recording_failure(path: &Path, error: OpenError) -> Failure {
     let is_other = matches!(error, OpenError::NotMcap);
     let error = anyhow::Error::from(error).context(path.display().to_string());
     if is_other {

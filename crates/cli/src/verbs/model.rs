@@ -44,7 +44,7 @@ enum Format {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let lengths = Policy::default().tool_length;
     let mounted = args.tool.mounted(|tool| lengths.of(tool));
-    let model = Model::new(mounted.map_err(no_such_tool)?);
+    let model = Model::new(mounted.map_err(tool_failure)?);
     let text = match args.format {
         Format::Urdf => model.to_urdf(),
         Format::Mjcf => model.to_mjcf(),
@@ -70,7 +70,7 @@ impl Format {
     }
 }
 
-fn no_such_tool(error: ToolOptionsError) -> Failure {
+fn tool_failure(error: ToolOptionsError) -> Failure {
     let hint = error.hint();
     let failure = Failure::usage(error);
     match hint {

@@ -4,7 +4,7 @@ use dobot_host::StationClient;
 use dobot_wire::{Command, Dialect, MouseMove, Status};
 
 use crate::connect::To;
-use crate::control::carry_out_one;
+use crate::control::run_one_command;
 use crate::failure::Failure;
 use crate::pendant::{Drive, Mouse, PadArgs, check_terminal, kept_rotation_deg};
 use crate::verbs::jog::with_keys;
@@ -33,7 +33,7 @@ up to 5 units. After a key is released, at most two more steps are made."
 )]
 pub(crate) struct Args {
     /// Distance, in the unit of the dialect
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "keys", value_parser = values::finite)]
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "keys", action = clap::ArgAction::Set, value_parser = values::finite)]
     by: Vec<f32>,
     /// Move with the keyboard, in small steps while a key is held
     #[arg(long, conflicts_with_all = ["by", "rotation", "suction"])]
@@ -64,7 +64,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             return with_keys(station, &args.to, &args.pad, drive, |pendant| pendant).await;
         }
         let command = |status: &Status, dialect| Ok(args.command(status, dialect));
-        carry_out_one(station, &args.to, None, command).await
+        run_one_command(station, &args.to, None, command).await
     };
     let status = args.to.with_arm("mouse", go).await?;
     Ok(output::status(&status, args.json)?)

@@ -5,7 +5,7 @@ use dobot_host::{PathName, StationClient, Target, TargetPlace};
 use dobot_wire::{Command, Status};
 
 use crate::connect::To;
-use crate::control::carry_out_one;
+use crate::control::run_one_command;
 use crate::failure::Failure;
 use crate::{output, values};
 
@@ -29,7 +29,7 @@ has no stop command."
 )]
 pub(crate) struct Args {
     /// Target point, in mm
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "joints", value_parser = values::finite)]
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "joints", action = clap::ArgAction::Set, value_parser = values::finite)]
     point: Vec<f32>,
     /// Joint angles instead of a point, in degrees
     #[arg(long, num_args = 3, value_names = ["BASE", "REAR", "FORE"], conflicts_with_all = ["point", "rotation"], value_parser = values::finite)]
@@ -62,7 +62,7 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let go = async |station: &mut StationClient| {
         let command = |status: &Status, _| args.command(status);
-        carry_out_one(station, &args.to, None, command).await
+        run_one_command(station, &args.to, None, command).await
     };
     let status = args.to.with_arm("move", go).await?;
     Ok(output::status(&status, args.json)?)

@@ -52,10 +52,10 @@ enum Action {
 #[derive(Clone, Debug, clap::Args)]
 struct Test {
     /// Target point, in mm
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, value_parser = values::finite)]
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, action = clap::ArgAction::Set, value_parser = values::finite)]
     target: Vec<f32>,
     /// Start point, in mm
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], required = true, value_parser = values::finite)]
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], required = true, action = clap::ArgAction::Set, value_parser = values::finite)]
     start_point: Vec<f32>,
     /// Path type
     #[arg(long, value_enum, default_value_t = PathType::Movl)]

@@ -16,7 +16,7 @@ use tokio::time::{Instant, sleep_until, timeout};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::verbs::decode;
-use crate::verbs::log::{Shelf, no_recording, open};
+use crate::verbs::log::{Shelf, open, recording_failure};
 use crate::{output, values};
 
 /// Serve a recording as a virtual arm, and compare what its client sends
@@ -52,7 +52,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut recording = open(&path)?;
     recording.next();
     let dialect = recording.about().and_then(|about| about.dialect);
-    let replay = Replay::open(&path).map_err(|error| no_recording(&path, error))?;
+    let replay = Replay::open(&path).map_err(|error| recording_failure(&path, error))?;
     let listener = TcpListener::bind(args.tcp).await.map_err(|error| {
         Failure::new(
             anyhow::Error::from(error).context(format!("cannot serve on {}", args.tcp)),

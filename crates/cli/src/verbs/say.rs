@@ -5,7 +5,7 @@ use dobot_host::StationClient;
 use dobot_wire::{Voice, VoiceOrder};
 
 use crate::connect::To;
-use crate::control::carry_out_one;
+use crate::control::run_one_command;
 use crate::failure::Failure;
 use crate::output;
 
@@ -35,7 +35,7 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let voice = order(&args.words.join(" "))?;
     let say = async |station: &mut StationClient| {
-        carry_out_one(station, &args.to, None, |_, _| Ok(voice.into())).await
+        run_one_command(station, &args.to, None, |_, _| Ok(voice.into())).await
     };
     let status = args.to.with_arm("say", say).await?;
     Ok(output::status(&status, args.json)?)

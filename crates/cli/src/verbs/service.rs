@@ -100,7 +100,7 @@ fn install(scope: Scope, data: Option<PathBuf>, up: Vec<String>) -> Result<(), F
         .and_then(|()| std::fs::write(&file, ServiceManager::HERE.text(&unit)))
         .map_err(|error| not_written(&file, scope, error))?;
     output::line(&format!("installed {}", file.display()))?;
-    carry_out("start it", &ServiceManager::HERE.enable(scope, &file))?;
+    run_or_print("start it", &ServiceManager::HERE.enable(scope, &file))?;
     if scope == Scope::User && ServiceManager::HERE == ServiceManager::Systemd {
         output::line("it ends when you log out; `loginctl enable-linger` keeps it running")?;
     }
@@ -133,7 +133,7 @@ fn check_up(up: &[String]) -> Result<(), Failure> {
 
 fn remove(scope: Scope) -> Result<(), Failure> {
     let file = installed(scope)?;
-    carry_out("stop it", &ServiceManager::HERE.disable(scope, &file))?;
+    run_or_print("stop it", &ServiceManager::HERE.disable(scope, &file))?;
     std::fs::remove_file(&file).map_err(|error| not_written(&file, scope, error))?;
     output::line(&format!("removed {}", file.display()))?;
     Ok(())
@@ -142,7 +142,7 @@ fn remove(scope: Scope) -> Result<(), Failure> {
 fn status(scope: Scope) -> Result<(), Failure> {
     let file = installed(scope)?;
     output::line(&format!("installed {}", file.display()))?;
-    let ask = ServiceManager::HERE.ask(scope);
+    let ask = ServiceManager::HERE.status_command(scope);
     if !runs_here() {
         output::line(&format!(
             "no service manager runs on this machine now; on one that has it, run: {}",
@@ -163,7 +163,7 @@ fn status(scope: Scope) -> Result<(), Failure> {
 }
 
 /// Runs commands if a service manager runs, and otherwise prints them.
-fn carry_out(what: &str, commands: &[Vec<String>]) -> Result<(), Failure> {
+fn run_or_print(what: &str, commands: &[Vec<String>]) -> Result<(), Failure> {
     for words in commands {
         let text = words.join(" ");
         if !runs_here() {

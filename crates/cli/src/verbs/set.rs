@@ -7,7 +7,7 @@ use dobot_host::StationClient;
 use dobot_wire::{Command, Configuration, PlaybackAdjustment};
 
 use crate::connect::To;
-use crate::control::{self, carry_out, take_control};
+use crate::control::{self, run_command, take_control};
 use crate::failure::Failure;
 use crate::{output, values};
 
@@ -52,19 +52,19 @@ enum Group {
         /// Joint speed at 100 %, in degrees/s
         #[arg(long, value_name = "DEG/S", default_value = "15", value_parser = values::positive)]
         joint_speed: f32,
-        /// Joint acceleration at 100 %, in degrees/s²
+        /// Joint acceleration, in degrees/s²
         #[arg(long, value_name = "DEG/S2", default_value = "50", value_parser = values::positive)]
         joint_acceleration: f32,
-        /// Servo speed at 100 %, in degrees/s
+        /// Servo speed, in degrees/s
         #[arg(long, value_name = "DEG/S", default_value = "30", value_parser = values::positive)]
         servo_speed: f32,
-        /// Servo acceleration at 100 %, in degrees/s²
+        /// Servo acceleration, in degrees/s²
         #[arg(long, value_name = "DEG/S2", default_value = "50", value_parser = values::positive)]
         servo_acceleration: f32,
-        /// Linear speed at 100 %, in mm/s
+        /// Linear speed, in mm/s
         #[arg(long, value_name = "MM/S", default_value = "60", value_parser = values::positive)]
         linear_speed: f32,
-        /// Linear acceleration at 100 %, in mm/s²
+        /// Linear acceleration, in mm/s²
         #[arg(long, value_name = "MM/S2", default_value = "60", value_parser = values::positive)]
         linear_acceleration: f32,
     },
@@ -73,19 +73,19 @@ enum Group {
         /// Joint speed at 100 %, in degrees/s
         #[arg(long, value_name = "DEG/S", default_value = "200", value_parser = values::positive)]
         joint_speed: f32,
-        /// Joint acceleration at 100 %, in degrees/s²
+        /// Joint acceleration, in degrees/s²
         #[arg(long, value_name = "DEG/S2", default_value = "200", value_parser = values::positive)]
         joint_acceleration: f32,
-        /// Servo speed at 100 %, in degrees/s
+        /// Servo speed, in degrees/s
         #[arg(long, value_name = "DEG/S", default_value = "200", value_parser = values::positive)]
         servo_speed: f32,
-        /// Servo acceleration at 100 %, in degrees/s²
+        /// Servo acceleration, in degrees/s²
         #[arg(long, value_name = "DEG/S2", default_value = "200", value_parser = values::positive)]
         servo_acceleration: f32,
-        /// Linear speed at 100 %, in mm/s
+        /// Linear speed, in mm/s
         #[arg(long, value_name = "MM/S", default_value = "100", value_parser = values::positive)]
         linear_speed: f32,
-        /// Linear acceleration at 100 %, in mm/s²
+        /// Linear acceleration, in mm/s²
         #[arg(long, value_name = "MM/S2", default_value = "200", value_parser = values::positive)]
         linear_acceleration: f32,
         /// Default pause, 0 to 655 seconds; ignored by arms as sold
@@ -136,8 +136,8 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let set = async |station: &mut StationClient| {
         control::status(station).await?;
         take_control(station).await?;
-        carry_out(station, command).await?;
-        control::rest(station).await
+        run_command(station, command).await?;
+        control::wait_for_rest(station).await
     };
     let status = args.to.to.with_arm("set", set).await?;
     Ok(output::status(&status, args.to.json)?)

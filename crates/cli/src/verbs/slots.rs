@@ -55,10 +55,10 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         None if args.clear => Request::SetSlots { slots: Vec::new() },
         None => Request::ShowSlots,
     };
-    show(&ask(&mut station, request).await?, args.json)
+    show(&send(&mut station, request).await?, args.json)
 }
 
-async fn ask(station: &mut StationClient, request: Request) -> Result<Vec<TimeSlot>, Failure> {
+async fn send(station: &mut StationClient, request: Request) -> Result<Vec<TimeSlot>, Failure> {
     match station.request(request).await? {
         Reply::Slots { slots } => Ok(slots),
         _ => Ok(Vec::new()),

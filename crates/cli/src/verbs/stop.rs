@@ -34,7 +34,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut station = if args.reset {
         station?
     } else {
-        station.map_err(unreached)?
+        station.map_err(with_emergency_hint)?
     };
     if args.reset {
         station.request_at_rest(Request::ResetStop).await?;
@@ -60,7 +60,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 }
 
 /// Points to the arm's own switch: a station that is not reached stops nothing.
-fn unreached(failure: Failure) -> Failure {
+fn with_emergency_hint(failure: Failure) -> Failure {
     let hint = "if the arm moves, switch it off by hand";
     let hint = match failure.hint() {
         Some(other) => format!("{hint}; {other}"),

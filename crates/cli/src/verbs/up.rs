@@ -205,7 +205,7 @@ async fn start(config: Config, log: LogFormat) -> Result<Station, Failure> {
     if config.arm.is_none() {
         log.report("looking for an arm");
     }
-    let approach = config.approach().await.map_err(no_start)?;
+    let approach = config.approach().await.map_err(start_failure)?;
     // The laser is off by now, even if the data cannot be read.
     if let Some(failure) = unreadable {
         return Err(failure);
@@ -213,7 +213,9 @@ async fn start(config: Config, log: LogFormat) -> Result<Station, Failure> {
     if !is_known {
         alone.await?;
     }
-    Station::begin(config, approach).await.map_err(no_start)
+    Station::begin(config, approach)
+        .await
+        .map_err(start_failure)
 }
 
 impl Args {
@@ -246,7 +248,7 @@ impl Args {
         match (self.open, self.no_open) {
             (true, _) => true,
             (_, true) => false,
-            _ => !folders.data().exists() && Surroundings::of_this_process().have_a_desktop(),
+            _ => !folders.data().exists() && Surroundings::detect().have_a_desktop(),
         }
     }
 
@@ -334,7 +336,7 @@ async fn print_notices(mut notices: Receiver<Arc<Notice>>, log: LogFormat) {
     }
 }
 
-fn no_start(error: StartError) -> Failure {
+fn start_failure(error: StartError) -> Failure {
     let hint = match &error {
         StartError::Raw(RawPortError::InUse { .. }) => {
             "use `--raw 127.0.0.1:0` for a free port, or `--raw off`"

@@ -6,7 +6,7 @@ use dobot_host::StationClient;
 use dobot_wire::WriteVector;
 
 use crate::connect::To;
-use crate::control::carry_out_one;
+use crate::control::run_one_command;
 use crate::failure::Failure;
 use crate::{output, values};
 
@@ -28,7 +28,7 @@ plans the speeds of whole drawings."
 )]
 pub(crate) struct Args {
     /// Distance, in mm
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, value_parser = values::finite)]
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, action = clap::ArgAction::Set, value_parser = values::finite)]
     by: Vec<f32>,
     /// Maximum speed, in mm/s
     #[arg(long, value_name = "MM/S", default_value = "20", value_parser = values::positive)]
@@ -55,7 +55,7 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let draw = async |station: &mut StationClient| {
         let command = |_: &_, _| Ok(args.vector().into());
-        carry_out_one(station, &args.to, args.arm_laser, command).await
+        run_one_command(station, &args.to, args.arm_laser, command).await
     };
     let status = args.to.with_arm("vector", draw).await?;
     Ok(output::status(&status, args.json)?)

@@ -8,8 +8,8 @@ use rmcp::{RoleClient, ServiceExt};
 use serde_json::{Value, json};
 
 use crate::support::arm::{WiredArm, fast_arm};
-use crate::support::going::Going;
 use crate::support::program::{command, example};
+use crate::support::running_process::RunningProcess;
 use crate::support::up::Up;
 use crate::support::wire::Passed;
 
@@ -462,11 +462,11 @@ async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
 async fn an_agent_that_is_killed_amid_a_move_leaves_the_arm_to_others() {
     let up = Up::new(&[]);
     wait_for_state(&up, |it| it["arm"].is_object());
-    let mut killed = Going::talking(up.command(&["mcp"]));
-    killed.says(r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-06-18","capabilities":{},"clientInfo":{"name":"killed","version":"1"}}}"#);
-    killed.reads("serverInfo");
-    killed.says(r#"{"jsonrpc":"2.0","method":"notifications/initialized"}"#);
-    killed.says(r#"{"jsonrpc":"2.0","id":2,"method":"tools/call","params":{"name":"move_to","arguments":{"x_mm":220,"y_mm":0,"z_mm":20,"pause_s":600}}}"#);
+    let mut killed = RunningProcess::with_input(up.command(&["mcp"]));
+    killed.write_line(r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-06-18","capabilities":{},"clientInfo":{"name":"killed","version":"1"}}}"#);
+    killed.wait_for_line("serverInfo");
+    killed.write_line(r#"{"jsonrpc":"2.0","method":"notifications/initialized"}"#);
+    killed.write_line(r#"{"jsonrpc":"2.0","id":2,"method":"tools/call","params":{"name":"move_to","arguments":{"x_mm":220,"y_mm":0,"z_mm":20,"pause_s":600}}}"#);
     let other = Agent::new(&up, &[]).await;
     let control = async || Agent::done(other.call("look", json!({})).await)["control"].clone();
     wait_for_state(&up, |it| it["lease"].is_object());

@@ -714,6 +714,11 @@ fn bad_drawings_are_one_clear_error_each() {
         assert_eq!(outcome.stdout, "", "{svg}");
     }
     dobot(&["draw", "no-such-file.svg"]).fails(1, &["no-such-file.svg", "hint:"]);
+    let program = tempfile::Builder::new().suffix(".toml").tempfile();
+    let program = program.expect("there is room");
+    let name = program.path().to_str().expect("the path is text");
+    fs::write(&program, "[[steps]]\npause = 1\n").expect("there is room");
+    dobot(&["draw", name]).fails(1, &["of no kind", &format!("dobot play {name}")]);
     dobot(&["draw", &example("")]).fails(1, &["cannot read"]);
     dobot_reading(&["draw", "-"], &[0xFF, 0xFE, 0x00]).fails(1, &["of no kind that can be drawn"]);
 }

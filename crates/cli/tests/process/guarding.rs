@@ -5,8 +5,8 @@ use std::net::TcpListener;
 
 use crate::support::arm::{fast_arm, real_time_arm};
 use crate::support::bench::Bench;
-use crate::support::going::{Going, line_with};
 use crate::support::program::run;
+use crate::support::running_process::{RunningProcess, line_with};
 use crate::support::spiral::LASER_OFF;
 use crate::support::up::Up;
 
@@ -46,13 +46,13 @@ fn over_a_virtual_serial_port_a_killed_station_is_spoken_for_too() {
     let arm = ["--arm", &arm.address(), "--dialect", "specification"];
     let mut up = Up::with_arm(&arm, &[]);
     up.dobot(&["confirm", "--yes"]).succeeds();
-    let _holder = Going::new(up.command(&["jog", "base+", "--for", "60"]));
+    let _holder = RunningProcess::new(up.command(&["jog", "base+", "--for", "60"]));
     up.wait_for_state(|it| it["arm"]["base_deg"].as_f64() > Some(3.0));
     up.station.kill();
     let ports = ["up", "--http", "127.0.0.1:0", "--raw", "off"];
-    let mut again = Going::new(up.command(&[&ports[..], &arm].concat()));
-    again.reads("let go of the joint jog's button");
-    again.reads("Ctrl-C");
+    let mut again = RunningProcess::new(up.command(&[&ports[..], &arm].concat()));
+    again.wait_for_line("let go of the joint jog's button");
+    again.wait_for_line("Ctrl-C");
     let base = || {
         let status = up.json(&["status", "--count", "1"]);
         status["base_deg"].as_f64().expect("a number")

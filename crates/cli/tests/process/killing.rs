@@ -6,7 +6,7 @@ use serde_json::Value;
 use crate::support::api::Api;
 use crate::support::arm::real_time_arm;
 use crate::support::bench::Bench;
-use crate::support::going::Going;
+use crate::support::running_process::RunningProcess;
 use crate::support::spiral::{LASER_OFF, burns, spiral};
 use crate::support::wire::Passed;
 
@@ -26,7 +26,7 @@ impl Burning {
     }
 
     /// A station that is there, and its API.
-    fn station(&self) -> (Going, Api) {
+    fn station(&self) -> (RunningProcess, Api) {
         let (station, page) = self.bench.station();
         (station, Api::new(&page))
     }
@@ -54,10 +54,10 @@ impl Burning {
     }
 
     /// A person has looked at the arm, and has the job go on.
-    fn start(&self) -> Going {
+    fn start(&self) -> RunningProcess {
         self.bench.confirm();
         self.bench
-            .going(&["jobs", "start", "1", "--arm-laser", "600"])
+            .spawn(&["jobs", "start", "1", "--arm-laser", "600"])
     }
 }
 

@@ -6,8 +6,8 @@ use std::sync::mpsc;
 use std::thread;
 
 use crate::support::arm::fast_arm;
-use crate::support::going::Going;
 use crate::support::program::{Outcome, command, dobot, example};
+use crate::support::running_process::RunningProcess;
 use crate::support::trouble::{Trouble, commands, is_laser_off, troubled, vector};
 
 #[test]
@@ -99,9 +99,9 @@ fn a_port_in_use_is_told() {
     let link = folder.path().join("dobot");
     let mut arm = fast_arm(&["--pty", link.to_str().expect("the path is text")]);
     let address = arm.address();
-    let mut first = Going::new(command(&["status", "--json", "--to", &address]));
+    let mut first = RunningProcess::new(command(&["status", "--json", "--to", &address]));
     // A line of it shows that the first one has the port.
-    first.reads("");
+    first.wait_for_line("");
     let second = dobot(&["status", "--to", &address]);
     drop(first);
     second.fails(1, &["in use by another program", "fuser"]);

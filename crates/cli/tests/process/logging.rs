@@ -6,8 +6,8 @@ use std::process::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::support::going::{Going, line_with};
 use crate::support::program::{command, command_at, run};
+use crate::support::running_process::{RunningProcess, line_with};
 
 /// A station with a virtual arm, and its data.
 fn up(arguments: &[&str]) -> (Command, TempDir) {
@@ -18,7 +18,7 @@ fn up(arguments: &[&str]) -> (Command, TempDir) {
 }
 
 /// Stops the arm, ends the station, and tells what it logged from then on.
-fn stopped_and_ended(station: Going, folder: &TempDir, mut errors: impl Read) -> String {
+fn stopped_and_ended(station: RunningProcess, folder: &TempDir, mut errors: impl Read) -> String {
     run(&mut command_at(folder.path(), &["stop"]), b"").succeeds();
     assert_eq!(station.interrupt(), Some(0));
     let mut log = String::new();
@@ -34,7 +34,7 @@ fn events(log: &str) -> Vec<Value> {
 #[test]
 fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
     let (up, folder) = up(&["--log-format", "json"]);
-    let (station, mut errors) = Going::with_errors(up);
+    let (station, mut errors) = RunningProcess::with_errors(up);
     let started = line_with("the station has started", &mut errors);
     let [started] = &events(&started)[..] else {
         panic!("{started} is not one line");
@@ -58,8 +58,8 @@ fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
 fn a_station_logs_requests_for_those_who_ask_for_them_and_tells_no_notice_twice() {
     let (mut up, folder) = up(&[]);
     up.env("RUST_LOG", "warn,dobot_host=info,dobot_station=debug");
-    let (mut station, errors) = Going::with_errors(up);
-    station.reads("Ctrl-C");
+    let (mut station, errors) = RunningProcess::with_errors(up);
+    station.wait_for_line("Ctrl-C");
     let log = stopped_and_ended(station, &folder, errors);
     assert!(log.contains("DEBUG dobot_station::http"), "{log}");
     assert_eq!(log.matches("Stopped").count(), 1, "{log}");
@@ -70,8 +70,8 @@ fn a_station_logs_requests_for_those_who_ask_for_them_and_tells_no_notice_twice(
 #[test]
 fn a_station_tells_a_person_what_happens_and_logs_nothing_unless_it_is_asked() {
     let (up, folder) = up(&[]);
-    let (mut station, errors) = Going::with_errors(up);
-    station.reads("Ctrl-C");
+    let (mut station, errors) = RunningProcess::with_errors(up);
+    station.wait_for_line("Ctrl-C");
     let log = stopped_and_ended(station, &folder, errors);
     assert!(log.contains("stopping: the laser goes off"), "{log}");
     for level in ["INFO", "WARN", "DEBUG"] {

@@ -7,8 +7,8 @@ use std::time::Duration;
 use dobot_wire::{Command, Decoder, Dialect, JointJog, JointJogAxis};
 use serde_json::{Value, json};
 
-use crate::support::going::Going;
 use crate::support::program::{command_at, example, run};
+use crate::support::running_process::RunningProcess;
 use crate::support::up::Up;
 
 fn near(value: &Value, expected: f64) -> bool {
@@ -86,8 +86,8 @@ fn settings_and_switches_go_through_the_station() {
 #[test]
 fn one_program_has_control_and_anybody_may_stop() {
     let up = Up::new(&[]);
-    let mut holder = Going::new(up.command(&["lease", "take"]));
-    holder.reads("you have control");
+    let mut holder = RunningProcess::new(up.command(&["lease", "take"]));
+    holder.wait_for_line("you have control");
     assert!(
         up.dobot(&["lease"])
             .succeeds()
@@ -107,13 +107,13 @@ fn one_program_has_control_and_anybody_may_stop() {
 #[test]
 fn control_that_is_asked_for_comes_when_its_holder_ends() {
     let up = Up::new(&[]);
-    let mut holder = Going::new(up.command(&["lease", "take"]));
-    holder.reads("you have control");
-    let mut next = Going::new(up.command(&["lease", "ask"]));
-    next.reads("asked dobot lease");
-    holder.reads("asks for control");
+    let mut holder = RunningProcess::new(up.command(&["lease", "take"]));
+    holder.wait_for_line("you have control");
+    let mut next = RunningProcess::new(up.command(&["lease", "ask"]));
+    next.wait_for_line("asked dobot lease");
+    holder.wait_for_line("asks for control");
     drop(holder);
-    next.reads("you have control");
+    next.wait_for_line("you have control");
 }
 
 #[test]
@@ -241,7 +241,7 @@ fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
     let up = Up::new(&[]);
     // Too many vectors for the arm's queue: a queued vector cannot be paused.
     let draw = ["draw", &example("gear.plt"), "--pen-down", "-40"];
-    let drawing = Going::new(up.command(&draw));
+    let drawing = RunningProcess::new(up.command(&draw));
     up.runs_a_job();
     assert_eq!(drawing.interrupt(), Some(1));
     let paused = up.json(&["jobs", "show", "1"]);
@@ -264,7 +264,7 @@ fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
         "--arm-laser",
         "600",
     ];
-    let (drawing, mut errors) = Going::with_errors(up.command(&burn));
+    let (drawing, mut errors) = RunningProcess::with_errors(up.command(&burn));
     up.runs_a_job();
     assert_eq!(drawing.interrupt(), Some(1));
     let mut told = String::new();
@@ -447,10 +447,10 @@ fn where_tokens_are_required_raw_packets_are_served_only_if_they_are_asked_for()
         b"",
     )
     .succeeds();
-    let mut station = Going::new(command_at(folder.path(), &start));
-    station.reads("raw packets are not served");
+    let mut station = RunningProcess::new(command_at(folder.path(), &start));
+    station.wait_for_line("raw packets are not served");
     drop(station);
     let asked = [&start[..], &["--raw", "127.0.0.1:0"]].concat();
-    let mut station = Going::new(command_at(folder.path(), &asked));
-    station.reads("tcp:127.0.0.1:");
+    let mut station = RunningProcess::new(command_at(folder.path(), &asked));
+    station.wait_for_line("tcp:127.0.0.1:");
 }

@@ -13,8 +13,8 @@ use tempfile::TempDir;
 
 use crate::support::api::{Api, read_json};
 use crate::support::arm::{WiredArm, fast_arm};
-use crate::support::going::Going;
 use crate::support::program::{command, dobot, example};
+use crate::support::running_process::RunningProcess;
 use crate::support::terminal::{Keyboard, Terminal};
 use crate::support::up::Up;
 use crate::support::wire::Passed;
@@ -291,7 +291,7 @@ fn wanted() -> Vec<Stroke> {
 
 /// An arm with wrong zeros and a pen, on paper.
 struct DrawingArm {
-    _served: Going,
+    _served: RunningProcess,
     _folder: TempDir,
     address: String,
     world: String,

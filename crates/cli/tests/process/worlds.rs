@@ -6,12 +6,12 @@ use std::process::ChildStderr;
 use std::thread;
 
 use crate::support::arm::FAST;
-use crate::support::going::{Going, line_with};
 use crate::support::program::{command, dobot};
+use crate::support::running_process::{RunningProcess, line_with};
 
 /// `dobot arm --world` as a process of its own; it ends with the test.
 struct Inhabited {
-    _served: Going,
+    _served: RunningProcess,
     told: BufReader<ChildStderr>,
     /// Where the arm is, and where its world is told.
     arm: String,
@@ -22,7 +22,7 @@ impl Inhabited {
     fn new(scene: &str) -> Self {
         let ports = ["--tcp", "127.0.0.1:0", "--world-port", "127.0.0.1:0"];
         let arm = ["arm", "--time-factor", FAST, "--world", scene];
-        let (mut served, told) = Going::with_errors(command(&[&arm[..], &ports].concat()));
+        let (mut served, told) = RunningProcess::with_errors(command(&[&arm[..], &ports].concat()));
         let (arm, world) = (served.address(), served.address());
         Self {
             _served: served,

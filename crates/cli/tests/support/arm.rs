@@ -6,26 +6,26 @@ use std::sync::mpsc::Receiver;
 use dobot_wire::Command;
 
 use super::PATIENCE;
-use super::going::Going;
 use super::program::command;
+use super::running_process::RunningProcess;
 use super::wire::{Passed, wire};
 
 /// How fast time passes for an arm that only has to arrive.
 pub(crate) const FAST: &str = "8";
 
 /// `dobot arm` with its time as fast as a clock's.
-pub(crate) fn real_time_arm(arguments: &[&str]) -> Going {
-    Going::new(command(&[&["arm"], arguments].concat()))
+pub(crate) fn real_time_arm(arguments: &[&str]) -> RunningProcess {
+    RunningProcess::new(command(&[&["arm"], arguments].concat()))
 }
 
 /// `dobot arm` that only has to arrive.
-pub(crate) fn fast_arm(arguments: &[&str]) -> Going {
+pub(crate) fn fast_arm(arguments: &[&str]) -> RunningProcess {
     real_time_arm(&[&["--time-factor", FAST], arguments].concat())
 }
 
 /// An arm behind a wire that records the packets.
 pub(crate) struct WiredArm {
-    _arm: Going,
+    _arm: RunningProcess,
     /// The end that a station connects to.
     pub(crate) address: String,
     pub(crate) passed: Receiver<Passed>,
@@ -33,7 +33,7 @@ pub(crate) struct WiredArm {
 
 impl WiredArm {
     /// An arm that is served over TCP.
-    pub(crate) fn new(mut arm: Going) -> Self {
+    pub(crate) fn new(mut arm: RunningProcess) -> Self {
         let address = arm.address();
         let address = address.trim_start_matches("tcp:");
         let (wire, passed) = wire(address.parse().expect("an address"));

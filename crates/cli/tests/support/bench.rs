@@ -8,8 +8,8 @@ use dobot_wire::Command;
 use tempfile::TempDir;
 
 use super::arm::WiredArm;
-use super::going::Going;
 use super::program::{Outcome, command_at, run};
+use super::running_process::RunningProcess;
 use super::wire::Passed;
 
 /// An arm behind a wire that listens, and the data of a station.
@@ -19,7 +19,7 @@ pub(crate) struct Bench {
 }
 
 impl Bench {
-    pub(crate) fn new(arm: Going) -> Self {
+    pub(crate) fn new(arm: RunningProcess) -> Self {
         Self {
             arm: WiredArm::new(arm),
             folder: tempfile::tempdir().expect("there is room"),
@@ -49,18 +49,18 @@ impl Bench {
     }
 
     /// A station that is there, and the address of its page.
-    pub(crate) fn station(&self) -> (Going, String) {
-        let mut station = Going::new(self.up(&[]));
-        let page = station.reads("  page");
+    pub(crate) fn station(&self) -> (RunningProcess, String) {
+        let mut station = RunningProcess::new(self.up(&[]));
+        let page = station.wait_for_line("  page");
         let page = page.split_whitespace().last().expect("an address");
-        station.reads("Ctrl-C");
+        station.wait_for_line("Ctrl-C");
         (station, page.to_owned())
     }
 
     /// A station that is there, and what it prints on standard error.
-    pub(crate) fn station_with_errors(&self) -> (Going, impl BufRead + use<>) {
-        let (mut station, errors) = Going::with_errors(self.up(&[]));
-        station.reads("Ctrl-C");
+    pub(crate) fn station_with_errors(&self) -> (RunningProcess, impl BufRead + use<>) {
+        let (mut station, errors) = RunningProcess::with_errors(self.up(&[]));
+        station.wait_for_line("Ctrl-C");
         (station, errors)
     }
 
@@ -73,8 +73,8 @@ impl Bench {
         run(&mut command_at(self.folder(), arguments), b"")
     }
 
-    pub(crate) fn going(&self, arguments: &[&str]) -> Going {
-        Going::new(command_at(self.folder(), arguments))
+    pub(crate) fn spawn(&self, arguments: &[&str]) -> RunningProcess {
+        RunningProcess::new(command_at(self.folder(), arguments))
     }
 
     /// The command that passes next, unless it is something else that passes.

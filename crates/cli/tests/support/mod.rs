@@ -7,10 +7,10 @@ pub(crate) mod arm;
 pub(crate) mod bench;
 #[cfg(unix)]
 pub(crate) mod full_pipe;
-pub(crate) mod going;
 #[cfg(target_os = "linux")]
 pub(crate) mod keys;
 pub(crate) mod program;
+pub(crate) mod running_process;
 pub(crate) mod spiral;
 #[cfg(target_os = "linux")]
 pub(crate) mod terminal;

@@ -8,12 +8,12 @@ use tempfile::TempDir;
 
 use super::api::Api;
 use super::arm::FAST;
-use super::going::Going;
 use super::program::{Outcome, command_at, run};
+use super::running_process::RunningProcess;
 
 /// A station with a virtual arm.
 pub(crate) struct Up {
-    pub(crate) station: Going,
+    pub(crate) station: RunningProcess,
     pub(crate) folder: TempDir,
     /// Where page and API are served.
     pub(crate) page: String,
@@ -46,14 +46,14 @@ impl Up {
     fn in_folder(folder: TempDir, arm: &[&str], arguments: &[&str]) -> Self {
         let ports = ["--http", "127.0.0.1:0", "--raw", "127.0.0.1:0"];
         let arguments = [&["up"], arm, &ports[..], arguments].concat();
-        let mut station = Going::new(command_at(folder.path(), &arguments));
+        let mut station = RunningProcess::new(command_at(folder.path(), &arguments));
         let word = |line: String| {
             let word = line.split_whitespace().find(|it| it.contains("127.0.0.1"));
             word.expect("an address").to_owned()
         };
-        let page = word(station.reads("  page"));
-        let raw = word(station.reads("raw packets")).replace("tcp:", "");
-        station.reads("Ctrl-C");
+        let page = word(station.wait_for_line("  page"));
+        let raw = word(station.wait_for_line("raw packets")).replace("tcp:", "");
+        station.wait_for_line("Ctrl-C");
         Self {
             station,
             folder,

@@ -9,17 +9,17 @@ use serde_json::json;
 
 use crate::guarding::{Bench, JOINT_RELEASE};
 use crate::support::api::Api;
-use crate::support::going::Going;
+use crate::support::running_process::RunningProcess;
 use crate::support::spiral::LASER_OFF;
 
 /// The formats of the log.
 const FORMATS: [&str; 2] = ["text", "json"];
 
 /// A station whose standard error takes nothing, the end of that pipe, and the address of its page.
-fn station(bench: &Bench, format: &str) -> (Going, PipeReader, String) {
+fn station(bench: &Bench, format: &str) -> (RunningProcess, PipeReader, String) {
     let mut command = bench.up(&["--log-format", format]);
     command.env("RUST_LOG", "debug");
-    let (station, errors) = Going::with_full_errors(command);
+    let (station, errors) = RunningProcess::with_full_errors(command);
     // Where it is does not stand on standard output with every format.
     let file = bench.folder().join("station.toml");
     let page = loop {
@@ -80,7 +80,7 @@ fn a_verb_that_is_killed_is_spoken_for_though_nobody_reads_its_standard_error() 
         "--pose-confirmed",
     ];
     let (mut verb, _errors) =
-        Going::with_full_errors(crate::support::program::command_at(bench.folder(), &jog));
+        RunningProcess::with_full_errors(crate::support::program::command_at(bench.folder(), &jog));
     bench.wait_for_jog();
     let at = Instant::now();
     verb.kill();

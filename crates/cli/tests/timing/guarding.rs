@@ -12,7 +12,7 @@ use serde_json::Value;
 use crate::alone;
 use crate::support::arm::real_time_arm;
 use crate::support::bench;
-use crate::support::going::{Going, line_with};
+use crate::support::running_process::{RunningProcess, line_with};
 use crate::support::spiral::{LASER_OFF, burns, spiral};
 use crate::support::wire::Passed;
 
@@ -44,15 +44,15 @@ impl Bench {
     }
 
     /// A station that may move its arm, and what it prints on standard error.
-    fn station(&self) -> (Going, impl BufRead + use<>) {
+    fn station(&self) -> (RunningProcess, impl BufRead + use<>) {
         let station = self.station_with_errors();
         self.confirm();
         station
     }
 
     /// Somebody holds a button, and the arm moves.
-    pub(crate) fn jog(&self, button: &str) -> Going {
-        let holder = self.going(&["jog", button, "--for", "60"]);
+    pub(crate) fn jog(&self, button: &str) -> RunningProcess {
+        let holder = self.spawn(&["jog", button, "--for", "60"]);
         self.wait_for_jog();
         holder
     }
@@ -125,7 +125,7 @@ impl Bench {
     }
 }
 
-fn signal(station: &Going, signal: rustix::process::Signal) {
+fn signal(station: &RunningProcess, signal: rustix::process::Signal) {
     rustix::process::kill_process(station.pid(), signal).expect("it is there");
 }
 
@@ -145,7 +145,7 @@ fn an_arm_whose_station_is_killed_while_somebody_jogs_a_joint_is_let_go() {
 fn an_arm_that_is_used_without_a_station_is_let_go_too_when_the_verb_is_killed() {
     let bench = Bench::new();
     let to = ["--to", &bench.arm.address, "--pose-confirmed"];
-    let mut verb = bench.going(&[&["jog", "base+", "--for", "60"][..], &to].concat());
+    let mut verb = bench.spawn(&[&["jog", "base+", "--for", "60"][..], &to].concat());
     bench.wait_for_jog();
     let at = Instant::now();
     verb.kill();
@@ -185,7 +185,7 @@ fn a_watchdog_that_is_killed_is_replaced_and_the_next_one_lets_go() {
 }
 
 /// The station of an arm that burns.
-fn burning(bench: &Bench) -> (Going, Going) {
+fn burning(bench: &Bench) -> (RunningProcess, RunningProcess) {
     let (station, _) = bench.bench.station();
     bench.confirm();
     let file = bench.folder().join("job.json");
@@ -193,7 +193,7 @@ fn burning(bench: &Bench) -> (Going, Going) {
     std::fs::write(&file, text).expect("there is room");
     let submit = ["jobs", "submit", file.to_str().expect("the path is text")];
     bench.dobot(&submit).succeeds();
-    let follower = bench.going(&["jobs", "start", "1", "--arm-laser", "600"]);
+    let follower = bench.spawn(&["jobs", "start", "1", "--arm-laser", "600"]);
     let mut burnt = 0;
     while burnt < 3 {
         burnt += usize::from(burns(&bench.command().1));
@@ -228,8 +228,8 @@ fn an_arm_whose_station_is_killed_in_a_linear_jog_is_let_go_and_the_next_start_t
     let at = Instant::now();
     station.kill();
     bench.check_words(at, LINEAR_RELEASE);
-    let mut again = Going::new(bench.up(&[]));
-    again.reads("the station ended without a goodbye: the watchdog switched the laser off");
+    let mut again = RunningProcess::new(bench.up(&[]));
+    again.wait_for_line("the station ended without a goodbye: the watchdog switched the laser off");
     // Once is enough.
     assert_eq!(again.interrupt(), Some(0));
     let note = std::fs::read_to_string(bench.folder().join("watchdog.txt"));
@@ -270,7 +270,7 @@ fn a_silent_listener_where_a_station_was_does_not_keep_the_laser_on() {
     let file = format!("address = \"http://{address}\"\npid = 1\n");
     std::fs::write(bench.folder().join("station.toml"), file).expect("there is room");
     let at = Instant::now();
-    let _station = Going::new(bench.up(&[]));
+    let _station = RunningProcess::new(bench.up(&[]));
     let (said, first) = bench.command();
     assert_eq!(first, LASER_OFF);
     let after = said.saturating_duration_since(at);

@@ -72,7 +72,7 @@ impl PaperToucher {
     fn place(&self) -> Result<[f64; 3], &'static str> {
         let status = self
             .pendant
-            .resting("the pose is not confirmed; press r, look, and press y")?;
+            .status_at_rest("the pose is not confirmed; press r, look, and press y")?;
         Ok([status.x_mm, status.y_mm, status.z_mm].map(f64::from))
     }
 

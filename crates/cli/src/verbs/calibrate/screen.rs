@@ -40,7 +40,7 @@ pub(super) fn draw_touching(
         Constraint::Length(1),
     ];
     let [top, alarm_row, arm, touches, keys, bottom] = Layout::vertical(rows).areas(frame.area());
-    frame.render_widget(held(pendant), top);
+    frame.render_widget(held_line(pendant), top);
     frame.render_widget(alarm(pendant), alarm_row);
     if let Some(state) = pendant.state() {
         panels::arm(frame, arm, state);

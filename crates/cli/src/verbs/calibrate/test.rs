@@ -9,7 +9,7 @@ use dobot_host::StationClient;
 use dobot_wire::{MoveTo, MovingMode, single};
 
 use crate::connect::To;
-use crate::control::{self, carry_out, check_pose, line_entered, take_control};
+use crate::control::{self, check_pose, line_entered, run_command, take_control};
 use crate::failure::Failure;
 use crate::output;
 
@@ -44,9 +44,9 @@ pub(super) async fn test(station: &mut StationClient, to: &To, times: u32) -> Re
     }
     let mut attained = Vec::new();
     for time in 0..times {
-        carry_out(station, line(beside(place, time)).into()).await?;
-        carry_out(station, line(place).into()).await?;
-        control::rest(station).await?;
+        run_command(station, line(beside(place, time)).into()).await?;
+        run_command(station, line(place).into()).await?;
+        control::wait_for_rest(station).await?;
         attained.push(match true_position(station) {
             Some(place) => place,
             None => read(time + 1).await?,

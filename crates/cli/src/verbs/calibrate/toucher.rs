@@ -110,7 +110,7 @@ impl Toucher {
     /// The reported joint angles of an arm at rest with a confirmed pose.
     fn joints(&self) -> Result<Joints, &'static str> {
         let untrusted = "the pose is not confirmed; press r, look, and press y";
-        let status = self.pendant.resting(untrusted)?;
+        let status = self.pendant.status_at_rest(untrusted)?;
         // The raw angles of an arm that is already calibrated.
         let arm = self.pendant.state().and_then(|state| state.arm.as_ref());
         let status = arm.and_then(|arm| arm.told.as_ref()).unwrap_or(status);

@@ -79,8 +79,8 @@ impl Input {
 impl Part {
     /// The order and the place of a range of bytes: the arrival of its last byte, or its offset.
     pub(super) fn place(&self, offset: usize, last: usize) -> (usize, Place) {
-        let behind = self.chunks.partition_point(|chunk| chunk.begin <= last);
-        match self.chunks[..behind].last() {
+        let arrived = self.chunks.partition_point(|chunk| chunk.begin <= last);
+        match self.chunks[..arrived].last() {
             Some(chunk) => (chunk.order, chunk.place.clone()),
             None => (offset, Place::of_offset(offset)),
         }

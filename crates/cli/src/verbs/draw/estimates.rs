@@ -21,7 +21,7 @@ struct EstimateLine<'a> {
 }
 
 /// Appends a line to `estimates.jsonl` in the data folder for a drawing that was estimated and made.
-pub(super) fn keep(title: &str, times: Times) -> Result<(), Failure> {
+pub(super) fn log(title: &str, times: Times) -> Result<(), Failure> {
     let (Some(estimated), Some(took), Some(error_percent)) =
         (times.estimated, times.took, times.error_percent())
     else {

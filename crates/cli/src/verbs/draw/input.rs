@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::verbs::calibrate;
 
 /// Reads what is to be drawn, and drops defaults that do not fit it.
-pub(super) fn asked(args: Args) -> Result<(Args, DrawingRequest), Failure> {
+pub(super) fn drawing_request(args: Args) -> Result<(Args, DrawingRequest), Failure> {
     let subject = subject(&args)?;
     let args = fitted(args, &subject)?;
     let materials = materials(args.materials.as_deref())?;
@@ -74,10 +74,19 @@ fn of_file(file: &Path) -> Result<Subject, Failure> {
         _ => (STANDARD_INPUT.to_owned(), STANDARD_INPUT.into()),
     };
     Subject::of_file(&name, read(file)?).map_err(|error| match error {
+        SourceError::UnknownKind { .. } if is_program(file) => {
+            Failure::new(error, format!("to run a program, use `dobot play {path}`"))
+        }
         // The error contains the name.
         SourceError::UnknownKind { .. } if path == name => error.into(),
         _ => anyhow::Error::from(error).context(path).into(),
     })
+}
+
+/// Whether a file is probably a program of `dobot play`.
+fn is_program(file: &Path) -> bool {
+    let extension = file.extension().and_then(|extension| extension.to_str());
+    extension.is_some_and(|extension| ["toml", "play"].contains(&extension))
 }
 
 /// Reads a file, or standard input for `-`, up to the maximum size plus one byte.
@@ -87,10 +96,10 @@ fn read(file: &Path) -> Result<Vec<u8>, Failure> {
         return Ok(read.context("cannot read standard input")?);
     }
     let read = File::open(file).and_then(|file| bounded::bytes(file, Source::most_bytes));
-    read.map_err(|error| unread(file, error))
+    read.map_err(|error| read_failure(file, error))
 }
 
-fn unread(file: &Path, error: io::Error) -> Failure {
+fn read_failure(file: &Path, error: io::Error) -> Failure {
     let missing = error.kind() == ErrorKind::NotFound;
     let error = anyhow::Error::from(error).context(format!("cannot read {}", file.display()));
     if missing {

@@ -14,7 +14,7 @@ use indicatif::ProgressBar;
 
 use super::execute::execute;
 use crate::connect::personality_of;
-use crate::control::{self, carry_out, take_control};
+use crate::control::{self, run_command, take_control};
 use crate::failure::Failure;
 use crate::reach::client_name;
 
@@ -69,7 +69,7 @@ pub(super) async fn rehearse(
     if let Some(from) = from {
         take_control(&mut station).await?;
         // If the policy forbids that position, the way from there is omitted.
-        let _ = carry_out(&mut station, standing(from).into()).await;
+        let _ = run_command(&mut station, standing(from).into()).await;
     }
     let calibration = settings.calibration.clone().map(Box::new);
     station.request(Request::Calibrate { calibration }).await?;

@@ -279,14 +279,14 @@ mod tests {
 
     #[test]
     fn a_size_is_told_with_three_digits_that_count() {
-        for (factor, told) in [
+        for (factor, text) in [
             (12.0, "1200"),
             (1.234, "123"),
             (0.9999, "100"),
             (1.0 / 3.0, "33.3"),
             (0.000_456, "0.0456"),
         ] {
-            assert_eq!(percent(factor), told);
+            assert_eq!(percent(factor), text);
         }
     }
 }

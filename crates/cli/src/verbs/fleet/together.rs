@@ -60,7 +60,7 @@ impl TogetherArgs {
             return print(&rehearsal, as_json);
         }
         let address = station.address_of_running().await?;
-        carry_out(&Home::new(address), &parts, as_json).await
+        run_on_arms(&Home::new(address), &parts, as_json).await
     }
 }
 
@@ -139,7 +139,7 @@ fn print(rehearsal: &Rehearsal, as_json: bool) -> Result<(), Failure> {
 }
 
 /// Runs the program on the arms of the fleet.
-async fn carry_out(home: &Home, parts: &[Part], as_json: bool) -> Result<(), Failure> {
+async fn run_on_arms(home: &Home, parts: &[Part], as_json: bool) -> Result<(), Failure> {
     let is_attended = std::io::stdin().is_terminal();
     let (sender, orders) = mpsc::channel(8);
     let deciding = tokio::spawn(decide(sender, is_attended));

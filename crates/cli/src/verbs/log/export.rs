@@ -114,7 +114,7 @@ impl Export {
         out: &Path,
     ) -> Result<String, Failure> {
         let (written, beside) = export_files(recording, range, form, out, self.force)
-            .map_err(|error| no_tables(out, error))?;
+            .map_err(|error| tables_failure(out, error))?;
         Ok(format!(
             "{}: {}\n{}: {}",
             out.display(),
@@ -132,8 +132,8 @@ impl Export {
         out: &Path,
     ) -> Result<String, Failure> {
         let task = self.task.as_deref().unwrap_or(TASK);
-        let dataset =
-            export_lerobot(recording, range, out, task).map_err(|error| no_dataset(out, error))?;
+        let dataset = export_lerobot(recording, range, out, task)
+            .map_err(|error| dataset_failure(out, error))?;
         Ok(format!(
             "{}: episodes {}, frames {}, episodes omitted because they have a single frame {}",
             out.display(),
@@ -150,7 +150,7 @@ fn is_same(one: &Path, other: &Path) -> bool {
     one.is_some() && one == other
 }
 
-fn no_tables(out: &Path, error: ExportError) -> Failure {
+fn tables_failure(out: &Path, error: ExportError) -> Failure {
     match &error {
         ExportError::File { source, .. } if source.kind() == ErrorKind::AlreadyExists => {
             Failure::new(error, "overwrite it with `--force`")
@@ -163,7 +163,7 @@ fn no_tables(out: &Path, error: ExportError) -> Failure {
 }
 
 #[cfg(feature = "full")]
-fn no_dataset(out: &Path, error: ExportError) -> Failure {
+fn dataset_failure(out: &Path, error: ExportError) -> Failure {
     let exists =
         matches!(&error, ExportError::Io(source) if source.kind() == ErrorKind::AlreadyExists);
     let error = anyhow::Error::from(error).context(out.display().to_string());

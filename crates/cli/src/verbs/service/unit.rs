@@ -95,7 +95,7 @@ impl ServiceManager {
     }
 
     /// The command that reports whether the service runs.
-    pub(super) fn ask(self, scope: Scope) -> Vec<String> {
+    pub(super) fn status_command(self, scope: Scope) -> Vec<String> {
         match self {
             Self::Systemd => systemctl(scope, &["is-active", "dobot"]),
             Self::Launchd => words(&["launchctl", "list", "dobot.station"]),

@@ -365,12 +365,12 @@ impl Lesson {
         &mut self,
         edit: impl FnOnce(&mut ProgramDocument, usize) -> Result<Edited, ProgramError>,
     ) -> Result<(), ProgramError> {
-        let behind = (self.cursor + 1).min(self.count());
+        let next = (self.cursor + 1).min(self.count());
         let Some(document) = &mut self.document else {
             return Err(nothing_yet());
         };
         let mut edited = document.clone();
-        let Edited { changes, cursor } = edit(&mut edited, behind)?;
+        let Edited { changes, cursor } = edit(&mut edited, next)?;
         *document = edited;
         self.undone.clear();
         self.done.push(Done {

@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 use super::teacher::Teacher;
 use crate::follow::place;
 use crate::output;
-use crate::pendant::{alarm, answer, held, key_line, move_lines};
+use crate::pendant::{alarm, answer, held_line, key_line, move_lines};
 use crate::verbs::watch::panels;
 
 /// Draws the screen.
@@ -22,7 +22,7 @@ pub(crate) fn draw(frame: &mut Frame, teacher: &Teacher) {
         Constraint::Length(1),
     ];
     let [top, alarm_row, arm, program, keys, bottom] = Layout::vertical(rows).areas(frame.area());
-    frame.render_widget(held(&teacher.pendant), top);
+    frame.render_widget(held_line(&teacher.pendant), top);
     frame.render_widget(alarm(&teacher.pendant), alarm_row);
     if let Some(state) = teacher.pendant.state() {
         panels::arm(frame, arm, state);

@@ -132,7 +132,7 @@ impl Teacher {
             TeachKey::Loop => self.run(Part::Loop, JobStart::Run),
             TeachKey::RunFromHere => self.run(Part::FromHere, JobStart::Run),
             TeachKey::Step => self.run(Part::All, JobStart::Step),
-            TeachKey::PauseJob => self.pendant.ask(Request::PauseJob),
+            TeachKey::PauseJob => self.pendant.send(Request::PauseJob),
             TeachKey::CancelJob => self.cancel(),
             TeachKey::Save => self.is_saving = true,
             TeachKey::Quit => self.quit(quits_unsaved),
@@ -142,7 +142,7 @@ impl Teacher {
     /// The position of an arm at rest with a confirmed pose.
     fn place(&self) -> Result<RecordedPlace, &'static str> {
         let untrusted = "the pose is not confirmed, so that a point taught now would be wrong";
-        let status = self.pendant.resting(untrusted)?;
+        let status = self.pendant.status_at_rest(untrusted)?;
         Ok(RecordedPlace::of(status))
     }
 
@@ -219,9 +219,9 @@ impl Teacher {
         {
             // A changed program, or another start, needs a new job.
             if own.text == text && part == Part::All {
-                return self.pendant.ask(start.request(own.job));
+                return self.pendant.send(start.request(own.job));
             }
-            self.pendant.ask(Request::CancelJob { job: own.job });
+            self.pendant.send(Request::CancelJob { job: own.job });
         }
         let rules = self.settings.rules.clone();
         let arm = match self.pendant.state() {
@@ -236,7 +236,7 @@ impl Teacher {
                 }
                 self.job = None;
                 self.submitting = Some(start);
-                self.pendant.ask(Request::SubmitJob { job, key: None });
+                self.pendant.send(Request::SubmitJob { job, key: None });
             }
             Err(why) => self.pendant.show(format!("not run: {why}")),
         }
@@ -253,13 +253,13 @@ impl Teacher {
             );
             return false;
         };
-        self.pendant.ask(Request::ArmLaser { for_s });
+        self.pendant.send(Request::ArmLaser { for_s });
         true
     }
 
     fn cancel(&mut self) {
         match self.job().map(|job| job.job) {
-            Some(job) => self.pendant.ask(Request::CancelJob { job }),
+            Some(job) => self.pendant.send(Request::CancelJob { job }),
             None => self.pendant.show("no program is running".into()),
         }
     }
@@ -312,14 +312,14 @@ impl Panel for Teacher {
         }
         if state.stop.is_some() {
             self.starting = None;
-        } else if rests(&state)
+        } else if is_at_rest(&state)
             && let Some(request) = self.starting.take()
         {
             // The person who resumes the job has done what it waits for.
             if let Some(job) = state.job.as_ref().filter(|job| job.waits_for_person) {
-                self.pendant.ask(Request::ConfirmJob { job: job.job });
+                self.pendant.send(Request::ConfirmJob { job: job.job });
             }
-            self.pendant.ask(request);
+            self.pendant.send(request);
         }
         self.pendant.handle_state(state);
     }
@@ -395,7 +395,7 @@ const fn next_path(path: MovingMode) -> MovingMode {
 }
 
 /// Whether no command is in flight, as far as the station has reported.
-fn rests(state: &State) -> bool {
+fn is_at_rest(state: &State) -> bool {
     let moving = state.arm.as_ref().is_some_and(|arm| arm.moving);
     !moving && state.queue.waiting + state.queue.under_way == 0
 }
@@ -536,13 +536,13 @@ mod tests {
             [Request::StartJob { job: 4 }]
         );
         keyed(&mut it, KeyCode::Char('t'));
-        let anew = keyed(&mut it, KeyCode::Char('g'));
+        let again = keyed(&mut it, KeyCode::Char('g'));
         assert!(
             matches!(
-                anew[..],
+                again[..],
                 [Request::CancelJob { job: 4 }, Request::SubmitJob { .. }]
             ),
-            "it was changed: {anew:?}"
+            "it was changed: {again:?}"
         );
     }
 

@@ -15,7 +15,7 @@ pub(super) struct Surroundings {
 }
 
 impl Surroundings {
-    pub(super) fn of_this_process() -> Self {
+    pub(super) fn detect() -> Self {
         let any = |names: &[&str]| names.iter().any(|name| var_os(name).is_some());
         Self {
             terminal: std::io::stdout().is_terminal(),

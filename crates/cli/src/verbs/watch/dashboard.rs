@@ -128,7 +128,7 @@ pub(crate) fn alarm_of_state(state: Option<&State>) -> Alarm {
         return alarm(red, format!("{text} ({rest})"));
     }
     if state.link.phase != LinkPhase::Up {
-        return alarm(yellow, no_link(state));
+        return alarm(yellow, link_alarm(state));
     }
     if !state.trust.trusted {
         let reason = state.trust.reason.as_deref().unwrap_or("the arm was reset");
@@ -142,7 +142,7 @@ pub(crate) fn alarm_of_state(state: Option<&State>) -> Alarm {
     alarm(Style::new().fg(Color::Green), text.into())
 }
 
-fn no_link(state: &State) -> String {
+fn link_alarm(state: &State) -> String {
     let phase = match state.link.phase {
         LinkPhase::Searching => "looking for an arm",
         LinkPhase::Listening => "the port is open, but the arm is silent",

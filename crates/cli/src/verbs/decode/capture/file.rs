@@ -66,7 +66,7 @@ fn pcap<'a>(
             bail!("byte {at}: the header of a packet is incomplete");
         };
         let begin = at + 16;
-        let data = taken(bytes, begin, len).ok_or_else(|| cut(at, len))?;
+        let data = slice(bytes, begin, len).ok_or_else(|| cut(at, len))?;
         let at_ns = i128::from(seconds) * NS_PER_S + i128::from(units) * ns_per_unit;
         frames.push(Frame {
             link,
@@ -94,7 +94,7 @@ fn pcapng<'a>(bytes: &'a [u8], frames: &mut Vec<Frame<'a>>) -> anyhow::Result<()
         let len = order
             .long(bytes, at + 4)
             .with_context(|| format!("byte {at}: a block is incomplete"))?;
-        let block = taken(bytes, at, len).filter(|block| block.len() >= 12);
+        let block = slice(bytes, at, len).filter(|block| block.len() >= 12);
         let block = block.ok_or_else(|| cut(at, len))?;
         let body = &block[8..block.len() - 4];
         match kind {
@@ -158,7 +158,7 @@ fn frame<'a>(
         } else {
             interface.longest
         };
-        let data = taken(body, 4, order.long(body, 0)?.min(limit))?;
+        let data = slice(body, 4, order.long(body, 0)?.min(limit))?;
         return Some(Frame {
             link: interface.link,
             at_ns: None,
@@ -167,7 +167,7 @@ fn frame<'a>(
     }
     let interface = interfaces.get(usize::try_from(order.long(body, 0)?).ok()?)?;
     let at_ns = interface.at_ns(order.long(body, 4)?, order.long(body, 8)?);
-    let data = taken(body, 20, order.long(body, 12)?)?;
+    let data = slice(body, 20, order.long(body, 12)?)?;
     Some(Frame {
         link: interface.link,
         at_ns,
@@ -215,7 +215,7 @@ impl Order {
     }
 }
 
-fn taken(bytes: &[u8], begin: usize, len: u32) -> Option<&[u8]> {
+fn slice(bytes: &[u8], begin: usize, len: u32) -> Option<&[u8]> {
     bytes.get(begin..)?.get(..usize::try_from(len).ok()?)
 }
 

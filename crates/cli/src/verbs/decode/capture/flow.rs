@@ -166,7 +166,7 @@ mod tests {
         flow
     }
 
-    /// The bytes, with the size of each gap before those behind it.
+    /// The bytes, each part with the size of the gap before it.
     fn text(segments: &[(u32, &str)]) -> String {
         let part = |part: Part| {
             let bytes = String::from_utf8(part.bytes).expect("it is text");

@@ -37,7 +37,7 @@ fn each(lines: &[String]) -> anyhow::Result<Vec<u8>> {
             None if word.len() == 1 => hex_byte(word).map(|byte| vec![byte]),
             None => hex_bytes(word),
         };
-        bytes.extend(read.ok_or_else(|| no_digits(number, word))?);
+        bytes.extend(read.ok_or_else(|| invalid_digits(number, word))?);
     }
     Ok(bytes)
 }
@@ -47,7 +47,7 @@ fn row(lines: &[String]) -> anyhow::Result<Vec<u8>> {
     let mut row = String::new();
     for (number, word) in words(lines) {
         if !word.bytes().all(|digit| digit.is_ascii_hexdigit()) {
-            return Err(no_digits(number, word));
+            return Err(invalid_digits(number, word));
         }
         row.push_str(word);
     }
@@ -69,7 +69,7 @@ fn words(lines: &[String]) -> impl Iterator<Item = (usize, &str)> {
     (1..).zip(lines.iter().map(String::as_str)).flat_map(words)
 }
 
-fn no_digits(number: usize, word: &str) -> anyhow::Error {
+fn invalid_digits(number: usize, word: &str) -> anyhow::Error {
     anyhow!(
         "line {number}: `{word}` is not hex digits; expected 0 to 9 and a to f, two for each byte"
     )

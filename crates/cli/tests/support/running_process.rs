@@ -1,4 +1,4 @@
-//! A `dobot` that goes on while a test talks to it.
+//! A running `dobot` process.
 
 use std::io::{BufRead, BufReader};
 #[cfg(unix)]
@@ -11,41 +11,41 @@ use rustix::process::{Pid, Signal, kill_process};
 #[cfg(unix)]
 use super::full_pipe::full_pipe;
 
-/// A program that goes on; it ends with the test.
-pub(crate) struct Going {
+/// A running process, which is killed at the end of the test.
+pub(crate) struct RunningProcess {
     child: Child,
     output: BufReader<ChildStdout>,
 }
 
-impl Going {
-    /// Its standard error is seen by nobody.
+impl RunningProcess {
+    /// Starts a process; its standard error is discarded.
     pub(crate) fn new(command: Command) -> Self {
         Self::start(command, Stdio::null())
     }
 
-    /// And what it prints on standard error.
+    /// Starts a process, and returns its standard error.
     pub(crate) fn with_errors(command: Command) -> (Self, BufReader<ChildStderr>) {
-        let mut going = Self::start(command, Stdio::piped());
-        let errors = going.child.stderr.take().expect("it is piped");
-        (going, BufReader::new(errors))
+        let mut process = Self::start(command, Stdio::piped());
+        let errors = process.child.stderr.take().expect("it is piped");
+        (process, BufReader::new(errors))
     }
 
-    /// Its standard error is a full pipe for as long as the reader is kept.
+    /// Starts a process whose standard error is a full pipe until the reader is dropped.
     #[cfg(unix)]
     pub(crate) fn with_full_errors(command: Command) -> (Self, PipeReader) {
         let (reader, errors) = full_pipe();
         (Self::start(command, errors.into()), reader)
     }
 
-    /// One that is talked to.
+    /// Starts a process with a standard input.
     #[cfg(unix)]
-    pub(crate) fn talking(command: Command) -> Self {
+    pub(crate) fn with_input(command: Command) -> Self {
         Self::start_with(command, Stdio::piped(), Stdio::null())
     }
 
-    /// Says a line to it.
+    /// Writes a line to standard input.
     #[cfg(unix)]
-    pub(crate) fn says(&mut self, line: &str) {
+    pub(crate) fn write_line(&mut self, line: &str) {
         let input = self.child.stdin.as_mut().expect("it is piped");
         writeln!(input, "{line}").expect("it is heard");
     }
@@ -65,43 +65,43 @@ impl Going {
         Self { child, output }
     }
 
-    /// Reads until a line with this text.
-    pub(crate) fn reads(&mut self, text: &str) -> String {
+    /// Waits for a line of output that contains a text.
+    pub(crate) fn wait_for_line(&mut self, text: &str) -> String {
         line_with(text, &mut self.output)
     }
 
-    /// The next address that it prints, first in its line.
+    /// The address at the start of the next line of output.
     pub(crate) fn address(&mut self) -> String {
-        let line = self.reads("");
+        let line = self.wait_for_line("");
         let address = line.split_whitespace().next();
         address.expect("an address comes first").to_owned()
     }
 
-    /// Its number.
+    /// The process ID.
     #[cfg(unix)]
     pub(crate) fn pid(&self) -> Pid {
         Pid::from_child(&self.child)
     }
 
-    /// As Ctrl-C does.
+    /// Sends the signal of Ctrl-C.
     #[cfg(unix)]
     pub(crate) fn is_interrupted(&self) {
         kill_process(self.pid(), Signal::INT).expect("it is there");
     }
 
-    /// As Ctrl-C does; the exit code.
+    /// Sends the signal of Ctrl-C, and returns the exit code.
     #[cfg(unix)]
     pub(crate) fn interrupt(self) -> Option<i32> {
         self.is_interrupted();
         self.ends()
     }
 
-    /// Waits until it has ended; the exit code.
+    /// Waits for the end, and returns the exit code.
     pub(crate) fn ends(mut self) -> Option<i32> {
         self.child.wait().expect("it ends").code()
     }
 
-    /// As `SIGKILL` does.
+    /// Sends `SIGKILL`.
     #[cfg(unix)]
     pub(crate) fn kill(&mut self) {
         self.child.kill().expect("it is there");
@@ -109,14 +109,14 @@ impl Going {
     }
 }
 
-impl Drop for Going {
+impl Drop for RunningProcess {
     fn drop(&mut self) {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
 }
 
-/// Reads until a line with this text.
+/// Reads until a line that contains a text.
 pub(crate) fn line_with(text: &str, output: &mut impl BufRead) -> String {
     loop {
         let mut line = String::new();
