@@ -8,7 +8,7 @@ use ratatui::style::Stylize;
 use ratatui::text::Line;
 
 use super::toucher::Toucher;
-use crate::pendant::{Pendant, alarm, answer, held, key_line, move_lines};
+use crate::pendant::{Pendant, alarm, answer, held_line, key_line, move_lines};
 use crate::verbs::watch::panels;
 
 /// Draws the screen.
