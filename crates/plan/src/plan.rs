@@ -47,7 +47,7 @@ impl Plan {
     /// [`PlanError`] where there is nothing to draw, a setting makes no sense, a laser is to burn
     /// on a slope, or the passes mix pens and lasers.
     pub fn new(passes: &[Pass], paper: &Paper, arm_limits: &ArmLimits) -> Result<Self, PlanError> {
-        Ok(Self::whole(passes, paper, arm_limits)?.in_pieces())
+        Ok(Self::whole(passes, paper, arm_limits)?.with_pieces())
     }
 
     /// The same with one vector for each line of a stroke, however long that takes.
@@ -88,7 +88,7 @@ impl Plan {
     }
 
     /// The same with its long vectors cut.
-    fn in_pieces(self) -> Self {
+    fn with_pieces(self) -> Self {
         let mut pieces = Pieces::new(&self.arm_limits, &self.passes[0].tool, self.start);
         let mut moves = Vec::with_capacity(self.moves.len());
         let mut begins = Vec::with_capacity(self.moves.len() + 1);
@@ -147,7 +147,7 @@ impl Plan {
     pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
         let mut endpoint = Endpoint::new(&self.arm_limits, &self.passes[0].tool);
         self.moves.iter().scan(self.start, move |here, vector| {
-            *here = endpoint.behind(*here, vector);
+            *here = endpoint.after(*here, vector);
             Some(*here)
         })
     }

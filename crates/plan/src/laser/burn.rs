@@ -30,21 +30,21 @@ impl Planner<'_> {
             burn_speed_mm_s: burn_speed_mm_s(&points, laser, self.arm_limits),
             ..*laser
         };
-        let before = self.burned_so_far();
-        let mut best: Option<BurnTry> = None;
+        let before = self.checkpoint();
+        let mut best: Option<BurnAttempt> = None;
         let (mut planned, mut is_planned) = (0, false);
-        'ways: for way in BurnWay::all() {
-            let is_planned_often = planned > MOST_PLANNED;
-            let goes = |it: BurnTry| it.is_within(way.worth_mm) || is_planned_often && !it.fails;
+        'ways: for way in BurnVariant::all() {
+            let is_over_budget = planned > MOST_PLANNED;
+            let goes = |it: BurnAttempt| it.is_within(way.worth_mm) || is_over_budget && !it.fails;
             if best.is_some_and(goes) {
                 break;
             }
             let mut wanted = SwitchLead::at_speed(laser, self.arm_limits);
             for _ in 0..BURN_ROUNDS {
                 if is_planned {
-                    self.back_to(&before);
+                    self.restore(&before);
                 }
-                let mut tried = BurnTry {
+                let mut tried = BurnAttempt {
                     way,
                     wanted,
                     off_mm: 0.0,
@@ -70,14 +70,14 @@ impl Planner<'_> {
             }
         }
         if let Some(best) = best.filter(|it| !it.is_within(NEAR_MM)) {
-            self.back_to(&before);
+            self.restore(&before);
             self.burn_once(&points, laser, &best);
         }
         self.stroke += 1;
     }
 
     /// Where it is switched.
-    fn burn_once(&mut self, points: &[Point], laser: &Laser, tried: &BurnTry) -> SwitchLead {
+    fn burn_once(&mut self, points: &[Point], laser: &Laser, tried: &BurnAttempt) -> SwitchLead {
         let asked = laser.burn_speed_mm_s;
         let least = self
             .arm_limits
@@ -106,8 +106,8 @@ impl Planner<'_> {
     }
 
     /// The plan before a stroke, to which it can go back.
-    fn burned_so_far(&self) -> BeforeBurn {
-        BeforeBurn {
+    fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
             moves: self.moves.len(),
             here: self.here,
             settled: self.settled.clone(),
@@ -116,7 +116,7 @@ impl Planner<'_> {
         }
     }
 
-    fn back_to(&mut self, before: &BeforeBurn) {
+    fn restore(&mut self, before: &Checkpoint) {
         self.moves.truncate(before.moves);
         self.here = before.here;
         self.settled = before.settled.clone();
@@ -180,7 +180,7 @@ impl Planner<'_> {
 }
 
 /// A plan before a stroke.
-struct BeforeBurn {
+struct Checkpoint {
     /// How many vectors it has.
     moves: usize,
     here: [f64; 3],
@@ -191,8 +191,8 @@ struct BeforeBurn {
 
 /// A plan of a burned stroke.
 #[derive(Clone, Copy)]
-struct BurnTry {
-    way: BurnWay,
+struct BurnAttempt {
+    way: BurnVariant,
     /// Where it was to be switched.
     wanted: SwitchLead,
     /// How far from where it is burned then the stroke begins or ends, in mm.
@@ -201,7 +201,7 @@ struct BurnTry {
     fails: bool,
 }
 
-impl BurnTry {
+impl BurnAttempt {
     fn is_within(&self, most_mm: f64) -> bool {
         !self.fails && self.off_mm < most_mm
     }
@@ -213,7 +213,7 @@ impl BurnTry {
 
 /// How a stroke may be burned for its ticks to come out elsewhere.
 #[derive(Clone, Copy)]
-struct BurnWay {
+struct BurnVariant {
     /// Of the speed.
     speed_share: f64,
     /// How much longer the run-up is, as the way of so many ticks: no longer than a stroke is run out.
@@ -224,7 +224,7 @@ struct BurnWay {
     worth_mm: f64,
 }
 
-impl BurnWay {
+impl BurnVariant {
     /// As it is wanted, and those that are tried if that does not come out.
     fn all() -> impl Iterator<Item = Self> {
         WAYS.into_iter().flat_map(|way| {
@@ -252,15 +252,15 @@ const MOST_PLANNED: usize = 5_000;
 const LONGER_TICKS: [f64; 5] = [0.0, 0.7, 1.4, 2.1, 2.8];
 /// What is slower burns more, and what is parted is slower at times: so they have to be worth it. Half of the least burn is off anyway where
 /// the laser is switched at a corner.
-const WAYS: [BurnWay; 7] = [
-    BurnWay::new(1.0, Parted::Nowhere, 0.01),
-    BurnWay::new(1.0, Parted::AtEnd, 0.025),
-    BurnWay::new(1.0, Parted::AtBoth, 0.025),
-    BurnWay::new(0.97, Parted::Nowhere, 0.025),
-    BurnWay::new(0.97, Parted::AtBoth, 0.025),
-    BurnWay::new(0.9, Parted::Nowhere, 0.5 * LEAST_BURN_MM),
+const WAYS: [BurnVariant; 7] = [
+    BurnVariant::new(1.0, Parted::Nowhere, 0.01),
+    BurnVariant::new(1.0, Parted::AtEnd, 0.025),
+    BurnVariant::new(1.0, Parted::AtBoth, 0.025),
+    BurnVariant::new(0.97, Parted::Nowhere, 0.025),
+    BurnVariant::new(0.97, Parted::AtBoth, 0.025),
+    BurnVariant::new(0.9, Parted::Nowhere, 0.5 * LEAST_BURN_MM),
     // That much more is burned only where the arm would not come out of the stroke as planned.
-    BurnWay::new(0.8, Parted::Nowhere, f64::INFINITY),
+    BurnVariant::new(0.8, Parted::Nowhere, f64::INFINITY),
 ];
 /// How much more may be burned on a millimetre for it to be as much everywhere.
 const MOST_SPREAD: f64 = 1.2;

@@ -190,7 +190,7 @@ pub(crate) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
     }
     let middle = bounds(stroke.points.iter().copied()).center();
     let come = middle - Point::new(here[0], here[1]);
-    let into = way_of(stroke.segments()).or_else(|| unit(come));
+    let into = direction_of(stroke.segments()).or_else(|| unit(come));
     let half = into.unwrap_or(Vec2::new(1.0, 0.0)) * (0.5 * DOT_MM);
     vec![middle - half, middle + half]
 }
@@ -222,7 +222,7 @@ fn split(path: &[Point], at_mm: f64) -> (Vec<Point>, Vec<Point>) {
 }
 
 /// The direction of the first piece that has one.
-fn way_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Vec2> {
+fn direction_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Vec2> {
     segments.find_map(|(a, b)| unit(b - a))
 }
 

@@ -33,13 +33,13 @@ impl Plan {
         let is_slow = |it: &[f64; 2]| it[0] * SLOW < laser.burn_speed_mm_s;
         let burned_mm = sum_mm(&burned);
         let slow_mm = sum_mm(&burned[..burned.partition_point(is_slow)]);
-        let seen_mm = SEEN_SHARE * burned_mm;
+        let sampled_limit_mm = SEEN_SHARE * burned_mm;
         let mut passed_mm = 0.0;
         let even = burned.iter().find(|it| {
             passed_mm += it[1];
-            passed_mm > seen_mm
+            passed_mm > sampled_limit_mm
         })?;
-        (slow_mm > seen_mm).then_some(SlowBurning {
+        (slow_mm > sampled_limit_mm).then_some(SlowBurning {
             slow_mm,
             burned_mm,
             even_mm_s: even[0],

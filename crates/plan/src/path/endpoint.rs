@@ -31,7 +31,7 @@ impl Endpoint {
     }
 
     /// Where these increments lead from here, in mm, as far as is known without their speeds.
-    pub(crate) fn about(&self, here: [f64; 3], way: [f32; 3]) -> [f64; 3] {
+    pub(crate) fn estimate(&self, here: [f64; 3], way: [f32; 3]) -> [f64; 3] {
         match &self.stock {
             Some(it) => stock::behind(here, way, it.tool_mm),
             None => [0, 1, 2].map(|i| here[i] + f64::from(way[i])),
@@ -40,12 +40,12 @@ impl Endpoint {
 
     /// Where the next vector leads from here, in mm. A stock arm adds up its ticks in single precision: what that makes of a
     /// vector differs by a millionth of a millimetre, thousands of times in the same direction.
-    pub(crate) fn behind(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
+    pub(crate) fn after(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
         let way = [vector.x_mm, vector.y_mm, vector.z_mm];
         let way = match &mut self.stock {
             Some(it) => it.ticker.displacement_mm(&write(vector)),
             None => way,
         };
-        self.about(here, way)
+        self.estimate(here, way)
     }
 }

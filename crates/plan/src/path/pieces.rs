@@ -62,13 +62,13 @@ impl Pieces {
             return of_time(vector, longest_s, self.acceleration_mm_s2);
         };
         let whole = planned.run(vector);
-        let goes_on_alike = |pieces: &Vec<PlannedVector>| {
+        let continues_alike = |pieces: &Vec<PlannedVector>| {
             let mut behind = divided.clone();
             behind.run_all(pieces);
-            next.is_none_or(|it| is_like(&planned.tick_stroke(it), &behind.tick_stroke(it)))
+            next.is_none_or(|it| is_alike(&planned.tick_stroke(it), &behind.tick_stroke(it)))
         };
         let pieces =
-            of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(goes_on_alike);
+            of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(continues_alike);
         let pieces = pieces.unwrap_or_else(|| vec![*vector]);
         divided.run_all(&pieces);
         pieces
@@ -85,7 +85,7 @@ struct TickedArm {
 
 impl TickedArm {
     fn run(&mut self, vector: &PlannedVector) -> TickStroke {
-        self.here = self.endpoint.behind(self.here, vector);
+        self.here = self.endpoint.after(self.here, vector);
         self.ticker.run(&write(vector))
     }
 
@@ -137,12 +137,12 @@ fn speed_before_mm_s(whole: &Profile, left_mm: f64, acceleration_mm_s2: f64) -> 
 }
 
 /// Whether a vector comes out in as many ticks, or if these are many in hardly more or less.
-fn is_like(a: &TickStroke, b: &TickStroke) -> bool {
+fn is_alike(a: &TickStroke, b: &TickStroke) -> bool {
     let [[a_up, a_even, a_down], [b_up, b_even, b_down]] = [a.counts, b.counts];
     let apart = f64::from(a_even.abs_diff(b_even));
     a.is_exact() == b.is_exact()
         && (a_up, a_down) == (b_up, b_down)
-        && apart <= HARDLY * f64::from(a.ticks())
+        && apart <= NEGLIGIBLE_SHARE * f64::from(a.ticks())
 }
 
 /// Pieces of whole ticks, each as fast in every tick as the whole vector, in the ways in which there are such packets.
@@ -270,11 +270,11 @@ fn with_counts(
             ..*piece
         })
     });
-    let is_cut_so = |piece: &PlannedVector| {
+    let has_counts = |piece: &PlannedVector| {
         let tick_stroke = arm.tick_stroke(piece);
         tick_stroke.counts == counts && tick_stroke.is_exact()
     };
-    let found = tried.into_iter().find(is_cut_so)?;
+    let found = tried.into_iter().find(has_counts)?;
     arm.run(&found);
     Some(found)
 }
@@ -282,7 +282,7 @@ fn with_counts(
 /// How much longer the last piece of a vector may be, in mm: the first one is as much shorter.
 const SHIFTS_MM: [f64; 5] = [0.0, 4e-5, -4e-5, 2e-4, -2e-4];
 /// Nobody sees that a line is drawn so much faster or slower, as a share.
-const HARDLY: f64 = 0.003;
+const NEGLIGIBLE_SHARE: f64 = 0.003;
 /// Numbers that differ by less, as shares, are the same.
 const ROUNDING: f64 = 1e-3;
 /// By how much a begin speed is lower than it could be, as a share: a piece is as long as single precision lets it be.

@@ -12,7 +12,7 @@ use crate::speed::joints::JointSpeeds;
 use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick_chain::LastPlaces;
+use crate::ticks::tick_chain::LastPositions;
 use crate::ticks::tick_fit::LEAST_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
 use crate::{ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, PlannedVector};
@@ -25,7 +25,7 @@ pub(crate) struct Planner<'a> {
     /// Where the arm has ticks.
     pub(crate) ticker: Option<Ticker>,
     /// Where the tool was at the last ticks.
-    pub(crate) last_places: LastPlaces,
+    pub(crate) last_positions: LastPositions,
     pub(crate) travel: TravelVectors,
     /// Where the vectors so far lead, rounding included.
     pub(crate) here: [f64; 3],
@@ -56,16 +56,16 @@ impl<'a> Planner<'a> {
             paper,
             arm_limits,
             chain_speeds: if tool.burns() {
-                chain_speeds.in_pieces(LONGEST_BURN_S)
+                chain_speeds.with_pieces(LONGEST_BURN_S)
             } else {
                 chain_speeds
             },
             ticker: if tool.burns() {
-                ticker.map(|it| it.of_others().in_pieces(LONGEST_BURN_S))
+                ticker.map(|it| it.with_unknown_speed().with_pieces(LONGEST_BURN_S))
             } else {
                 ticker
             },
-            last_places: LastPlaces::default(),
+            last_positions: LastPositions::default(),
             travel: TravelVectors::default(),
             here: start,
             settled: Settled {
@@ -141,7 +141,7 @@ impl<'a> Planner<'a> {
         if length(way) < self.least_vector_mm(kind) {
             return;
         }
-        self.here = self.settled.endpoint.about(here, [x_mm, y_mm, z_mm]);
+        self.here = self.settled.endpoint.estimate(here, [x_mm, y_mm, z_mm]);
         let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
         self.chain.push(ChainVector::of(way, limit_mm_s));
         self.moves.push(PlannedVector {
@@ -181,17 +181,17 @@ impl<'a> Planner<'a> {
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
-            self.tell_burn_speeds(begin);
+            self.raise_burn_speeds(begin);
         } else if self.objective == Objective::Fast && self.chain.len() == 1 {
-            self.note_lone();
+            self.push_travel();
         } else {
-            self.rest_in_ticks(begin);
+            self.plan_ticks(begin);
         }
         self.chain.clear();
     }
 
     /// Where a laser is to burn as fast as is allowed at the least, rounding and slow corners tell no less.
-    fn tell_burn_speeds(&mut self, begin: usize) {
+    fn raise_burn_speeds(&mut self, begin: usize) {
         let fastest_mm_s = self.chain.iter().map(|it| it.limit_mm_s);
         if fastest_mm_s.fold(0.0, f64::max) < LEAST_BURN_MM_S.into() {
             return;
@@ -207,11 +207,11 @@ impl<'a> Planner<'a> {
     pub(crate) fn settle(&mut self, count: usize) {
         let settled = &mut self.settled;
         for vector in &self.moves[settled.count..count] {
-            settled.here = settled.endpoint.behind(settled.here, vector);
+            settled.here = settled.endpoint.after(settled.here, vector);
         }
         settled.count = count;
         self.here = self.moves[count..].iter().fold(settled.here, |here, it| {
-            settled.endpoint.about(here, [it.x_mm, it.y_mm, it.z_mm])
+            settled.endpoint.estimate(here, [it.x_mm, it.y_mm, it.z_mm])
         });
     }
 

@@ -27,7 +27,7 @@ pub(crate) struct TravelVectors {
 
 impl Planner<'_> {
     /// The chain is a lone vector.
-    pub(crate) fn note_lone(&mut self) {
+    pub(crate) fn push_travel(&mut self) {
         let limits_mm_s = [self.chain[0].limit_mm_s];
         let (chain_speeds, speeds) = self.wanted(&limits_mm_s);
         self.chain_speeds = chain_speeds;
@@ -60,13 +60,13 @@ impl Planner<'_> {
             objective: Objective::Fast,
             over: &over,
             most_mm_s: &self.travel.most_mm_s,
-            before: self.last_places,
+            before: self.last_positions,
         }
         .fits(&ticker, Breadth::TRAVEL);
         let planned = fits.len().saturating_sub(but);
         let (fits, moves) = (&fits[..planned], &mut self.moves[begin..]);
         ticker.set(moves, &self.travel.speeds, fits);
-        self.last_places = self.last_places.behind(&self.travel.chain, fits);
+        self.last_positions = self.last_positions.after(&self.travel.chain, fits);
         self.travel.chain.drain(..planned);
         self.travel.speeds.drain(..planned);
         self.travel.most_mm_s.drain(..planned);

@@ -7,7 +7,7 @@ use crate::ArmLimits;
 use crate::speed::link::Credit;
 use crate::speed::lookahead::{ChainVector, Cornering, Junction};
 use crate::speed::objective::Objective;
-use crate::speed::sampled_acceleration::SeenMotion;
+use crate::speed::sampled_acceleration::SampledMotion;
 use crate::speed::speeds::Speeds;
 
 /// Speeds for a chain: reused from chain to chain.
@@ -23,7 +23,7 @@ pub(crate) struct ChainSpeeds {
     /// How long each vector is to take, in s.
     wanted_s: Vec<f64>,
     /// How it was run when it was last looked how the tool turns.
-    seen: Vec<Speeds>,
+    sampled: Vec<Speeds>,
 }
 
 impl ChainSpeeds {
@@ -38,14 +38,14 @@ impl ChainSpeeds {
             credit: Credit::new(arm_limits.link),
             junctions: Vec::new(),
             wanted_s: Vec::new(),
-            seen: Vec::new(),
+            sampled: Vec::new(),
         }
     }
 
     /// The same where vectors that take longer come in pieces.
-    pub(crate) fn in_pieces(self, piece_s: f64) -> Self {
+    pub(crate) fn with_pieces(self, piece_s: f64) -> Self {
         Self {
-            credit: self.credit.in_pieces(piece_s),
+            credit: self.credit.with_pieces(piece_s),
             ..self
         }
     }
@@ -73,7 +73,7 @@ impl ChainSpeeds {
             Objective::Even => self.lower_to_link(chain, 0),
             Objective::Fast => {
                 self.plan_motion(chain);
-                if let Some(waits) = self.first_that_waits() {
+                if let Some(waits) = self.first_wait() {
                     self.lower_to_link(chain, waits.saturating_sub(REACH));
                 }
             }
@@ -83,7 +83,7 @@ impl ChainSpeeds {
     }
 
     /// The first vector that would be over before the next is there: until then those in hand are enough.
-    fn first_that_waits(&self) -> Option<usize> {
+    fn first_wait(&self) -> Option<usize> {
         let mut credit = self.credit;
         self.wanted_s.iter().position(|&wanted_s| {
             let waits = wanted_s < credit.least_s();
@@ -108,7 +108,7 @@ impl ChainSpeeds {
 
     /// Without a link every vector is there in no time, and nothing has to wait.
     fn plan_with_link(&mut self, chain: &mut [ChainVector]) {
-        self.seen.clear();
+        self.sampled.clear();
         for round in 0..ROUNDS {
             self.plan_motion(chain);
             let credit = self.credit;
@@ -136,17 +136,17 @@ impl ChainSpeeds {
         }
         let speeds: Vec<Speeds> = (0..chain.len()).map(|i| self.speeds(chain, i)).collect();
         let a = self.cornering.acceleration_mm_s2;
-        let before = self.seen.iter().map(Some).chain(repeat(None));
+        let before = self.sampled.iter().map(Some).chain(repeat(None));
         let changed: Vec<bool> = speeds
             .iter()
             .zip(before)
             .map(|(now, it)| Some(now) != it)
             .collect();
-        let shares = SeenMotion::new(chain, &speeds, a).shares(LEAST_SHARE, &changed);
+        let shares = SampledMotion::new(chain, &speeds, a).shares(LEAST_SHARE, &changed);
         for (corner, share) in shares.iter().enumerate().filter(|it| *it.1 < 1.0) {
             chain[corner].corner_mm_s = speeds[corner].end_mm_s * share.powi(power);
         }
-        self.seen = speeds;
+        self.sampled = speeds;
         shares.iter().any(|it| *it < 1.0)
     }
 

@@ -34,7 +34,7 @@ impl Credit {
     }
 
     /// The same where vectors that take longer come in pieces.
-    pub(crate) const fn in_pieces(self, piece_s: f64) -> Self {
+    pub(crate) const fn with_pieces(self, piece_s: f64) -> Self {
         Self { piece_s, ..self }
     }
 
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn a_vector_that_comes_in_pieces_leaves_less_time_for_others_to_come() {
-        let mut credit = Credit::new(LinkRate { period_s: 0.08 }).in_pieces(0.2);
+        let mut credit = Credit::new(LinkRate { period_s: 0.08 }).with_pieces(0.2);
         // Two packets; the next one has come for a quarter of its time.
         credit.take(0.22);
         assert!((credit.least_s() - 0.02).abs() < 1e-12);

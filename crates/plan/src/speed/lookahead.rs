@@ -148,8 +148,9 @@ impl Cornering {
         let reach_mm = self.deviation_mm * (1.0 + cos_half) / sin_half;
         let shorter_mm = before.length_mm.min(after.length_mm);
         let most_mm = reach_mm.min(0.5 * shorter_mm);
-        let seen_mm_s = self.seen_mm_s(sin_half, shorter_mm);
-        let cap_v2 = (self.acceleration_mm_s2 * most_mm / tan_half).min(seen_mm_s * seen_mm_s);
+        let sampled_limit_mm_s = self.sampled_limit_mm_s(sin_half, shorter_mm);
+        let cap_v2 = (self.acceleration_mm_s2 * most_mm / tan_half)
+            .min(sampled_limit_mm_s * sampled_limit_mm_s);
         if cap_v2 < LEAST_V2 {
             return Junction::REST;
         }
@@ -166,7 +167,7 @@ impl Cornering {
     /// its speed, that turns by as much as the acceleration changes within the window. On a way that
     /// is longer, or where the corner is sharp, the tool brakes before it and speeds up behind it, which
     /// is seen, too.
-    fn seen_mm_s(self, sin_half: f64, shorter_mm: f64) -> f64 {
+    fn sampled_limit_mm_s(self, sin_half: f64, shorter_mm: f64) -> f64 {
         let change_mm_s = self.acceleration_mm_s2 * self.window_s;
         let even_mm_s = 0.5 * change_mm_s / sin_half;
         let windows = shorter_mm / (even_mm_s * self.window_s);

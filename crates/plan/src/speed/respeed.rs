@@ -107,7 +107,7 @@ impl Respeeding<'_> {
         };
         let begin_mm_s = self.speed_mm_s.min(chain[0].max_speed_mm_s);
         let is_near = (chain[0].start_speed_mm_s - begin_mm_s).abs() < ticker.step_mm_s();
-        is_near && ticker.runs_true(chain)
+        is_near && ticker.runs_exactly(chain)
     }
 
     fn vector(&mut self, vector: &WriteVector, targets: [f64; 2], most_mm_s: f32) -> WriteVector {
@@ -326,7 +326,7 @@ mod tests {
             };
             let steeper: Vec<WriteVector> = planned.iter().map(steeper).collect();
             let next = respeed(&steeper, &begin(at_mm_s), 1.0, &arm_limits);
-            prop_assert!(Ticker::new(&arm_limits, at_mm_s).runs_true(&next));
+            prop_assert!(Ticker::new(&arm_limits, at_mm_s).runs_exactly(&next));
             let same = next.iter().zip(&steeper);
             prop_assert!(same.clone().all(|(it, was)| it.z_mm == was.z_mm));
             let ends = |it: &WriteVector| it.end_speed_mm_s == 0.0;

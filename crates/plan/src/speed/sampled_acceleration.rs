@@ -9,7 +9,7 @@ use crate::ticks::tick::TICK_S;
 
 /// A chain of vectors in motion: when the tool is at its corners, and where.
 #[derive(Debug)]
-pub(crate) struct SeenMotion<'a> {
+pub(crate) struct SampledMotion<'a> {
     chain: &'a [ChainVector],
     speeds: &'a [Speeds],
     ramps: Vec<Ramps>,
@@ -18,7 +18,7 @@ pub(crate) struct SeenMotion<'a> {
     begins: Vec<(f64, [f64; 3])>,
 }
 
-impl<'a> SeenMotion<'a> {
+impl<'a> SampledMotion<'a> {
     pub(crate) fn new(
         chain: &'a [ChainVector],
         speeds: &'a [Speeds],
@@ -49,7 +49,7 @@ impl<'a> SeenMotion<'a> {
     /// It is looked at each corner that is seen together with a changed vector, and around it as far as the corner is seen.
     pub(crate) fn shares(&self, least: f64, changed: &[bool]) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.chain.len()];
-        let allowed_mm = seen_mm(self.acceleration_mm_s2);
+        let allowed_mm = sampled_limit_mm(self.acceleration_mm_s2);
         let most_mm2 = (allowed_mm / least).powi(2);
         for corner in self.corners_near(changed) {
             let at_s = self.begins[corner].0;
@@ -148,10 +148,10 @@ impl TickPositions {
         self.ends.push(self.places.len() - 1);
     }
 
-    /// As [`SeenMotion::shares`]. The tool stands before the chain and behind it.
+    /// As [`SampledMotion::shares`]. The tool stands before the chain and behind it.
     pub(crate) fn shares(&self, acceleration_mm_s2: f64, least: f64) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.ends.len()];
-        let allowed_mm = seen_mm(acceleration_mm_s2);
+        let allowed_mm = sampled_limit_mm(acceleration_mm_s2);
         let last = self.places.len() - 1;
         let corners = self.ends.split_last().map_or(&[][..], |it| it.1);
         let mut corner = 0;
@@ -186,7 +186,7 @@ pub(crate) fn at_ticks(
 }
 
 /// The second difference of places a window apart at this acceleration, in mm.
-pub(crate) fn seen_mm(acceleration_mm_s2: f64) -> f64 {
+pub(crate) fn sampled_limit_mm(acceleration_mm_s2: f64) -> f64 {
     acceleration_mm_s2 * WINDOW_S * WINDOW_S
 }
 

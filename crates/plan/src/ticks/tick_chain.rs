@@ -8,10 +8,10 @@ use dobot_wire::single;
 use crate::path::commands::write;
 use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
-use crate::speed::sampled_acceleration::{WINDOW_TICKS, second_difference, seen_mm};
+use crate::speed::sampled_acceleration::{WINDOW_TICKS, sampled_limit_mm, second_difference};
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
-use crate::ticks::tick_fit::{LEAST_BURN_MM_S, MOST_FITS, TickFit, TickWish};
+use crate::ticks::tick_fit::{LEAST_BURN_MM_S, MOST_FITS, TickFit, TickPreference};
 use crate::ticks::ticker::Ticker;
 use crate::{MoveKind, PlannedVector};
 
@@ -27,43 +27,43 @@ pub(crate) struct TickChain<'a> {
     /// No packet may tell a larger speed, in mm/s, for each vector.
     pub most_mm_s: &'a [f32],
     /// Where the tool was before it.
-    pub before: LastPlaces,
+    pub before: LastPositions,
 }
 
 /// Where the tool was at the last ticks, in mm from anywhere.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct LastPlaces {
+pub(crate) struct LastPositions {
     /// In a ring.
-    places: [[f64; 3]; SEEN_TICKS],
+    places: [[f64; 3]; SAMPLED_TICKS],
     /// Where the oldest one is.
     oldest: usize,
 }
 
-impl LastPlaces {
+impl LastPositions {
     /// The same behind these vectors.
-    pub(crate) fn behind(mut self, chain: &[ChainVector], fits: &[TickFit]) -> Self {
+    pub(crate) fn after(mut self, chain: &[ChainVector], fits: &[TickFit]) -> Self {
         for (run, fit) in chain.iter().zip(fits) {
             for speed_mm_s in fit.tick_stroke.speeds_mm_s() {
-                self.go(run.direction, speed_mm_s);
+                self.advance(run.direction, speed_mm_s);
             }
         }
         self
     }
 
     /// One more tick.
-    fn go(&mut self, direction: [f64; 3], speed_mm_s: f32) {
+    fn advance(&mut self, direction: [f64; 3], speed_mm_s: f32) {
         let (last, way_mm) = (self.last(), f64::from(speed_mm_s * TICK_S));
         self.places[self.oldest] = [0, 1, 2].map(|i| last[i] + way_mm * direction[i]);
-        self.oldest = (self.oldest + 1) % SEEN_TICKS;
+        self.oldest = (self.oldest + 1) % SAMPLED_TICKS;
     }
 
     fn last(&self) -> [f64; 3] {
-        self.places[(self.oldest + SEEN_TICKS - 1) % SEEN_TICKS]
+        self.places[(self.oldest + SAMPLED_TICKS - 1) % SAMPLED_TICKS]
     }
 
     /// The oldest one, and that of a window later.
     fn before_and_now(&self) -> [[f64; 3]; 2] {
-        [0, SEEN_TICKS / 2].map(|it| self.places[(self.oldest + it) % SEEN_TICKS])
+        [0, SAMPLED_TICKS / 2].map(|it| self.places[(self.oldest + it) % SAMPLED_TICKS])
     }
 }
 
@@ -71,7 +71,7 @@ impl LastPlaces {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Breadth {
     /// So many ways are followed.
-    ways: usize,
+    candidates: usize,
     /// Each is continued so often, at most [`MOST_FITS`] times.
     fits: usize,
     /// Ways whose speeds have so little of a tick's change between them are the same.
@@ -80,23 +80,23 @@ pub(crate) struct Breadth {
 
 impl Breadth {
     pub(crate) const ONE: Self = Self {
-        ways: 1,
+        candidates: 1,
         fits: 1,
         same_share: 0.25,
     };
     pub(crate) const MANY: Self = Self {
-        ways: 8,
+        candidates: 8,
         fits: MOST_FITS,
         same_share: 0.1,
     };
     pub(crate) const MOST: Self = Self {
-        ways: 20,
+        candidates: 20,
         fits: MOST_FITS,
         same_share: 0.1,
     };
     /// For vectors between two rests, of which the arm keeps less than a tick's change.
     pub(crate) const TRAVEL: Self = Self {
-        ways: 8,
+        candidates: 8,
         fits: MOST_FITS,
         same_share: 0.05,
     };
@@ -108,7 +108,7 @@ impl TickChain<'_> {
     /// What is best for one vector may leave a speed from which the next cannot be run in the
     /// ticks that it should take, or turns the tool too fast. So several choices are followed.
     pub(crate) fn fits(&self, ticker: &Ticker, breadth: Breadth) -> Vec<TickFit> {
-        self.follow(0, Way::new(ticker, self.before), breadth, |_, _| None)
+        self.follow(0, Candidate::new(ticker, self.before), breadth, |_, _| None)
     }
 
     /// Runs the changed vectors anew, and those after them until the arm goes on as it did and the link keeps up: what
@@ -128,22 +128,22 @@ impl TickChain<'_> {
             for (speeds, fit) in self.speeds[at..begin].iter().zip(&fits[at..begin]) {
                 here.take(speeds, fit);
             }
-            let way = Way::new(&here, self.places_before(begin, fits));
-            let goes_on = |i: usize, ways: &[Way]| {
+            let candidate = Candidate::new(&here, self.positions_before(begin, fits));
+            let goes_on = |i: usize, candidates: &[Candidate]| {
                 let ends = (i + 1..changed.len().min(i + 1 + MARGIN)).all(|it| !changed[it]);
                 let next = fits.get(i + 1).filter(|_| i >= change && ends)?;
-                let most_cost = ways[0].cost + MOST_LOSS;
-                ways.iter().position(|way| {
-                    let same = way
+                let max_cost = candidates[0].cost + MOST_LOSS;
+                candidates.iter().position(|candidate| {
+                    let same = candidate
                         .ticker
                         .tick_stroke_with(&write(&self.moves[i + 1]), next)
                         == next.tick_stroke;
                     let rest = fits[i + 1..].iter().zip(&credits[i + 1..]);
-                    same && self.cost_behind(i, way, fits) <= most_cost
-                        && way.ticker.keeps_up(rest.take(MOST_AHEAD))
+                    same && self.cost_after(i, candidate, fits) <= max_cost
+                        && candidate.ticker.keeps_up(rest.take(MOST_AHEAD))
                 })
             };
-            let anew = self.follow(begin, way, breadth, goes_on);
+            let anew = self.follow(begin, candidate, breadth, goes_on);
             at = begin + anew.len();
             for (speeds, fit) in self.speeds[begin..at].iter().zip(&anew) {
                 here.take(speeds, fit);
@@ -156,41 +156,41 @@ impl TickChain<'_> {
     fn follow(
         &self,
         begin: usize,
-        first: Way,
+        first: Candidate,
         breadth: Breadth,
-        ends: impl Fn(usize, &[Way]) -> Option<usize>,
+        ends: impl Fn(usize, &[Candidate]) -> Option<usize>,
     ) -> Vec<TickFit> {
         let mut steps: Vec<Step> = Vec::new();
-        let mut ways = vec![first];
+        let mut candidates = vec![first];
         for i in begin..self.moves.len() {
             let packet = write(&self.moves[i]);
-            let wish = TickWish {
+            let wish = TickPreference {
                 objective: self.objective,
                 over: self.over[i],
                 most_mm_s: self.most_mm_s[i],
                 least_mm_s: self.least_mm_s(i),
                 same_share: breadth.same_share,
             };
-            self.keep_those_that_turn_well(i, &mut ways);
+            self.prune_before_long_vector(i, &mut candidates);
             let mut choices = BinaryHeap::new();
-            for (before, way) in ways.iter().enumerate() {
-                let fits = way.ticker.fits(&packet, self.speeds[i], wish);
+            for (before, candidate) in candidates.iter().enumerate() {
+                let fits = candidate.ticker.fits(&packet, self.speeds[i], wish);
                 let fits = fits.into_iter().take(breadth.fits);
                 choices.extend(fits.map(|fit| Choice {
-                    cost: way.cost + fit.cost + fit.behind,
+                    cost: candidate.cost + fit.cost + fit.recovery,
                     before,
                     fit,
-                    way: None,
+                    candidate: None,
                 }));
             }
-            ways = self.the_best(i, &ways, choices, breadth, &mut steps);
-            if let Some(chosen) = ends(i, &ways) {
-                ways.swap(0, chosen);
+            candidates = self.select_best(i, &candidates, choices, breadth, &mut steps);
+            if let Some(chosen) = ends(i, &candidates) {
+                candidates.swap(0, chosen);
                 break;
             }
         }
         let mut fits = Vec::new();
-        let mut last = ways[0].last;
+        let mut last = candidates[0].last;
         while let Some(step) = last.map(|it| &steps[it]) {
             fits.push(step.fit);
             last = step.before;
@@ -209,61 +209,64 @@ impl TickChain<'_> {
     }
 
     /// How a long vector begins does not matter for how it ends: only the ways that turn into it the best are followed along it.
-    fn keep_those_that_turn_well(&self, i: usize, ways: &mut Vec<Way>) {
+    fn prune_before_long_vector(&self, i: usize, candidates: &mut Vec<Candidate>) {
         let speeds = &self.speeds[i];
-        if ways.len() <= ALONG_LONG || speeds.duration_s < LONG_S {
+        if candidates.len() <= ALONG_LONG || speeds.duration_s < LONG_S {
             return;
         }
-        let turned = |way: &Way| {
-            let mut way = way.clone();
-            let change = way.ticker.step_mm_s();
+        let turned = |candidate: &Candidate| {
+            let mut candidate = candidate.clone();
+            let change = candidate.ticker.step_mm_s();
             let faster =
-                std::iter::successors(Some(way.ticker.stored_mm_s()), |it| Some(it + change));
+                std::iter::successors(Some(candidate.ticker.stored_mm_s()), |it| Some(it + change));
             let most = single(speeds.peak_mm_s);
-            way.see_ticks(self.chain[i].direction, faster.map(|it| it.min(most)));
-            way.cost + way.behind
+            candidate.sample_ticks(self.chain[i].direction, faster.map(|it| it.min(most)));
+            candidate.cost + candidate.recovery
         };
-        let mut turned: Vec<(f64, Way)> = ways.drain(..).map(|way| (turned(&way), way)).collect();
+        let mut turned: Vec<(f64, Candidate)> = candidates
+            .drain(..)
+            .map(|candidate| (turned(&candidate), candidate))
+            .collect();
         turned.sort_by(|a, b| a.0.total_cmp(&b.0));
-        ways.extend(turned.into_iter().take(ALONG_LONG).map(|it| it.1));
+        candidates.extend(turned.into_iter().take(ALONG_LONG).map(|it| it.1));
     }
 
     /// The cheapest ways over a vector that leave different speeds, the best first. What is seen of them is looked at only
     /// where they may be among these.
-    fn the_best(
+    fn select_best(
         &self,
         i: usize,
-        ways: &[Way],
+        candidates: &[Candidate],
         mut choices: BinaryHeap<Choice>,
         breadth: Breadth,
         steps: &mut Vec<Step>,
-    ) -> Vec<Way> {
-        let mut best: Vec<Way> = Vec::with_capacity(breadth.ways);
-        while best.len() < breadth.ways
+    ) -> Vec<Candidate> {
+        let mut best: Vec<Candidate> = Vec::with_capacity(breadth.candidates);
+        while best.len() < breadth.candidates
             && let Some(choice) = choices.pop()
         {
-            let (before, fit) = (&ways[choice.before], choice.fit);
+            let (before, fit) = (&candidates[choice.before], choice.fit);
             let same_mm_s = breadth.same_share * before.ticker.step_mm_s();
-            let is_new = |other: &Way| {
+            let is_new = |other: &Candidate| {
                 (other.ticker.stored_mm_s() - fit.tick_stroke.end_mm_s).abs() >= same_mm_s
             };
             if !best.iter().all(is_new) {
                 continue;
             }
-            if let Some(way) = choice.way {
+            if let Some(candidate) = choice.candidate {
                 steps.push(Step {
                     fit,
                     before: before.last,
                 });
-                best.push(Way {
+                best.push(Candidate {
                     last: Some(steps.len() - 1),
-                    ..*way
+                    ..*candidate
                 });
             } else {
-                let way = before.step(&self.speeds[i], &fit, self.chain[i].direction);
+                let candidate = before.step(&self.speeds[i], &fit, self.chain[i].direction);
                 choices.push(Choice {
-                    cost: way.cost + way.behind,
-                    way: Some(Box::new(way)),
+                    cost: candidate.cost + candidate.recovery,
+                    candidate: Some(Box::new(candidate)),
                     ..choice
                 });
             }
@@ -272,56 +275,56 @@ impl TickChain<'_> {
     }
 
     /// The cost of a way over a vector behind which the arm goes on as it did, with what is seen as long as that depends on the way.
-    fn cost_behind(&self, i: usize, way: &Way, fits: &[TickFit]) -> f64 {
-        let mut way = way.clone();
+    fn cost_after(&self, i: usize, candidate: &Candidate, fits: &[TickFit]) -> f64 {
+        let mut candidate = candidate.clone();
         let mut ticks = 0;
         for (run, fit) in self.chain[i + 1..].iter().zip(&fits[i + 1..]) {
-            if ticks >= SEEN_TICKS {
+            if ticks >= SAMPLED_TICKS {
                 break;
             }
-            way.see(run.direction, fit);
+            candidate.sample(run.direction, fit);
             ticks += fit.ticks() as usize;
         }
-        way.cost
+        candidate.cost
     }
 
     /// Where the tool is at the last ticks before a vector.
-    fn places_before(&self, begin: usize, fits: &[TickFit]) -> LastPlaces {
+    fn positions_before(&self, begin: usize, fits: &[TickFit]) -> LastPositions {
         let mut from = begin;
         let mut ticks = 0;
-        while from > 0 && ticks < SEEN_TICKS {
+        while from > 0 && ticks < SAMPLED_TICKS {
             from -= 1;
             ticks += fits[from].ticks() as usize;
         }
-        let before = if ticks < SEEN_TICKS {
+        let before = if ticks < SAMPLED_TICKS {
             self.before
         } else {
-            LastPlaces::default()
+            LastPositions::default()
         };
-        before.behind(&self.chain[from..begin], &fits[from..begin])
+        before.after(&self.chain[from..begin], &fits[from..begin])
     }
 }
 
 /// A way to run the first vectors of a chain.
 #[derive(Clone, Debug)]
-struct Way {
+struct Candidate {
     /// What the arm carries over behind them.
     ticker: Ticker,
     cost: f64,
     /// What it costs to be as fast as wanted again behind them.
-    behind: f64,
+    recovery: f64,
     /// Its last step.
     last: Option<usize>,
-    places: LastPlaces,
+    places: LastPositions,
 }
 
-impl Way {
+impl Candidate {
     /// Before the first vector.
-    fn new(ticker: &Ticker, places: LastPlaces) -> Self {
+    fn new(ticker: &Ticker, places: LastPositions) -> Self {
         Self {
             ticker: ticker.clone(),
             cost: 0.0,
-            behind: 0.0,
+            recovery: 0.0,
             last: None,
             places,
         }
@@ -332,36 +335,36 @@ impl Way {
         let mut next = self.clone();
         next.ticker.take(speeds, fit);
         next.cost += fit.cost;
-        next.behind = fit.behind;
-        next.see(direction, fit);
+        next.recovery = fit.recovery;
+        next.sample(direction, fit);
         next
     }
 
     /// What is seen while a vector is run like that, as a cost. Behind its first ticks only the vector itself is seen, which
     /// accelerates no more than it may.
-    fn see(&mut self, direction: [f64; 3], fit: &TickFit) {
+    fn sample(&mut self, direction: [f64; 3], fit: &TickFit) {
         let mut speeds_mm_s = fit.tick_stroke.speeds_mm_s();
-        self.see_ticks(direction, speeds_mm_s.by_ref());
+        self.sample_ticks(direction, speeds_mm_s.by_ref());
         // Of the rest the last ticks will be seen.
-        let (mut last_mm_s, mut count) = ([0.0; SEEN_TICKS], 0);
+        let (mut last_mm_s, mut count) = ([0.0; SAMPLED_TICKS], 0);
         for (last, speed_mm_s) in last_mm_s.iter_mut().zip(speeds_mm_s.rev()) {
             *last = speed_mm_s;
             count += 1;
         }
         for &speed_mm_s in last_mm_s[..count].iter().rev() {
-            self.places.go(direction, speed_mm_s);
+            self.places.advance(direction, speed_mm_s);
         }
     }
 
     /// What is seen in the first ticks of a vector, as a cost.
-    fn see_ticks(&mut self, direction: [f64; 3], speeds_mm_s: impl Iterator<Item = f32>) {
-        let allowed_mm = seen_mm(self.ticker.acceleration_mm_s2());
-        for speed_mm_s in speeds_mm_s.take(SEEN_TICKS) {
+    fn sample_ticks(&mut self, direction: [f64; 3], speeds_mm_s: impl Iterator<Item = f32>) {
+        let allowed_mm = sampled_limit_mm(self.ticker.acceleration_mm_s2());
+        for speed_mm_s in speeds_mm_s.take(SAMPLED_TICKS) {
             let [before, now] = self.places.before_and_now();
-            self.places.go(direction, speed_mm_s);
-            let seen_mm = second_difference(before, now, self.places.last());
-            if seen_mm > allowed_mm {
-                self.cost += (seen_mm / allowed_mm - 1.0).powi(2) * BEYOND;
+            self.places.advance(direction, speed_mm_s);
+            let sampled_limit_mm = second_difference(before, now, self.places.last());
+            if sampled_limit_mm > allowed_mm {
+                self.cost += (sampled_limit_mm / allowed_mm - 1.0).powi(2) * BEYOND;
             }
         }
     }
@@ -384,7 +387,7 @@ struct Choice {
     before: usize,
     fit: TickFit,
     /// The way as it is then, where it was looked at.
-    way: Option<Box<Way>>,
+    candidate: Option<Box<Candidate>>,
 }
 
 impl Ord for Choice {
@@ -409,7 +412,7 @@ impl PartialEq for Choice {
 }
 
 /// From where the tool was a window ago to where it is, both ends included, without the last.
-const SEEN_TICKS: usize = 2 * WINDOW_TICKS;
+const SAMPLED_TICKS: usize = 2 * WINDOW_TICKS;
 /// How many ticks it is worth not to be seen to accelerate twice as much as allowed; in the square of what is too much.
 const BEYOND: f64 = 30_000.0;
 /// So many ways are followed along a vector that takes so long.
@@ -466,17 +469,17 @@ mod tests {
     proptest! {
         #[test]
         fn a_repaired_chain_runs_true_and_keeps_up_with_the_link(
-            ways in proptest::collection::vec([-3.0..3.0_f32, 0.1..3.0_f32], 2..60),
+            candidates in proptest::collection::vec([-3.0..3.0_f32, 0.1..3.0_f32], 2..60),
             slower in proptest::collection::vec((0..60_usize, 0.1..0.9_f64), 1..6),
         ) {
             let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
             let ticker = Ticker::new(&arm_limits, 0.0);
-            let moves: Vec<PlannedVector> = ways.into_iter().map(vector).collect();
+            let moves: Vec<PlannedVector> = candidates.into_iter().map(vector).collect();
             let run = |it: &PlannedVector| ChainVector::of(it.increments(), 40.0);
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
             let (over, most_mm_s) = (vec![1.0; moves.len()], vec![40.0; moves.len()]);
             let before: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Objective::Fast).collect();
-            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
+            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPositions::default() }
                 .fits(&ticker, Breadth::MANY);
             check(&ticker, &moves, &before, &fits)?;
             for (at, share) in slower {
@@ -485,7 +488,7 @@ mod tests {
             }
             let speeds: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Objective::Fast).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
-            TickChain { moves: &moves, chain: &chain, speeds: &speeds, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
+            TickChain { moves: &moves, chain: &chain, speeds: &speeds, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPositions::default() }
                 .repair(&ticker, &mut fits, &changed, Breadth::MANY);
             prop_assert_eq!(fits.len(), moves.len());
             check(&ticker, &moves, &speeds, &fits)?;

@@ -30,13 +30,13 @@ pub(crate) struct TickTarget {
     pub rests: bool,
     pub acceleration_mm_s2: f32,
     /// What may be stored instead, in mm/s, where that is not known.
-    pub perhaps_mm_s: Option<[f32; 3]>,
-    pub wish: TickWish,
+    pub possible_mm_s: Option<[f32; 3]>,
+    pub wish: TickPreference,
 }
 
 /// What is wanted of the ticks of a vector, whatever its length and its speeds are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct TickWish {
+pub(crate) struct TickPreference {
     pub objective: Objective,
     /// How many times as much an end speed above the one wanted counts.
     pub over: f64,
@@ -56,27 +56,27 @@ pub(crate) struct TickFit {
     pub tick_stroke: TickStroke,
     pub cost: f64,
     /// What it costs to be as fast as wanted again behind it.
-    pub behind: f64,
+    pub recovery: f64,
     /// What it may leave instead, in mm/s, where that is not known.
-    pub perhaps_mm_s: Option<[f32; 3]>,
+    pub possible_mm_s: Option<[f32; 3]>,
 }
 
 impl TickFit {
     /// Puts it among others, the best first, if it is one of the best and leaves another speed.
     fn rank(self, fits: &mut Vec<Self>, same_share: f32) {
-        let cost = self.cost + self.behind;
-        let place = fits.partition_point(|other| other.cost + other.behind <= cost);
+        let cost = self.cost + self.recovery;
+        let place = fits.partition_point(|other| other.cost + other.recovery <= cost);
         if place == MOST_FITS
             || fits[..place]
                 .iter()
-                .any(|it| it.leaves_as_much(&self, same_share))
+                .any(|it| it.leaves_same_speed(&self, same_share))
         {
             return;
         }
         fits.insert(place, self);
         let mut i = place + 1;
         while i < fits.len() {
-            if i == MOST_FITS || fits[i].leaves_as_much(&self, same_share) {
+            if i == MOST_FITS || fits[i].leaves_same_speed(&self, same_share) {
                 fits.remove(i);
             } else {
                 i += 1;
@@ -95,7 +95,7 @@ impl TickFit {
     }
 
     /// Whether the next vector would not tell them from each other.
-    fn leaves_as_much(&self, other: &Self, same_share: f32) -> bool {
+    fn leaves_same_speed(&self, other: &Self, same_share: f32) -> bool {
         let apart_mm_s = (self.tick_stroke.end_mm_s - other.tick_stroke.end_mm_s).abs();
         self.ticks() == other.ticks() && apart_mm_s < same_share * self.tick_stroke.change_mm_s
     }
@@ -218,18 +218,18 @@ impl TickTarget {
         {
             return;
         }
-        let perhaps_mm_s = self.ends_perhaps_mm_s(end_mm_s, max_mm_s, &tick_stroke);
+        let possible_mm_s = self.possible_ends_mm_s(end_mm_s, max_mm_s, &tick_stroke);
         let apart_mm_s = |it: &f32| (it - tick_stroke.end_mm_s).abs();
-        let unsure_mm_s = perhaps_mm_s.iter().flatten().map(apart_mm_s);
+        let unsure_mm_s = possible_mm_s.iter().flatten().map(apart_mm_s);
         let unsure = UNSURE * f64::from(unsure_mm_s.fold(0.0, f32::max) / tick_stroke.change_mm_s);
-        let cost = self.cost(stored_mm_s, &tick_stroke) + self.burns_too_long(slow_mm_s) + unsure;
+        let cost = self.cost(stored_mm_s, &tick_stroke) + self.slow_burn_cost(slow_mm_s) + unsure;
         let fit = TickFit {
             end_mm_s,
             max_mm_s,
             tick_stroke,
             cost,
-            behind: self.behind(&tick_stroke),
-            perhaps_mm_s,
+            recovery: self.recovery(&tick_stroke),
+            possible_mm_s,
         };
         fit.rank(fits, self.wish.same_share);
     }
@@ -239,7 +239,7 @@ impl TickTarget {
         let over = steps(f64::from(tick_stroke.end_mm_s) - self.speeds.end_mm_s);
         let above = steps(f64::from(tick_stroke.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
         match self.wish.objective {
-            Objective::Even => self.unlike(stored_mm_s, tick_stroke, over) + 4.0 * above * above,
+            Objective::Even => self.deviation(stored_mm_s, tick_stroke, over) + 4.0 * above * above,
             Objective::Fast => {
                 let kept = if self.rests {
                     OVER_AT_REST * (over - FREE_AT_REST_STEPS).max(0.0).powi(3)
@@ -252,19 +252,19 @@ impl TickTarget {
     }
 
     /// What it costs to burn slower than any laser should, where that is not wanted.
-    fn burns_too_long(&self, max_mm_s: f32) -> f64 {
+    fn slow_burn_cost(&self, max_mm_s: f32) -> f64 {
         let is_wanted = self.wish.objective == Objective::Fast
-            || self.speeds.peak_mm_s < f64::from(BURNS_WELL_MM_S);
-        if is_wanted || max_mm_s >= BURNS_WELL_MM_S {
+            || self.speeds.peak_mm_s < f64::from(SAFE_BURN_MM_S);
+        if is_wanted || max_mm_s >= SAFE_BURN_MM_S {
             0.0
         } else {
-            BURNS_TOO_LONG
+            SLOW_BURN_COST
         }
     }
 
     /// How far it is from what is wanted, in steps of speed, squared: what is too fast counts more than what is too
     /// slow.
-    fn unlike(&self, stored_mm_s: f32, tick_stroke: &TickStroke, over: f64) -> f64 {
+    fn deviation(&self, stored_mm_s: f32, tick_stroke: &TickStroke, over: f64) -> f64 {
         let late = f64::from(tick_stroke.ticks()) - self.ticks;
         let brakes = tick_stroke.counts[0] == 0 && tick_stroke.counts[1] == 0;
         let first = tick_stroke.first_mm_s - if brakes { tick_stroke.change_mm_s } else { 0.0 };
@@ -280,7 +280,7 @@ impl TickTarget {
 
     /// How many ticks are lost until the arm is as fast as wanted again, if it may use all of the acceleration for that:
     /// with the speed v wanted, `(v - end)2 / (2 a v)`.
-    fn behind(&self, tick_stroke: &TickStroke) -> f64 {
+    fn recovery(&self, tick_stroke: &TickStroke) -> f64 {
         if self.wish.objective == Objective::Even || self.rests {
             return 0.0;
         }
@@ -316,20 +316,20 @@ impl TickTarget {
             max_mm_s,
             tick_stroke,
             cost: f64::INFINITY,
-            behind: 0.0,
-            perhaps_mm_s: self.ends_perhaps_mm_s(0.0, max_mm_s, &tick_stroke),
+            recovery: 0.0,
+            possible_mm_s: self.possible_ends_mm_s(0.0, max_mm_s, &tick_stroke),
         }
     }
 
     /// What the vector may leave instead, where it is not known how it begins: nothing if all of that is the same.
-    fn ends_perhaps_mm_s(
+    fn possible_ends_mm_s(
         &self,
         end_mm_s: f32,
         max_mm_s: f32,
         tick_stroke: &TickStroke,
     ) -> Option<[f32; 3]> {
         let possible = |stored_mm_s| self.tick_stroke(stored_mm_s, end_mm_s, max_mm_s);
-        let ends_mm_s = self.perhaps_mm_s?.map(|it| possible(it).end_mm_s);
+        let ends_mm_s = self.possible_mm_s?.map(|it| possible(it).end_mm_s);
         let is_same = |it: &f32| (it - tick_stroke.end_mm_s).abs() <= KNOWN_MM_S;
         (!ends_mm_s.iter().all(is_same)).then_some(ends_mm_s)
     }
@@ -366,11 +366,11 @@ const OVER_AT_REST: f64 = 26.0;
 /// The same for a top speed above what is allowed.
 const ABOVE: f64 = 2.0;
 /// A laser that burns slower sets fire to things: what the policy allows at the least, unless told otherwise, and a little more.
-const BURNS_WELL_MM_S: f32 = 1.001;
+const SAFE_BURN_MM_S: f32 = 1.001;
 /// What the policy allows a burning vector to tell as its largest speed at the least, unless told otherwise, in mm/s.
 pub const LEAST_BURN_MM_S: f32 = 1.0;
 /// More than anything else that a vector can have: it takes up to [`MOST_TICKS`], and what is late counts squared.
-const BURNS_TOO_LONG: f64 = 1e10;
+const SLOW_BURN_COST: f64 = 1e10;
 /// So many ticks, squared, it is worth to know better by a step of speed with what the next vector begins.
 const UNSURE: f64 = 10_000.0;
 /// A speed that is off by less is known, in mm/s.
@@ -402,8 +402,8 @@ mod tests {
             least_ticks: 1,
             rests,
             acceleration_mm_s2: 100.0,
-            perhaps_mm_s: None,
-            wish: TickWish {
+            possible_mm_s: None,
+            wish: TickPreference {
                 objective: Objective::Fast,
                 over: 1.0,
                 most_mm_s: single(max),
@@ -437,7 +437,7 @@ mod tests {
             // As the ticker limits it: less could not be begun from rest.
             let most_mm_s = single(max.max(3.0));
             let wanted = target(length_mm, [stored.into(), end, max], rests);
-            let wish = TickWish { most_mm_s, ..wanted.wish };
+            let wish = TickPreference { most_mm_s, ..wanted.wish };
             let fit = TickTarget { wish, ..wanted }.fits(stored)[0];
             prop_assert!(fit.tick_stroke.is_exact(), "{fit:?}");
             prop_assert_eq!(fit.end_mm_s == 0.0, rests);
@@ -459,7 +459,7 @@ mod tests {
             let max = max.max(stored.into());
             let wanted = target(length_mm, [stored.into(), 0.0, max], true);
             let objective = if evenly { Objective::Even } else { Objective::Fast };
-            let wish = TickWish { most_mm_s: single(max.max(3.0)), objective, ..wanted.wish };
+            let wish = TickPreference { most_mm_s: single(max.max(3.0)), objective, ..wanted.wish };
             let fit = TickTarget { least_ticks, wish, ..wanted }.fits(stored)[0];
             prop_assert!(fit.tick_stroke.is_exact(), "{fit:?}");
             // Twice as long as wanted, and some ticks.

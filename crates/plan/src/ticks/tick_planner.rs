@@ -7,63 +7,68 @@ use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::TickPositions;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
-use crate::ticks::tick_chain::{Breadth, LastPlaces, TickChain};
+use crate::ticks::tick_chain::{Breadth, LastPositions, TickChain};
 use crate::ticks::tick_fit::TickFit;
 use crate::ticks::ticker::Ticker;
 use crate::{MoveKind, PlannedVector};
 
 impl Planner<'_> {
     /// The chain ends, on an arm with ticks: its speeds can be planned.
-    pub(crate) fn rest_in_ticks(&mut self, begin: usize) {
+    pub(crate) fn plan_ticks(&mut self, begin: usize) {
         self.plan_travel(0);
         let Some(ticker) = self.ticker.take() else {
             return;
         };
         let travel_mm_s = round_down(self.travel_mm_s);
         let moves = &self.moves[begin..];
-        let mut it = InTicks::new(begin, ticker, moves, &self.chain, travel_mm_s);
+        let mut plan = TickPlan::new(begin, ticker, moves, &self.chain, travel_mm_s);
         let attempt = match self.objective {
             Objective::Fast => {
-                let attempt = self.attempt(&it, Breadth::ONE);
+                let attempt = self.attempt(&plan, Breadth::ONE);
                 if attempt.is_good() {
                     attempt
                 } else {
-                    self.search(&mut it)
+                    self.search(&mut plan)
                 }
             }
             // What a vector leaves decides how fast the next one can be: of a laser all are to be right.
-            Objective::Even => self.attempt(&it, Breadth::MANY),
+            Objective::Even => self.attempt(&plan, Breadth::MANY),
         };
-        it.ticker
+        plan.ticker
             .set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
         self.settle(self.moves.len());
-        self.last_places = self.last_places.behind(&self.chain, &attempt.fits);
-        self.ticker = Some(it.ticker);
+        self.last_positions = self.last_positions.after(&self.chain, &attempt.fits);
+        self.ticker = Some(plan.ticker);
         self.chain_speeds = attempt.chain_speeds;
     }
 
     /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
     /// are taken slower, and what that changes is planned again. Where that helps no more, the vectors before them are parted. What is
     /// the least too much is taken.
-    fn search(&mut self, it: &mut InTicks) -> Attempt {
-        let mut attempt = self.attempt(it, Breadth::MANY);
+    fn search(&mut self, plan: &mut TickPlan) -> Attempt {
+        let mut attempt = self.attempt(plan, Breadth::MANY);
         let mut best = attempt.clone();
-        let (mut partings, mut in_vain) = (0, 0);
+        let (mut splits, mut in_vain) = (0, 0);
         for _ in 0..MOST_ROUNDS {
             if !attempt.is_sharp() || in_vain == MOST_IN_VAIN {
                 break;
             }
-            let parts = in_vain >= PATIENCE && partings < MOST_PARTINGS && self.part(it, &mut best);
-            if parts {
+            let is_split =
+                in_vain >= PATIENCE && splits < MAX_SPLITS && self.split(plan, &mut best);
+            if is_split {
                 attempt = best.clone();
-                partings += 1;
+                splits += 1;
             } else {
-                self.take_slower(it, &attempt);
+                self.slow_corners(plan, &attempt);
             }
-            self.repair(it, &mut attempt, Breadth::MOST);
+            self.repair(plan, &mut attempt, Breadth::MOST);
             let gets_better = attempt.sharpness() < BETTER * best.sharpness();
-            in_vain = if parts || gets_better { 0 } else { in_vain + 1 };
-            if parts || attempt.sharpness() < best.sharpness() {
+            in_vain = if is_split || gets_better {
+                0
+            } else {
+                in_vain + 1
+            };
+            if is_split || attempt.sharpness() < best.sharpness() {
                 best = attempt.clone();
             }
         }
@@ -74,28 +79,28 @@ impl Planner<'_> {
     ///
     /// What an arm corrects in all ticks of a vector it keeps at the end, and it corrects a long vector only upwards and by
     /// little: from corner to corner it keeps more. Of the ways through two vectors some keep next to nothing.
-    fn part(&mut self, it: &mut InTicks, attempt: &mut Attempt) -> bool {
+    fn split(&mut self, plan: &mut TickPlan, attempt: &mut Attempt) -> bool {
         let sharp = (0..self.chain.len()).filter(|&i| attempt.shares[i] < 1.0);
-        let mut parted: Vec<usize> = sharp
-            .map(|i| self.straight_from(i))
-            .filter(|&i| attempt.fits[i].ticks() >= PARTED_TICKS)
+        let mut split: Vec<usize> = sharp
+            .map(|i| self.straight_start(i))
+            .filter(|&i| attempt.fits[i].ticks() >= SPLIT_TICKS)
             .collect();
-        parted.dedup();
-        for &i in parted.iter().rev() {
+        split.dedup();
+        for &i in split.iter().rev() {
             let second_mm = self.brakes_mm(attempt.speeds[i].peak_mm_s);
             let second_mm = second_mm.min(0.5 * self.chain[i].length_mm);
-            let parts = self.moves[it.begin + i].parts(second_mm);
-            let runs = parts.map(|part| ChainVector::of(part.increments(), it.limits_mm_s[i]));
-            self.moves.splice(it.begin + i..=it.begin + i, parts);
+            let parts = self.moves[plan.begin + i].parts(second_mm);
+            let runs = parts.map(|part| ChainVector::of(part.increments(), plan.limits_mm_s[i]));
+            self.moves.splice(plan.begin + i..=plan.begin + i, parts);
             self.chain.splice(i..=i, runs);
-            it.part(i);
-            attempt.part(i);
+            plan.split(i);
+            attempt.split(i);
         }
-        !parted.is_empty()
+        !split.is_empty()
     }
 
     /// The first of the vectors that lead straight on to the end of this one.
-    fn straight_from(&self, mut i: usize) -> usize {
+    fn straight_start(&self, mut i: usize) -> usize {
         let is_straight = |i: usize| {
             let [a, b] = [i - 1, i].map(|it| self.chain[it].direction);
             a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() > STRAIGHT_COS
@@ -113,9 +118,9 @@ impl Planner<'_> {
         brakes_mm + EVEN_TICKS * f64::from(TICK_S) * speed_mm_s
     }
 
-    fn attempt(&mut self, it: &InTicks, breadth: Breadth) -> Attempt {
-        let (chain_speeds, speeds) = self.wanted(&it.limits_mm_s);
-        let fits = self.in_ticks(it, &speeds).fits(&it.ticker, breadth);
+    fn attempt(&mut self, plan: &TickPlan, breadth: Breadth) -> Attempt {
+        let (chain_speeds, speeds) = self.wanted(&plan.limits_mm_s);
+        let fits = self.tick_chain(plan, &speeds).fits(&plan.ticker, breadth);
         Attempt {
             shares: self.shares(&fits),
             chain_speeds,
@@ -138,31 +143,31 @@ impl Planner<'_> {
     }
 
     /// Plans again what has changed since an attempt.
-    fn repair(&mut self, it: &InTicks, attempt: &mut Attempt, breadth: Breadth) {
-        let (chain_speeds, speeds) = self.wanted(&it.limits_mm_s);
+    fn repair(&mut self, plan: &TickPlan, attempt: &mut Attempt, breadth: Breadth) {
+        let (chain_speeds, speeds) = self.wanted(&plan.limits_mm_s);
         let both = speeds.iter().zip(&attempt.speeds);
         let changed: Vec<bool> = both
             .zip(&attempt.shares)
             .map(|((now, before), share)| now != before || *share < 1.0)
             .collect();
-        let chain = self.in_ticks(it, &speeds);
-        chain.repair(&it.ticker, &mut attempt.fits, &changed, breadth);
+        let chain = self.tick_chain(plan, &speeds);
+        chain.repair(&plan.ticker, &mut attempt.fits, &changed, breadth);
         attempt.shares = self.shares(&attempt.fits);
         attempt.chain_speeds = chain_speeds;
         attempt.speeds = speeds;
     }
 
-    fn in_ticks<'a>(&'a self, it: &'a InTicks, speeds: &'a [Speeds]) -> TickChain<'a> {
+    fn tick_chain<'a>(&'a self, plan: &'a TickPlan, speeds: &'a [Speeds]) -> TickChain<'a> {
         TickChain {
             objective: self.objective,
-            moves: &self.moves[it.begin..],
+            moves: &self.moves[plan.begin..],
             chain: &self.chain,
             speeds,
-            over: &it.over,
-            most_mm_s: &it.most_mm_s,
+            over: &plan.over,
+            most_mm_s: &plan.most_mm_s,
             before: match self.objective {
-                Objective::Fast => self.last_places,
-                Objective::Even => LastPlaces::default(),
+                Objective::Fast => self.last_positions,
+                Objective::Even => LastPositions::default(),
             },
         }
     }
@@ -178,20 +183,20 @@ impl Planner<'_> {
 
     /// Corners that are too fast, round after round more so; those that are hardly faster than one
     /// tick becomes a stop in the end.
-    fn take_slower(&mut self, it: &mut InTicks, attempt: &Attempt) {
-        let step_mm_s = f64::from(it.ticker.step_mm_s());
+    fn slow_corners(&mut self, plan: &mut TickPlan, attempt: &Attempt) {
+        let step_mm_s = f64::from(plan.ticker.step_mm_s());
         let shares = attempt.shares.iter().enumerate();
         for (i, share) in shares.filter(|it| *it.1 < 1.0) {
-            it.over[i] = (2.0 * it.over[i]).min(MOST_OVER);
+            plan.over[i] = (2.0 * plan.over[i]).min(MOST_OVER);
             let slower_mm_s = attempt.speeds[i].end_mm_s * share;
-            let stops = it.over[i] == MOST_OVER && slower_mm_s < step_mm_s;
+            let stops = plan.over[i] == MOST_OVER && slower_mm_s < step_mm_s;
             self.chain[i].corner_mm_s = if stops { 0.0 } else { slower_mm_s };
         }
     }
 }
 
 /// The chain that ends, for an arm with ticks.
-struct InTicks {
+struct TickPlan {
     /// Its first vector.
     begin: usize,
     /// What the arm carries over to it.
@@ -204,7 +209,7 @@ struct InTicks {
     most_mm_s: Vec<f32>,
 }
 
-impl InTicks {
+impl TickPlan {
     /// Where the tool marks nothing it is told no larger speed than `travel_mm_s`, or what its chain is.
     fn new(
         begin: usize,
@@ -231,7 +236,7 @@ impl InTicks {
     }
 
     /// A vector has become two.
-    fn part(&mut self, i: usize) {
+    fn split(&mut self, i: usize) {
         self.over[i] = 1.0;
         self.over.insert(i, 1.0);
         self.most_mm_s.insert(i, self.most_mm_s[i]);
@@ -258,7 +263,7 @@ impl Attempt {
     }
 
     /// A vector has become two, which are to be planned again.
-    fn part(&mut self, i: usize) {
+    fn split(&mut self, i: usize) {
         self.speeds.insert(i, self.speeds[i]);
         self.fits.insert(i, self.fits[i]);
         self.shares.insert(i, 0.0);
@@ -294,9 +299,9 @@ const PATIENCE: u32 = 2;
 /// After so many the search is over.
 const MOST_IN_VAIN: u32 = 8;
 /// How often vectors are parted.
-const MOST_PARTINGS: u32 = 6;
+const MAX_SPLITS: u32 = 6;
 /// Not those that take fewer ticks: each part takes as long as the link needs.
-const PARTED_TICKS: u32 = 8;
+const SPLIT_TICKS: u32 = 8;
 /// So many ticks a second part goes on before it brakes.
 const EVEN_TICKS: f64 = 10.0;
 /// The cosine of a turn that is none.

@@ -8,7 +8,7 @@ use crate::speed::link::Credit;
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
-use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickTarget, TickWish};
+use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickPreference, TickTarget};
 use crate::{ArmLimits, MoveKind, PlannedVector};
 
 /// What the arm carries over from vector to vector.
@@ -18,7 +18,7 @@ pub(crate) struct Ticker {
     /// The end speed that the arm has stored, in mm/s.
     stored_mm_s: f32,
     /// What it may have stored instead, where that is not known.
-    perhaps_mm_s: Option<[f32; 3]>,
+    possible_mm_s: Option<[f32; 3]>,
     /// How many ticks the vectors so far were too short, in ticks.
     early: f64,
     credit: Credit,
@@ -30,7 +30,7 @@ impl Ticker {
         Self {
             acceleration_mm_s2: arm_limits.acceleration_mm_s2 as f32,
             stored_mm_s,
-            perhaps_mm_s: None,
+            possible_mm_s: None,
             early: 0.0,
             credit: Credit::new(arm_limits.link),
         }
@@ -44,17 +44,17 @@ impl Ticker {
     }
 
     /// The same where others used the arm before: nobody knows what it has stored.
-    pub(crate) const fn of_others(self) -> Self {
+    pub(crate) const fn with_unknown_speed(self) -> Self {
         Self {
-            perhaps_mm_s: Some(LEFT_BY_OTHERS_MM_S),
+            possible_mm_s: Some(LEFT_BY_OTHERS_MM_S),
             ..self
         }
     }
 
     /// The same where vectors that take longer come in pieces.
-    pub(crate) const fn in_pieces(self, piece_s: f64) -> Self {
+    pub(crate) const fn with_pieces(self, piece_s: f64) -> Self {
         Self {
-            credit: self.credit.in_pieces(piece_s),
+            credit: self.credit.with_pieces(piece_s),
             ..self
         }
     }
@@ -75,7 +75,7 @@ impl Ticker {
         &self,
         vector: &WriteVector,
         speeds: Speeds,
-        wish: TickWish,
+        wish: TickPreference,
     ) -> Vec<TickFit> {
         let target = self.target(length(vector), speeds, factor(vector), wish);
         target.fits(self.stored_mm_s)
@@ -111,7 +111,7 @@ impl Ticker {
         let end = if rests { 0.0 } else { end };
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
         let stored_mm_s = self.stored_mm_s;
-        let wish = TickWish {
+        let wish = TickPreference {
             objective: Objective::Even,
             over: 1.0,
             most_mm_s,
@@ -141,7 +141,7 @@ impl Ticker {
     }
 
     /// Whether the arm makes each of these vectors as long as it should be.
-    pub(crate) fn runs_true(&self, vectors: &[WriteVector]) -> bool {
+    pub(crate) fn runs_exactly(&self, vectors: &[WriteVector]) -> bool {
         let mut stored_mm_s = self.stored_mm_s;
         vectors.iter().all(|vector| {
             let tick_stroke = self.tick_stroke(vector, stored_mm_s);
@@ -161,8 +161,8 @@ impl Ticker {
                 creeps || is_sure && !tick_stroke.is_exact()
             })
         };
-        let mut perhaps_mm_s = self.perhaps_mm_s.iter().flatten();
-        wrong(self.stored_mm_s, true) || perhaps_mm_s.any(|&it| wrong(it, false))
+        let mut possible_mm_s = self.possible_mm_s.iter().flatten();
+        wrong(self.stored_mm_s, true) || possible_mm_s.any(|&it| wrong(it, false))
     }
 
     /// What the arm has in hand before each vector of a chain that it runs like that.
@@ -225,7 +225,13 @@ impl Ticker {
 
     /// What the next vector should be, of this length. Speeds are whole ticks: the arm would not begin to
     /// accelerate to less than one and a half.
-    fn target(&self, length_mm: f32, speeds: Speeds, factor: f32, wish: TickWish) -> TickTarget {
+    fn target(
+        &self,
+        length_mm: f32,
+        speeds: Speeds,
+        factor: f32,
+        wish: TickPreference,
+    ) -> TickTarget {
         let early = match wish.objective {
             Objective::Even => self.early,
             Objective::Fast => 0.0,
@@ -237,8 +243,8 @@ impl Ticker {
             least_ticks: least_ticks(self.credit),
             rests: speeds.end_mm_s == 0.0,
             acceleration_mm_s2: factor * self.acceleration_mm_s2,
-            perhaps_mm_s: self.perhaps_mm_s,
-            wish: TickWish {
+            possible_mm_s: self.possible_mm_s,
+            wish: TickPreference {
                 most_mm_s: wish.most_mm_s.max(1.5 * self.step_mm_s()),
                 ..wish
             },
@@ -252,7 +258,7 @@ impl Ticker {
         self.early = (self.early + ticks - took).clamp(-MOST_EARLY, MOST_EARLY);
         self.credit.take(fit.duration_s());
         self.stored_mm_s = fit.tick_stroke.end_mm_s;
-        self.perhaps_mm_s = fit.perhaps_mm_s;
+        self.possible_mm_s = fit.possible_mm_s;
     }
 }
 
