@@ -1,4 +1,4 @@
-//! How a stock arm is to run a chain of vectors: a search among the ways that its ticks allow.
+//! Search for the speeds of a chain among those that a stock arm's ticks allow.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -15,32 +15,32 @@ use crate::ticks::tick_fit::{LEAST_BURN_MM_S, MOST_FITS, TickFit, TickPreference
 use crate::ticks::ticker::Ticker;
 use crate::{MoveKind, PlannedVector};
 
-/// A chain, and what is wanted of it.
+/// A chain and its target speeds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TickChain<'a> {
     pub moves: &'a [PlannedVector],
     pub chain: &'a [ChainVector],
     pub speeds: &'a [Speeds],
     pub objective: Objective,
-    /// How many times as much an end speed above the one wanted counts, for each vector.
+    /// The weight of end speeds above the target, for each vector.
     pub over: &'a [f64],
-    /// No packet may tell a larger speed, in mm/s, for each vector.
+    /// The maximum speed in each packet, in mm/s.
     pub most_mm_s: &'a [f32],
-    /// Where the tool was before it.
+    /// The tool positions before the chain.
     pub before: LastPositions,
 }
 
-/// Where the tool was at the last ticks, in mm from anywhere.
+/// The tool positions at the last ticks, in mm from an arbitrary origin.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct LastPositions {
-    /// In a ring.
+    /// A ring buffer.
     places: [[f64; 3]; SAMPLED_TICKS],
-    /// Where the oldest one is.
+    /// The index of the oldest position.
     oldest: usize,
 }
 
 impl LastPositions {
-    /// The same behind these vectors.
+    /// Returns the positions after these vectors.
     pub(crate) fn after(mut self, chain: &[ChainVector], fits: &[TickFit]) -> Self {
         for (run, fit) in chain.iter().zip(fits) {
             for speed_mm_s in fit.tick_stroke.speeds_mm_s() {
@@ -50,7 +50,7 @@ impl LastPositions {
         self
     }
 
-    /// One more tick.
+    /// Adds a tick.
     fn advance(&mut self, direction: [f64; 3], speed_mm_s: f32) {
         let (last, way_mm) = (self.last(), f64::from(speed_mm_s * TICK_S));
         self.places[self.oldest] = [0, 1, 2].map(|i| last[i] + way_mm * direction[i]);
@@ -61,20 +61,20 @@ impl LastPositions {
         self.places[(self.oldest + SAMPLED_TICKS - 1) % SAMPLED_TICKS]
     }
 
-    /// The oldest one, and that of a window later.
+    /// Returns the oldest position and the one a window later.
     fn before_and_now(&self) -> [[f64; 3]; 2] {
         [0, SAMPLED_TICKS / 2].map(|it| self.places[(self.oldest + it) % SAMPLED_TICKS])
     }
 }
 
-/// How far a search looks.
+/// The breadth of the search.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Breadth {
-    /// So many ways are followed.
+    /// The number of candidates kept (beam width).
     candidates: usize,
-    /// Each is continued so often, at most [`MOST_FITS`] times.
+    /// The number of continuations per candidate, at most [`MOST_FITS`].
     fits: usize,
-    /// Ways whose speeds have so little of a tick's change between them are the same.
+    /// The difference in speed, as a share of a tick's change, below which candidates are equal.
     same_share: f32,
 }
 
@@ -94,7 +94,7 @@ impl Breadth {
         fits: MOST_FITS,
         same_share: 0.1,
     };
-    /// For vectors between two rests, of which the arm keeps less than a tick's change.
+    /// For vectors between two rests, at which the arm keeps less than a tick's change.
     pub(crate) const TRAVEL: Self = Self {
         candidates: 8,
         fits: MOST_FITS,
@@ -103,16 +103,16 @@ impl Breadth {
 }
 
 impl TickChain<'_> {
-    /// The speeds with which a stock arm comes nearest to those wanted, and how it runs the vectors then.
+    /// Finds the speeds with which a stock arm comes closest to the target speeds.
     ///
-    /// What is best for one vector may leave a speed from which the next cannot be run in the
-    /// ticks that it should take, or turns the tool too fast. So several choices are followed.
+    /// The best choice for one vector may leave a speed from which the next cannot be executed in
+    /// the desired ticks, or turns the tool too fast. Therefore several candidates are kept.
     pub(crate) fn fits(&self, ticker: &Ticker, breadth: Breadth) -> Vec<TickFit> {
         self.follow(0, Candidate::new(ticker, self.before), breadth, |_, _| None)
     }
 
-    /// Runs the changed vectors anew, and those after them until the arm goes on as it did and the link keeps up: what
-    /// lies between the changes stays as it is.
+    /// Replans the changed vectors, and those after them until the arm continues as before and the
+    /// link keeps up. Everything else is unchanged.
     pub(crate) fn repair(
         &self,
         ticker: &Ticker,
@@ -152,7 +152,8 @@ impl TickChain<'_> {
         }
     }
 
-    /// The best way from a vector on, as far as the chain goes or `ends` chooses one of the ways behind a vector.
+    /// Runs the beam search from a vector on, up to the end of the chain or until `ends` selects a
+    /// candidate.
     fn follow(
         &self,
         begin: usize,
@@ -199,7 +200,7 @@ impl TickChain<'_> {
         fits
     }
 
-    /// No packet for a burning laser tells less than is allowed to burn with, unless less is wanted.
+    /// Returns the minimum speed in the packet of a burning laser, unless a lower one is requested.
     fn least_mm_s(&self, i: usize) -> f32 {
         if self.moves[i].kind == MoveKind::Burn && self.most_mm_s[i] >= LEAST_BURN_MM_S {
             LEAST_BURN_MM_S
@@ -208,7 +209,8 @@ impl TickChain<'_> {
         }
     }
 
-    /// How a long vector begins does not matter for how it ends: only the ways that turn into it the best are followed along it.
+    /// Reduces the candidates before a long vector: its beginning does not affect its end, so only
+    /// the candidates that turn best into it are kept.
     fn prune_before_long_vector(&self, i: usize, candidates: &mut Vec<Candidate>) {
         let speeds = &self.speeds[i];
         if candidates.len() <= ALONG_LONG || speeds.duration_s < LONG_S {
@@ -231,8 +233,8 @@ impl TickChain<'_> {
         candidates.extend(turned.into_iter().take(ALONG_LONG).map(|it| it.1));
     }
 
-    /// The cheapest ways over a vector that leave different speeds, the best first. What is seen of them is looked at only
-    /// where they may be among these.
+    /// Returns the cheapest candidates after a vector that leave different speeds, the best first.
+    /// Their sampled positions are computed only if they may be among these.
     fn select_best(
         &self,
         i: usize,
@@ -274,7 +276,8 @@ impl TickChain<'_> {
         best
     }
 
-    /// The cost of a way over a vector behind which the arm goes on as it did, with what is seen as long as that depends on the way.
+    /// Returns the cost of a candidate after which the arm continues as before, including the
+    /// samples that depend on the candidate.
     fn cost_after(&self, i: usize, candidate: &Candidate, fits: &[TickFit]) -> f64 {
         let mut candidate = candidate.clone();
         let mut ticks = 0;
@@ -288,7 +291,7 @@ impl TickChain<'_> {
         candidate.cost
     }
 
-    /// Where the tool is at the last ticks before a vector.
+    /// Returns the tool positions at the last ticks before a vector.
     fn positions_before(&self, begin: usize, fits: &[TickFit]) -> LastPositions {
         let mut from = begin;
         let mut ticks = 0;
@@ -305,13 +308,13 @@ impl TickChain<'_> {
     }
 }
 
-/// A way to run the first vectors of a chain.
+/// A candidate for the speeds of the first vectors of a chain.
 #[derive(Clone, Debug)]
 struct Candidate {
-    /// What the arm carries over behind them.
+    /// The arm's state after them.
     ticker: Ticker,
     cost: f64,
-    /// What it costs to be as fast as wanted again behind them.
+    /// The cost of accelerating to the target speed again afterwards.
     recovery: f64,
     /// Its last step.
     last: Option<usize>,
@@ -319,7 +322,7 @@ struct Candidate {
 }
 
 impl Candidate {
-    /// Before the first vector.
+    /// Creates the candidate before the first vector.
     fn new(ticker: &Ticker, places: LastPositions) -> Self {
         Self {
             ticker: ticker.clone(),
@@ -330,7 +333,7 @@ impl Candidate {
         }
     }
 
-    /// The way with one more vector.
+    /// Returns the candidate with one more vector.
     fn step(&self, speeds: &Speeds, fit: &TickFit, direction: [f64; 3]) -> Self {
         let mut next = self.clone();
         next.ticker.take(speeds, fit);
@@ -340,12 +343,12 @@ impl Candidate {
         next
     }
 
-    /// What is seen while a vector is run like that, as a cost. Behind its first ticks only the vector itself is seen, which
-    /// accelerates no more than it may.
+    /// Adds the cost of the sampled acceleration of a vector. After its first ticks, only the
+    /// vector itself is sampled, which respects the acceleration.
     fn sample(&mut self, direction: [f64; 3], fit: &TickFit) {
         let mut speeds_mm_s = fit.tick_stroke.speeds_mm_s();
         self.sample_ticks(direction, speeds_mm_s.by_ref());
-        // Of the rest the last ticks will be seen.
+        // Of the rest, only the last ticks will be sampled later.
         let (mut last_mm_s, mut count) = ([0.0; SAMPLED_TICKS], 0);
         for (last, speed_mm_s) in last_mm_s.iter_mut().zip(speeds_mm_s.rev()) {
             *last = speed_mm_s;
@@ -356,7 +359,7 @@ impl Candidate {
         }
     }
 
-    /// What is seen in the first ticks of a vector, as a cost.
+    /// Adds the cost of the sampled acceleration in the first ticks of a vector.
     fn sample_ticks(&mut self, direction: [f64; 3], speeds_mm_s: impl Iterator<Item = f32>) {
         let allowed_mm = sampled_limit_mm(self.ticker.acceleration_mm_s2());
         for speed_mm_s in speeds_mm_s.take(SAMPLED_TICKS) {
@@ -370,28 +373,28 @@ impl Candidate {
     }
 }
 
-/// How one vector of a way is run.
+/// The speeds of one vector of a candidate.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     fit: TickFit,
-    /// The step before, where there is one.
+    /// The step before, if any.
     before: Option<usize>,
 }
 
-/// How a way may go on.
+/// A possible continuation of a candidate.
 #[derive(Debug)]
 struct Choice {
-    /// What it costs at the least, or if its way is known just that.
+    /// A lower bound of the cost, or the exact cost once the candidate is known.
     cost: f64,
-    /// The way that it goes on from.
+    /// The candidate that it continues.
     before: usize,
     fit: TickFit,
-    /// The way as it is then, where it was looked at.
+    /// The resulting candidate, once computed.
     candidate: Option<Box<Candidate>>,
 }
 
 impl Ord for Choice {
-    /// The cheaper one is the greater one.
+    /// Orders the cheaper one as greater, for a max-heap.
     fn cmp(&self, other: &Self) -> Ordering {
         other.cost.total_cmp(&self.cost)
     }
@@ -411,18 +414,19 @@ impl PartialEq for Choice {
     }
 }
 
-/// From where the tool was a window ago to where it is, both ends included, without the last.
+/// The ticks from two windows ago to now, without the last.
 const SAMPLED_TICKS: usize = 2 * WINDOW_TICKS;
-/// How many ticks it is worth not to be seen to accelerate twice as much as allowed; in the square of what is too much.
+/// The cost, in ticks, of sampling twice the allowed acceleration; it grows with the square of the
+/// excess.
 const BEYOND: f64 = 30_000.0;
-/// So many ways are followed along a vector that takes so long.
+/// The number of candidates kept along a vector of this duration.
 const ALONG_LONG: usize = 4;
 const LONG_S: f64 = 0.8;
-/// So many vectors before a change and behind it are run anew too.
+/// The number of vectors before and after a change that are replanned too.
 const MARGIN: usize = 2;
-/// How much worse than the best a way may be that goes on as the arm did.
+/// The extra cost over the best that a candidate may have if the arm continues as before.
 const MOST_LOSS: f64 = 4.0;
-/// So many vectors later the link is to wait for none of them more than it did.
+/// The number of vectors over which the link must not wait more than before.
 const MOST_AHEAD: usize = 200;
 
 #[cfg(test)]
@@ -448,7 +452,8 @@ mod tests {
         }
     }
 
-    /// Each vector is as long as it should be, and none is over before its successor can be there.
+    /// Checks that each vector has its length, and that none finishes before its successor can
+    /// arrive.
     fn check(
         ticker: &Ticker,
         moves: &[PlannedVector],
