@@ -1,4 +1,4 @@
-//! What arm and link can do.
+//! The limits of arm and link.
 
 use dobot_arm::TICK_S;
 use dobot_wire::Dialect;
@@ -7,31 +7,31 @@ use crate::error::{not_negative, positive};
 use crate::speed::sampled_acceleration::WINDOW_S;
 use crate::{Cornering, DrawingTool, PlanError};
 
-/// What arm and link can do.
+/// The limits of arm and link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArmLimits {
-    /// Largest acceleration of the tool, along its path and across it, in mm/s2.
+    /// The maximum acceleration of the tool, along its path and across it, in mm/s2.
     pub acceleration_mm_s2: f64,
-    /// The largest speed of base, rear arm and forearm, in degrees per second. Where a millimetre
-    /// takes them many degrees, near the axis of the base or with the arm stretched, the tool is
+    /// The maximum speed of base, rear arm and forearm, in degrees per second. Where a millimetre
+    /// turns them by many degrees, near the axis of the base or with the arm stretched, the tool is
     /// planned slower.
     pub joint_speed_deg_s: f64,
-    /// How near to its axis the arm gets, in mm: ways between strokes lead around what is nearer, and never behind the
-    /// arm. 0 where they may all be straight.
+    /// The minimum distance from the axis, in mm: paths between strokes detour around it, always in
+    /// front of the arm. 0 if all may be straight.
     pub nearest_mm: f64,
-    /// How far an imagined arc may cut a corner, in mm; best twice the tolerance of the drawing: where
-    /// vectors stand for a curve their corners lie outside of it by up to the tolerance, and the
-    /// arc then lies inside of it by no more. See [`Cornering`](crate::Cornering).
+    /// How far an imagined arc may cut a corner, in mm; ideally twice the tolerance of the drawing:
+    /// the corners of vectors that approximate a curve lie outside it by up to the tolerance, and
+    /// the arc then lies inside it by at most as much. See [`Cornering`](crate::Cornering).
     pub corner_deviation_mm: f64,
-    /// How fast vectors come.
+    /// The rate of the link.
     pub link: LinkRate,
-    /// Whether the arm cuts each vector into whole ticks of 20 ms and begins it with the end speed
-    /// of the one before, as a stock arm does (notes N5 and N48).
+    /// Whether the arm divides each vector into whole ticks of 20 ms and begins it with the end
+    /// speed of the one before, as a stock arm does (notes N5 and N48).
     pub has_ticks: bool,
 }
 
 impl ArmLimits {
-    /// An arm that speaks this dialect.
+    /// Returns the limits of an arm with this dialect.
     #[must_use]
     pub fn of(dialect: Dialect) -> Self {
         Self {
@@ -41,7 +41,7 @@ impl ArmLimits {
         }
     }
 
-    /// How its corners are measured.
+    /// Returns the limits at corners.
     #[must_use]
     pub const fn cornering(&self) -> Cornering {
         Cornering {
@@ -51,13 +51,14 @@ impl ArmLimits {
         }
     }
 
-    /// What speeds are planned with, in mm/s2: the spared part keeps rounded ones within the acceleration.
+    /// Returns the acceleration for planning, in mm/s2: slightly lower, so that rounded speeds stay
+    /// within the limit.
     pub(super) fn planned_acceleration_mm_s2(&self) -> f64 {
         self.acceleration_mm_s2 * (1.0 - 1e-5)
     }
 
-    /// Whether the arm can keep the speeds of a tool: where it has ticks, speeds are whole multiples
-    /// of what a tick changes, and less than half of that is none.
+    /// Checks that the arm can keep the speeds of a tool: with ticks, speeds are whole multiples of
+    /// the change per tick, and less than half of that rounds to zero.
     pub(super) fn check_keeps(&self, tool: &DrawingTool) -> Result<(), PlanError> {
         let least = self.least_kept_mm_s();
         let speeds = tool.speeds_mm_s().into_iter();
@@ -72,25 +73,25 @@ impl ArmLimits {
         }
     }
 
-    /// The least speed that an arm with ticks keeps, in mm/s.
+    /// Returns the lowest speed that an arm with ticks keeps, in mm/s.
     pub(super) fn least_kept_mm_s(&self) -> f64 {
         self.acceleration_mm_s2 * TICK_S / 2.0
     }
 
-    /// How long a vector from rest to rest has to be, in mm: where the arm has ticks a shorter one would
-    /// not accelerate at all, and with the little speed that is kept from before it might never end
-    /// (note N51).
+    /// Returns the minimum length of a vector from rest to rest, in mm: on an arm with ticks a
+    /// shorter one would not accelerate, and with a small residual speed it might never end (note
+    /// N51).
     pub(super) fn least_from_rest_mm(&self) -> f64 {
         if self.has_ticks {
-            // The peak is half of what a tick changes, and a bit: a length of a t2 / 4.
+            // The peak is slightly above half the change per tick: a length of a t2 / 4.
             FROM_REST * self.acceleration_mm_s2 * TICK_S * TICK_S / 4.0
         } else {
             0.0
         }
     }
 
-    /// The largest speed for a vector from rest to rest, in mm/s: where the arm has ticks the next below
-    /// this one with which as many ticks are faster as are slower.
+    /// Returns the maximum speed of a vector from rest to rest, in mm/s: on an arm with ticks the
+    /// next lower speed with equal numbers of accelerating and decelerating ticks.
     pub(super) fn rest_to_rest_mm_s(&self, wanted_mm_s: f64) -> f64 {
         if !self.has_ticks {
             return wanted_mm_s;
@@ -110,13 +111,13 @@ impl ArmLimits {
 }
 
 const FROM_REST: f64 = 1.2;
-/// How much above whole steps of a tick's change a largest speed is, so that it is rounded to these
-/// whatever less than a step the arm has kept from before.
+/// The offset of a maximum speed above whole steps, so that it rounds to them with any residual
+/// speed below one step.
 const KEPT_STEPS: f64 = 0.45;
 
 impl Default for ArmLimits {
-    /// An arm that does as the document says, behind a stock arm's link: 100 mm/s2, and 100 deg/s
-    /// as in a stock arm's own moves.
+    /// Returns the limits of an arm as documented, behind a stock arm's link: 100 mm/s2, and 100
+    /// deg/s as in a stock arm's own moves.
     fn default() -> Self {
         Self {
             acceleration_mm_s2: 100.0,
@@ -129,15 +130,15 @@ impl Default for ArmLimits {
     }
 }
 
-/// How fast the link brings vectors.
+/// The rate at which the link delivers vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkRate {
-    /// Seconds from one vector to the next; 0 where the link does not matter.
+    /// The seconds between two vectors; 0 if the link does not matter.
     pub period_s: f64,
 }
 
 impl LinkRate {
-    /// One vector for each status that an arm of this dialect sends.
+    /// Returns a rate of one vector per status of an arm with this dialect.
     #[must_use]
     pub const fn of(dialect: Dialect) -> Self {
         Self {
@@ -151,7 +152,7 @@ impl LinkRate {
 }
 
 impl Default for LinkRate {
-    /// One vector per status, which a stock arm sends every 80 ms.
+    /// Returns one vector per status, which a stock arm sends every 80 ms.
     fn default() -> Self {
         Self::of(Dialect::SPECIFICATION)
     }

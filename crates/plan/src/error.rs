@@ -1,54 +1,54 @@
-//! Why strokes cannot be planned.
+//! Errors of planning strokes.
 
 use thiserror::Error;
 
 use crate::PaperError;
 
-/// Why strokes cannot be planned.
+/// The error returned when strokes cannot be planned.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// There is no stroke.
+    /// There are no strokes.
     #[error("there is no stroke to plan")]
     NoStrokes,
-    /// A setting is not a number, or less than it may be.
+    /// A setting is not a number or below its minimum.
     #[error("{name} is {found}{}; it must be a number {allowed}", spaced(.unit))]
     Setting {
-        /// Which setting.
+        /// The setting.
         name: &'static str,
-        /// Its unit; empty for a number of things.
+        /// Its unit; empty for a count.
         unit: &'static str,
-        /// What it is.
+        /// The value.
         found: f64,
-        /// What it may be.
+        /// The allowed values.
         allowed: &'static str,
     },
-    /// A stock arm cannot be as slow: a tick changes its speed by twice that.
+    /// A speed is too low for a stock arm: less than half the change per tick.
     #[error(
         "{name} is {found} mm/s; a stock arm keeps no less than {least} mm/s at an acceleration of {acceleration} mm/s2 (note N48)"
     )]
     TooSlow {
-        /// Which speed.
+        /// The speed's name.
         name: &'static str,
-        /// What it is.
+        /// The value.
         found: f64,
-        /// The least that is allowed.
+        /// The minimum.
         least: f64,
         /// The acceleration in mm/s2.
         acceleration: f64,
     },
-    /// The pen would not leave the paper: it is lifted by so many mm.
+    /// The pen would not leave the paper: its lift, in mm.
     #[error("the pen is lifted by {0} mm; it must be at least 0.1 mm")]
     Lift(f64),
-    /// The paper cannot lie so.
+    /// The paper is invalid.
     #[error(transparent)]
     Paper(#[from] PaperError),
-    /// In laser mode a stock arm holds its height. Passes count from 1.
+    /// A stock arm keeps its height in laser mode. Passes count from 1.
     #[error(
         "pass {0} burns with the laser, and the paper slopes; a stock arm holds its height in laser mode (note N48): lay the material level"
     )]
     SlopingLaser(usize),
-    /// A pen and a laser do not stand at the same height. Passes count from 1.
+    /// Pen and laser need different heights. Passes count from 1.
     #[error(
         "pass {0} has another kind of tool than those before; a pen and a laser are drawn one after the other, each with its own height"
     )]

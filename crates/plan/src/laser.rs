@@ -1,4 +1,4 @@
-//! Strokes that a laser burns.
+//! Planning of strokes for a laser.
 
 pub(crate) mod burn;
 pub(crate) mod laser_path;

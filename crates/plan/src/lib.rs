@@ -1,8 +1,9 @@
-//! Strokes to vectors that arm and link can carry.
+//! Planning of strokes as vectors within the limits of arm and link.
 //!
-//! A [`Plan`] has every vector with its speeds: the pen goes up and down, a laser runs up and out, the
-//! speeds look ahead, and each vector lasts as long as the link needs for the next. A long vector comes in pieces. [`respeed`] makes
-//! the speeds of a chain of vectors anew when a job goes on in its middle.
+//! A [`Plan`] contains every vector with its speeds, including pen lifts and the run-up and run-out
+//! of a laser. Speeds are planned with look-ahead, and each vector lasts as long as the link needs
+//! for the next. Long vectors are divided. [`respeed`] replans the speeds of a chain when a job
+//! resumes within it.
 //!
 //! ```
 //! use dobot_geometry::{Point, Stroke};

@@ -1,4 +1,4 @@
-//! Where the paper lies.
+//! The position of the paper.
 
 use std::sync::Arc;
 
@@ -6,19 +6,19 @@ use dobot_arm::{Calibration, Plane, Position, Tool};
 use dobot_geometry::{HeightMap, Point, least_width};
 use thiserror::Error;
 
-/// Where the paper lies, as Z of the wrist in the base frame where the tool is right: where the pen
-/// touches, or where the laser is in focus. It is a plane, which may be bent.
+/// The paper, as Z of the wrist in the base frame at which the tool works: the pen touches, or the
+/// laser is in focus. It is a plane, optionally with a bend.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Paper {
     plane: Plane,
-    /// How much higher than the plane it is.
+    /// The height above the plane.
     bent: Option<Arc<HeightMap>>,
-    /// The arm by whose own places all of this is told, where it is not as drawn.
+    /// The calibration that converts to raw positions, if there is one.
     raw: Option<(Calibration, Tool)>,
 }
 
 impl Paper {
-    /// Paper that is as high everywhere.
+    /// Creates level paper.
     #[must_use]
     pub const fn level(z_mm: f64) -> Self {
         Self::sloping(Plane {
@@ -28,12 +28,12 @@ impl Paper {
         })
     }
 
-    /// The plane through three points that the tool has touched, or nearest to more of them: X, Y, Z in mm.
+    /// Creates the plane through three touched points, or closest to more of them: X, Y, Z in mm.
     ///
     /// # Errors
     ///
-    /// [`PaperError`] where the points lie on one line or nearly so (seen from above), or the plane
-    /// is steeper than 10 degrees.
+    /// [`PaperError`] if the points lie nearly on one line (seen from above), or the plane is
+    /// steeper than 10 degrees.
     pub fn through(touched: &[[f64; 3]]) -> Result<Self, PaperError> {
         let places: Vec<Point> = touched.iter().map(|[x, y, _]| Point::new(*x, *y)).collect();
         let width_mm = if places.len() < 3 {
@@ -52,7 +52,7 @@ impl Paper {
         Ok(Self::sloping(plane))
     }
 
-    /// Paper on a plane.
+    /// Creates paper on a plane.
     #[must_use]
     pub const fn sloping(plane: Plane) -> Self {
         Self {
@@ -62,13 +62,13 @@ impl Paper {
         }
     }
 
-    /// The plane on which it lies.
+    /// Returns the plane.
     #[must_use]
     pub const fn plane(&self) -> Plane {
         self.plane
     }
 
-    /// The same paper, higher than the plane by so much.
+    /// Adds a height map above the plane.
     #[must_use]
     pub fn bent(self, heights: HeightMap) -> Self {
         Self {
@@ -77,8 +77,7 @@ impl Paper {
         }
     }
 
-    /// The same paper by the places that an arm with these faults says and takes: to it a plane
-    /// is curved.
+    /// Converts the paper to the raw positions of a calibrated arm, in which a plane is curved.
     #[must_use]
     pub fn to_raw(self, arm: Calibration, tool: Tool) -> Self {
         Self {
@@ -87,7 +86,7 @@ impl Paper {
         }
     }
 
-    /// Z of the paper at a place, in mm.
+    /// Returns Z of the paper at a place, in mm.
     #[must_use]
     pub fn z_at(&self, place: Point) -> f64 {
         let calibrated_mm = self.calibrated_z(place);
@@ -97,14 +96,14 @@ impl Paper {
         }
     }
 
-    /// Whether lines that are straight to the arm leave it: where it is bent, and where an arm with
-    /// faults sees it.
+    /// Whether straight lines of the arm leave the paper: if it is bent, or converted to raw
+    /// positions.
     #[must_use]
     pub const fn is_curved(&self) -> bool {
         self.raw.is_some() || self.bent.is_some()
     }
 
-    /// The paper, higher by so much; a negative number is lower.
+    /// Raises the paper; a negative offset lowers it.
     #[must_use]
     pub fn raised(self, offset_mm: f64) -> Self {
         let z0_mm = self.plane.z0_mm + offset_mm;
@@ -117,20 +116,20 @@ impl Paper {
         }
     }
 
-    /// How high a place is above the paper, in mm.
+    /// Returns the height of a place above the paper, in mm.
     #[must_use]
     pub fn height_mm(&self, place: Position) -> f64 {
         place.z.0 - self.z_at(Point::new(place.x.0, place.y.0))
     }
 
-    /// Whether it is as high everywhere.
+    /// Whether the paper has the same height everywhere.
     #[must_use]
     pub const fn is_level(&self) -> bool {
         self.plane.slope_x == 0.0 && self.plane.slope_y == 0.0 && !self.is_curved()
     }
 
-    /// The height at which the tool is truly on the paper (Newton's rule). Where the arm does not
-    /// get to it is the paper's own: whoever asks whether the place is in reach is told so.
+    /// Returns the raw height at which the calibrated tool is on the paper (Newton's method). If
+    /// the arm cannot reach the place, returns the paper's height; the reach check reports it.
     fn raw_z(&self, place: Point, calibrated_mm: f64, arm: &Calibration, tool: Tool) -> f64 {
         let over_mm = |z_mm: f64| {
             let raw = Position::new(place.x, place.y, z_mm);
@@ -154,7 +153,7 @@ impl Paper {
         }
     }
 
-    /// Its true height at a true place.
+    /// Returns the calibrated height at a calibrated place.
     fn calibrated_z(&self, place: Point) -> f64 {
         let bent_mm = self.bent.as_ref().map_or(0.0, |it| it.z_at(place));
         self.plane.z_at([place.x, place.y]) + bent_mm
@@ -170,32 +169,32 @@ impl Paper {
 }
 
 impl Default for Paper {
-    /// Level, at -40 mm.
+    /// Returns level paper at -40 mm.
     fn default() -> Self {
         Self::level(-40.0)
     }
 }
 
-/// Why the paper cannot lie so.
+/// The error returned for invalid paper.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PaperError {
-    /// The points do not span a plane: they lie in a strip so many mm wide.
+    /// The points do not span a plane: the width of their strip, in mm.
     #[error(
         "the touched points lie within {0:.1} mm of one line; touch three corners of the paper, at least 10 mm off the line"
     )]
     Collinear(f64),
-    /// The plane is too steep, by its slope in degrees.
+    /// The plane is too steep: its slope, in degrees.
     #[error(
         "the paper through the touched points slopes by {0:.1} degrees; at most 10 are allowed: touch them again"
     )]
     TooSteep(f64),
-    /// The height, in mm, is not a number.
+    /// The height, in mm, is not finite.
     #[error("the paper is at {0} mm; it must be a finite number")]
     Height(f64),
 }
 
-/// The plane with the least sum of squares to points that span one.
+/// Returns the least-squares plane of points that span one.
 fn nearest(touched: &[[f64; 3]]) -> Plane {
     let [mut xx, mut xy, mut yy, mut xz, mut yz] = [0.0; 5];
     #[expect(clippy::cast_precision_loss, reason = "few points")]

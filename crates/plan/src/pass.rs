@@ -1,4 +1,4 @@
-//! What is drawn with one tool.
+//! Strokes drawn with one tool.
 
 use std::ops::Range;
 
@@ -6,23 +6,24 @@ use dobot_geometry::Stroke;
 
 use crate::DrawingTool;
 
-/// Strokes that are drawn with one tool, one after the other.
+/// Strokes drawn with one tool, one after another.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pass {
-    /// What it is called, for people.
+    /// The name shown to people.
     pub name: String,
-    /// Red, green and blue, where the file tells a colour.
+    /// Red, green and blue, if the file specifies a colour.
     pub color: Option<[u8; 3]>,
-    /// What draws.
+    /// The tool.
     pub tool: DrawingTool,
-    /// The strokes in the base frame, in their order.
+    /// The strokes in the base frame, in order.
     pub strokes: Vec<Stroke>,
-    /// What a person has to do before it, such as to change the pen: the arm waits for that.
+    /// The instruction to a person before the pass, such as changing the pen; the arm waits for
+    /// confirmation.
     pub message: Option<String>,
 }
 
 impl Pass {
-    /// A pass without a name that nobody has to prepare.
+    /// Creates a pass without a name and without a message.
     #[must_use]
     pub const fn new(tool: DrawingTool, strokes: Vec<Stroke>) -> Self {
         Self {
@@ -34,7 +35,7 @@ impl Pass {
         }
     }
 
-    /// The strokes as they are drawn: what a laser burns several times stands there so often.
+    /// Returns the strokes as drawn, including repeated burns of a laser.
     pub fn drawn(&self) -> impl Iterator<Item = &Stroke> {
         let (count, times) = (self.strokes.len(), self.tool.times() as usize);
         let goes_on = matches!(self.tool, DrawingTool::Laser(laser) if laser.by_stroke);
@@ -46,24 +47,24 @@ impl Pass {
     }
 }
 
-/// A pass of a plan.
+/// A planned pass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedPass {
-    /// What it is called.
+    /// The name.
     pub name: String,
-    /// Red, green and blue, where the file tells a colour.
+    /// Red, green and blue, if the file specifies a colour.
     pub color: Option<[u8; 3]>,
-    /// What draws.
+    /// The tool.
     pub tool: DrawingTool,
-    /// Its vectors in [`Plan::moves`](crate::Plan::moves).
+    /// The range of its vectors in [`Plan::moves`](crate::Plan::moves).
     pub moves: Range<usize>,
 }
 
-/// Where the arm waits for a person.
+/// A break in which the arm waits for a person.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Break {
-    /// The vector before which it waits, as index in [`Plan::moves`](crate::Plan::moves).
+    /// The vector after the break, as an index in [`Plan::moves`](crate::Plan::moves).
     pub before: usize,
-    /// What the person is told.
+    /// The message to the person.
     pub message: String,
 }

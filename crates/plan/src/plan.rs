@@ -1,4 +1,4 @@
-//! A drawing planned, vector by vector.
+//! A drawing planned vector by vector.
 
 use dobot_geometry::{Point, Stroke};
 
@@ -7,54 +7,54 @@ use crate::path::pieces::Pieces;
 use crate::path::planner::Planner;
 use crate::{ArmLimits, Break, MoveKind, Paper, Pass, PlanError, PlannedPass, PlannedVector};
 
-/// Everything the arm does for a drawing, vector by vector.
+/// All vectors of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Where the first vector begins, pen up or laser off: X, Y, Z in the base frame, in mm. The
-    /// arm must be brought here before.
+    /// The start of the first vector, pen up or laser off: X, Y, Z in the base frame, in mm. The
+    /// arm must be moved there first.
     pub start: [f64; 3],
-    /// The vectors in order; each begins where the one before ends.
+    /// The vectors in order; each begins at the end of the one before.
     pub moves: Vec<PlannedVector>,
-    /// The passes that have strokes, in order.
+    /// The passes with strokes, in order.
     pub passes: Vec<PlannedPass>,
-    /// Where the arm waits for a person: before each pass that has a message.
+    /// The breaks in which the arm waits for a person: before each pass with a message.
     pub breaks: Vec<Break>,
     arm_limits: ArmLimits,
 }
 
 impl Plan {
-    /// Plans the passes in their order, on this paper.
+    /// Plans the passes in order, on this paper.
     ///
-    /// 1. A pen stands still before and after it is lowered or lifted, and draws each stroke in
-    ///    one go, with the corner speeds of [`Cornering::speeds`](crate::Cornering::speeds). A laser is switched on and off
-    ///    in full motion, on straight ways into the stroke and out of it.
-    /// 2. A vector costs one packet: however short vectors are, the arm never waits for the link in
-    ///    the middle of a stroke. A few that the arm has in hand may follow one another faster.
-    /// 3. Every number is rounded to single precision as the packet will hold it, before speeds
-    ///    are planned; each increment aims from where the rounded ones before it really lead, so
-    ///    that rounding does not add up.
+    /// 1. A pen rests before and after it is lowered or lifted, and draws each stroke without a stop,
+    ///    with the corner speeds of [`Cornering::speeds`](crate::Cornering::speeds). A laser is switched in full
+    ///    motion, on straight paths into the stroke and out of it.
+    /// 2. A vector takes one packet: however short the vectors are, the arm never waits for the link
+    ///    within a stroke. A few vectors queued in the arm may follow one another faster.
+    /// 3. Every number is rounded to single precision, as in the packet, before speeds are planned;
+    ///    each increment starts at the actual end of the rounded ones before it, so that rounding does
+    ///    not accumulate.
     /// 4. Speeds are rounded down, and the start speed of a vector is exactly the end speed of
     ///    the one before.
-    /// 5. Base, rear arm and forearm turn no faster than the machine's
-    ///    [`joint_speed_deg_s`](ArmLimits::joint_speed_deg_s): near the axis and with the arm stretched a
-    ///    vector is slower for that.
-    /// 6. A vector shorter than a micrometre is left out; the next one makes up for it.
-    /// 7. A long vector comes in pieces, in which the arm goes on at the same speeds: see [`LONGEST_BURN_S`](crate::LONGEST_BURN_S)
-    ///    and [`LONGEST_DRAW_S`](crate::LONGEST_DRAW_S). An arm that is stopped finishes what it has received.
+    /// 5. Base, rear arm and forearm turn no faster than
+    ///    [`joint_speed_deg_s`](ArmLimits::joint_speed_deg_s): near the axis and with the arm stretched,
+    ///    vectors are slower for that.
+    /// 6. A vector shorter than a micrometre is merged into the next one.
+    /// 7. A long vector is divided into pieces with the same speeds: see [`LONGEST_BURN_S`](crate::LONGEST_BURN_S)
+    ///    and [`LONGEST_DRAW_S`](crate::LONGEST_DRAW_S). A stopped arm finishes all received vectors.
     ///
     /// # Errors
     ///
-    /// [`PlanError`] where there is nothing to draw, a setting makes no sense, a laser is to burn
-    /// on a slope, or the passes mix pens and lasers.
+    /// [`PlanError`] if there is nothing to draw, a setting is invalid, a laser is to burn on a
+    /// slope, or the passes mix pens and lasers.
     pub fn new(passes: &[Pass], paper: &Paper, arm_limits: &ArmLimits) -> Result<Self, PlanError> {
-        Ok(Self::whole(passes, paper, arm_limits)?.in_pieces())
+        Ok(Self::whole(passes, paper, arm_limits)?.with_pieces())
     }
 
-    /// The same with one vector for each line of a stroke, however long that takes.
+    /// Plans with one vector for each line of a stroke, however long it takes.
     ///
     /// # Errors
     ///
-    /// As [`Plan::new`].
+    /// See [`Plan::new`].
     pub fn whole(
         passes: &[Pass],
         paper: &Paper,
@@ -87,8 +87,8 @@ impl Plan {
         Ok(plan)
     }
 
-    /// The same with its long vectors cut.
-    fn in_pieces(self) -> Self {
+    /// Divides the long vectors.
+    fn with_pieces(self) -> Self {
         let mut pieces = Pieces::new(&self.arm_limits, &self.passes[0].tool, self.start);
         let mut moves = Vec::with_capacity(self.moves.len());
         let mut begins = Vec::with_capacity(self.moves.len() + 1);
@@ -113,46 +113,46 @@ impl Plan {
         }
     }
 
-    /// How long each vector takes, in seconds.
+    /// Returns the duration of each vector, in seconds.
     pub fn durations(&self) -> impl Iterator<Item = f64> {
         self.moves.iter().map(|vector| vector.duration_s.into())
     }
 
-    /// How high above the paper the pen travels at most, in mm; 0 for a laser.
+    /// Returns the maximum height of the pen above the paper, in mm; 0 for a laser.
     #[must_use]
     pub fn lift_mm(&self) -> f64 {
         let lifts_mm = self.passes.iter().map(|it| it.tool.lift_mm());
         lifts_mm.fold(0.0, f64::max)
     }
 
-    /// What it was planned for.
+    /// Returns the limits used for planning.
     #[must_use]
     pub const fn arm_limits(&self) -> &ArmLimits {
         &self.arm_limits
     }
 
-    /// Whether it burns with a laser; otherwise it draws with a pen.
+    /// Whether the plan uses a laser rather than a pen.
     #[must_use]
     pub fn burns(&self) -> bool {
         self.passes[0].tool.burns()
     }
 
-    /// How long the whole plan takes, in seconds.
+    /// Returns the total duration, in seconds.
     #[must_use]
     pub fn duration_s(&self) -> f64 {
         self.durations().sum()
     }
 
-    /// Where each vector leads: X, Y, Z in the base frame, in mm.
+    /// Returns the end of each vector: X, Y, Z in the base frame, in mm.
     pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
         let mut endpoint = Endpoint::new(&self.arm_limits, &self.passes[0].tool);
         self.moves.iter().scan(self.start, move |here, vector| {
-            *here = endpoint.behind(*here, vector);
+            *here = endpoint.after(*here, vector);
             Some(*here)
         })
     }
 
-    /// The paths along which the pen goes as `kind`, joined where they follow one another.
+    /// Returns the paths of vectors of this kind; consecutive ones are joined.
     #[must_use]
     pub fn paths(&self, kind: MoveKind) -> Vec<Stroke> {
         let mut paths: Vec<Stroke> = Vec::new();
@@ -172,7 +172,7 @@ impl Plan {
     }
 }
 
-/// Where the first stroke begins, pen up or laser off.
+/// Returns the start of the first stroke, pen up or laser off.
 fn start(passes: &[Pass], paper: &Paper) -> Result<[f64; 3], PlanError> {
     let mut firsts = passes.iter().flat_map(|pass| {
         let points = pass.strokes.iter().filter_map(|it| it.points.first());
@@ -254,7 +254,7 @@ mod tests {
         // 10 mm down at the same acceleration never reach 40 mm/s: 2 sqrt(10 / 100) s.
         assert!((durations[0] - 0.632_455_532).abs() < 1e-5, "{durations:?}");
         let summary = plan.summary();
-        // The line takes 1.4 s: five pieces of 0.34 s at the most.
+        // The line takes 1.4 s: five pieces of at most 0.34 s.
         assert_eq!((summary.strokes, summary.vectors), (1, 7));
         assert!((summary.drawn_mm - 40.0).abs() < 1e-4, "{summary:?}");
         assert_eq!(summary.travelled_mm, 0.0);
@@ -266,21 +266,22 @@ mod tests {
             .map(|i| (200.0 + 0.1 * f64::from(i), 0.0))
             .collect();
         let plan = plan(&[line(&points)], LinkRate::default());
-        // 0.1 mm in 80 ms each; the first two wait in the arm when it begins.
+        // 0.1 mm in 80 ms each; the first two are queued in the arm at the start.
         assert!(plan.duration_s() > 0.08 * 100.0);
         assert!(plan.duration_s() < 0.08 * 102.0 + 2.0);
     }
 
     #[test]
     fn a_short_stroke_is_drawn_as_fast_as_the_vectors_that_wait_in_the_arm_allow() {
-        // A circle of 1 mm in eight vectors: they came while the pen was lowered, but for those beyond the queue.
+        // A circle of 1 mm in eight vectors: those that fit the queue came while the pen was
+        // lowered.
         let at = |i: i32| Vec2::from_angle(std::f64::consts::FRAC_PI_4 * f64::from(i % 8));
         let points = (0..=8).map(|i| Point::new(200.0, 0.0) + at(i));
         let circle = Stroke::open(points.collect());
         let plan = plan(&[circle], LinkRate::default());
         let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
         let drawn_s: f64 = draws.map(|it| f64::from(it.duration_s)).sum();
-        // At 100 mm/s2 the circle itself takes 0.63 s and some.
+        // At 100 mm/s2 the circle itself takes slightly more than 0.63 s.
         assert!((0.08 * 6.0..0.08 * 10.0).contains(&drawn_s), "{drawn_s} s");
     }
 
@@ -521,7 +522,7 @@ mod tests {
                 let needed = (v2(speed) - v2(vector.start_speed_mm_s)).abs() / (2.0 * vector.length_mm());
                 prop_assert!(needed <= plan.arm_limits().acceleration_mm_s2, "{needed}");
                 prop_assert!(vector.max_speed_mm_s <= 80.0);
-                // However long it is watched, no more than two vectors too many are over.
+                // At no time have more than two vectors too many finished.
                 behind_s = (behind_s + period_s - duration).max(0.0);
                 prop_assert!(behind_s <= 2.0 * period_s + 1e-4, "{behind_s}");
                 prop_assert!(vector.length_mm() >= crate::path::planner::LEAST_VECTOR_MM);
@@ -536,7 +537,7 @@ mod tests {
         ) {
             let plan = plan(&strokes, LinkRate { period_s });
             let seen = crate::acceleration(&plan, 0.08) / plan.arm_limits().acceleration_mm_s2;
-            // It is looked at eleven moments around each corner, and something lies between them.
+            // Eleven moments around each corner are examined, and something lies between them.
             prop_assert!(seen <= 1.02, "{seen}");
         }
 

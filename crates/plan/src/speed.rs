@@ -1,4 +1,4 @@
-//! The speeds of vectors: how fast arm, joints and link let them be run.
+//! Planning of vector speeds within the limits of arm, joints and link.
 
 pub(crate) mod acceleration;
 pub(crate) mod chain;

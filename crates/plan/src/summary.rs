@@ -1,24 +1,24 @@
-//! The figures of a plan.
+//! Statistics of a plan.
 
 use crate::{MoveKind, Plan};
 
-/// The figures of a plan.
+/// Statistics of a plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Summary {
-    /// How many strokes, each as often as it is drawn.
+    /// The number of strokes, counting repetitions.
     pub strokes: usize,
-    /// How many vectors, and so packets.
+    /// The number of vectors, which is the number of packets.
     pub vectors: usize,
-    /// How far the pen goes down on the paper, or the laser burning, in mm.
+    /// The length drawn or burned, in mm.
     pub drawn_mm: f64,
-    /// How far the tool goes between strokes, in mm.
+    /// The length travelled between strokes, in mm.
     pub travelled_mm: f64,
-    /// How long all of it takes, in seconds.
+    /// The duration, in seconds.
     pub duration_s: f64,
 }
 
 impl Plan {
-    /// The figures of the plan.
+    /// Returns the statistics of the plan.
     #[must_use]
     pub fn summary(&self) -> Summary {
         let total = |which: fn(MoveKind) -> bool| {

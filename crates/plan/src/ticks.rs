@@ -1,4 +1,5 @@
-//! A stock arm runs vectors in whole ticks of 20 ms: the search for the speeds that fit (note N48).
+//! The tick planner: a stock arm executes vectors in whole ticks of 20 ms, and suitable speeds are
+//! searched for (note N48).
 
 pub(crate) mod stop_each;
 pub(crate) mod tick;

@@ -1,4 +1,4 @@
-//! What draws: a pen or a laser, and how it is moved.
+//! The drawing tools: pen and laser.
 
 use dobot_arm::Tool;
 
@@ -6,17 +6,17 @@ use crate::error::{not_negative, positive};
 use crate::laser::laser_path::run_mm;
 use crate::{ArmLimits, PlanError};
 
-/// What draws, and how it is moved.
+/// A drawing tool with its motion settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DrawingTool {
     /// A pen, lifted between strokes.
     Pen(Pen),
-    /// A laser, off between strokes.
+    /// A laser, switched off between strokes.
     Laser(Laser),
 }
 
 impl DrawingTool {
-    /// The same tool, drawing or burning at this speed, in mm/s.
+    /// Returns the tool with another drawing or burning speed, in mm/s.
     #[must_use]
     pub const fn at_speed(self, speed_mm_s: f64) -> Self {
         match self {
@@ -31,7 +31,7 @@ impl DrawingTool {
         }
     }
 
-    /// Largest speed while drawing or burning, in mm/s.
+    /// Returns the maximum speed while drawing or burning, in mm/s.
     #[must_use]
     pub const fn speed_mm_s(&self) -> f64 {
         match self {
@@ -46,13 +46,13 @@ impl DrawingTool {
         self.tool().burns()
     }
 
-    /// Whether it is a laser that cuts the material through.
+    /// Whether it is a laser that cuts through the material.
     #[must_use]
     pub const fn cuts(&self) -> bool {
         matches!(self, Self::Laser(laser) if laser.cuts)
     }
 
-    /// How often it goes over each stroke, lifted or switched off in between.
+    /// Returns the number of separate passes over each stroke.
     #[must_use]
     pub const fn times(&self) -> u32 {
         match self {
@@ -61,7 +61,7 @@ impl DrawingTool {
         }
     }
 
-    /// The same tool, going over each stroke so often; a pen does so once.
+    /// Returns the tool with this number of passes over each stroke; a pen always has one.
     #[must_use]
     pub const fn times_over(self, times: u32) -> Self {
         match self {
@@ -70,7 +70,7 @@ impl DrawingTool {
         }
     }
 
-    /// How high above the paper it travels, in mm; 0 for a laser.
+    /// Returns the travel height above the paper, in mm; 0 for a laser.
     #[must_use]
     pub const fn lift_mm(&self) -> f64 {
         match self {
@@ -79,7 +79,7 @@ impl DrawingTool {
         }
     }
 
-    /// Largest speed between strokes, in mm/s.
+    /// Returns the maximum speed between strokes, in mm/s.
     #[must_use]
     pub const fn travel_speed_mm_s(&self) -> f64 {
         match self {
@@ -88,8 +88,8 @@ impl DrawingTool {
         }
     }
 
-    /// How far beyond the ends of a stroke it goes at the most, in mm: a laser gets to its speed before a stroke and loses
-    /// it behind.
+    /// Returns the maximum distance beyond the ends of a stroke, in mm: a laser accelerates before
+    /// and brakes after it.
     #[must_use]
     pub fn run_mm(&self, arm_limits: &ArmLimits) -> f64 {
         match self {
@@ -98,7 +98,7 @@ impl DrawingTool {
         }
     }
 
-    /// The tool that has to be mounted for it.
+    /// Returns the tool that must be mounted.
     #[must_use]
     pub const fn tool(&self) -> Tool {
         match self {
@@ -107,18 +107,18 @@ impl DrawingTool {
         }
     }
 
-    /// The tool that the arm is configured for: the laser is nearer to the arm than the pen.
+    /// Returns the tool in the arm's configuration: the laser is closer to the arm than the pen.
     #[must_use]
     pub const fn end_effector(&self) -> Tool {
         self.tool().end_effector()
     }
 
-    /// How far it reaches beyond the wrist, in mm.
+    /// Returns the distance of the tool from the wrist, in mm.
     pub(super) const fn reach_mm(&self) -> f64 {
         self.tool().reach().0
     }
 
-    /// Its speeds by name, in mm/s.
+    /// Returns its speeds by name, in mm/s.
     pub(super) fn speeds_mm_s(&self) -> Vec<(&'static str, f64)> {
         match self {
             Self::Pen(pen) => {
@@ -155,24 +155,24 @@ impl Default for DrawingTool {
     }
 }
 
-/// How a pen is moved.
+/// The motion settings of a pen.
 ///
-/// It settles on the paper by touching it slowly: the last part of the way down is a vector of its
-/// own. The protocol has no wait that is safe everywhere: a pause belongs to a target, and a target
-/// where the arm stands makes a stock arm lose its pose (note N34).
+/// It touches the paper slowly: the last part of the way down is a separate vector. The protocol
+/// has no safe wait: a pause belongs to a target, and a target at the current position makes a
+/// stock arm lose its pose (note N34).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pen {
-    /// How high above the paper it travels, in mm; from 0.1 up.
+    /// The travel height above the paper, in mm; at least 0.1.
     pub lift_mm: f64,
-    /// Largest speed while drawing, in mm/s.
+    /// The maximum speed while drawing, in mm/s.
     pub draw_speed_mm_s: f64,
-    /// Largest speed while travelling, in mm/s.
+    /// The maximum speed while travelling, in mm/s.
     pub travel_speed_mm_s: f64,
-    /// Largest speed up and down, in mm/s.
+    /// The maximum speed up and down, in mm/s.
     pub lift_speed_mm_s: f64,
-    /// Over how much of the way down it touches the paper slowly, in mm; 0 for not at all.
+    /// The last part of the way down that is slow, in mm; 0 for none.
     pub touch_mm: f64,
-    /// How slowly, in mm/s.
+    /// The speed of that part, in mm/s.
     pub touch_speed_mm_s: f64,
 }
 
@@ -188,8 +188,9 @@ impl Pen {
 }
 
 impl Default for Pen {
-    /// 10 mm up; 40 mm/s to draw and to lift, 80 mm/s to travel. It touches the paper as it comes to
-    /// rest there anyway; a soft one may want `touch_mm` of 1 at 10 mm/s.
+    /// Returns a lift of 10 mm; 40 mm/s for drawing and lifting, 80 mm/s for travelling. The pen
+    /// touches the paper as it comes to rest there anyway; a soft pen may need `touch_mm` of 1 at
+    /// 10 mm/s.
     fn default() -> Self {
         Self {
             lift_mm: 10.0,
@@ -202,24 +203,25 @@ impl Default for Pen {
     }
 }
 
-/// How a laser is moved. It is on or off: its power on the material is set by the speed.
+/// The motion settings of a laser. It is on or off; the speed determines its effect on the
+/// material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Laser {
-    /// Speed while burning, in mm/s: the same all along a stroke, where its corners allow that.
+    /// The burning speed, in mm/s: constant along a stroke if its corners allow that.
     pub burn_speed_mm_s: f64,
-    /// Largest speed between strokes, laser off, in mm/s.
+    /// The maximum speed between strokes, laser off, in mm/s.
     pub travel_speed_mm_s: f64,
-    /// How often everything is burned, one time after the other; from 1 up.
+    /// The number of passes over everything, at least 1.
     pub times: u32,
-    /// Whether a stroke is burned so often before the next one is, and not all of them once before all
-    /// of them again.
+    /// Whether each stroke is burned this many times before the next one, instead of all strokes in
+    /// turn.
     pub by_stroke: bool,
-    /// Whether it burns through: what is cut out moves, so that what lies inside has to come first.
+    /// Whether it cuts through: cut-out parts move, so inner strokes come first.
     pub cuts: bool,
 }
 
 impl Default for Laser {
-    /// Once, at 10 mm/s; 80 mm/s to travel.
+    /// Returns one pass at 10 mm/s; 80 mm/s for travelling.
     fn default() -> Self {
         Self {
             burn_speed_mm_s: 10.0,

@@ -1,4 +1,4 @@
-//! Strokes that a laser burns.
+//! Planning of laser strokes.
 
 use dobot_geometry::{Point, Stroke};
 use dobot_motion::TickStroke;
@@ -16,35 +16,37 @@ use crate::ticks::ticker::Ticker;
 use crate::{Laser, MoveKind, PlannedVector};
 
 impl Planner<'_> {
+    /// Plans the stroke with a run-up and a run-out.
+    ///
     /// ```text
     ///   off  -- Travel --> RunUp .                   . RunOut Brake -- Travel -->
     ///   on                       '- Burn Burn Burn --'
     /// ```
     ///
-    /// How far the last ticks before the switching go is known only when they are planned: then the
-    /// places of switching are moved, and the stroke is planned again. Where they come out at no place from which they would
-    /// lead there, another run-up or a little less speed is tried.
+    /// The length of the last ticks before switching is known only after planning. The switching
+    /// points are then moved and the stroke is planned again. If that does not converge, another
+    /// run-up or a slightly lower speed is tried.
     pub(crate) fn burn(&mut self, stroke: &Stroke, laser: &Laser) {
         let points = burnable(stroke, self.here);
         let laser = &Laser {
             burn_speed_mm_s: burn_speed_mm_s(&points, laser, self.arm_limits),
             ..*laser
         };
-        let before = self.burned_so_far();
-        let mut best: Option<BurnTry> = None;
+        let before = self.checkpoint();
+        let mut best: Option<BurnAttempt> = None;
         let (mut planned, mut is_planned) = (0, false);
-        'ways: for way in BurnWay::all() {
-            let is_planned_often = planned > MOST_PLANNED;
-            let goes = |it: BurnTry| it.is_within(way.worth_mm) || is_planned_often && !it.fails;
+        'ways: for way in BurnVariant::all() {
+            let is_over_budget = planned > MOST_PLANNED;
+            let goes = |it: BurnAttempt| it.is_within(way.worth_mm) || is_over_budget && !it.fails;
             if best.is_some_and(goes) {
                 break;
             }
             let mut wanted = SwitchLead::at_speed(laser, self.arm_limits);
             for _ in 0..BURN_ROUNDS {
                 if is_planned {
-                    self.back_to(&before);
+                    self.restore(&before);
                 }
-                let mut tried = BurnTry {
+                let mut tried = BurnAttempt {
                     way,
                     wanted,
                     off_mm: 0.0,
@@ -65,19 +67,19 @@ impl Planner<'_> {
                 }
                 is_planned = true;
                 planned += self.moves.len() - before.moves;
-                // Counts of ticks jump from one attempt to the next: half the way may lie between.
+                // Tick counts jump between attempts; half the correction may lie in between.
                 wanted = wanted.half_way(found);
             }
         }
         if let Some(best) = best.filter(|it| !it.is_within(NEAR_MM)) {
-            self.back_to(&before);
+            self.restore(&before);
             self.burn_once(&points, laser, &best);
         }
         self.stroke += 1;
     }
 
-    /// Where it is switched.
-    fn burn_once(&mut self, points: &[Point], laser: &Laser, tried: &BurnTry) -> SwitchLead {
+    /// Plans the stroke once and returns where the laser is switched.
+    fn burn_once(&mut self, points: &[Point], laser: &Laser, tried: &BurnAttempt) -> SwitchLead {
         let asked = laser.burn_speed_mm_s;
         let least = self
             .arm_limits
@@ -105,9 +107,9 @@ impl Planner<'_> {
         path.lead
     }
 
-    /// The plan before a stroke, to which it can go back.
-    fn burned_so_far(&self) -> BeforeBurn {
-        BeforeBurn {
+    /// Returns the state before a stroke, for [`restore`](Self::restore).
+    fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
             moves: self.moves.len(),
             here: self.here,
             settled: self.settled.clone(),
@@ -116,7 +118,7 @@ impl Planner<'_> {
         }
     }
 
-    fn back_to(&mut self, before: &BeforeBurn) {
+    fn restore(&mut self, before: &Checkpoint) {
         self.moves.truncate(before.moves);
         self.here = before.here;
         self.settled = before.settled.clone();
@@ -124,7 +126,8 @@ impl Planner<'_> {
         self.ticker.clone_from(&before.ticker);
     }
 
-    /// How far the ticks go in which the laser is switched, by the vectors from there on.
+    /// Returns the lengths of the ticks in which the laser is switched, in the vectors from `begin`
+    /// on.
     fn lead(&self, begin: usize, mut ticker: Ticker) -> SwitchLead {
         let last_mm = |tick_stroke: &TickStroke| {
             tick_stroke
@@ -147,8 +150,8 @@ impl Planner<'_> {
         lead
     }
 
-    /// A laser burns more where it is slower. Where a stroke's corners and short vectors allow nearly its
-    /// speed, all of the stroke is run at the speed that they do allow.
+    /// Lowers the speed of the stroke to its slowest part if that is nearly as fast: a laser burns
+    /// more where it is slower.
     pub(crate) fn even_burning(&mut self, begin: usize) {
         let burns = |vector: &&PlannedVector| vector.kind == MoveKind::Burn;
         let Some(first) = self.moves[begin..].iter().position(|it| burns(&it)) else {
@@ -179,9 +182,9 @@ impl Planner<'_> {
     }
 }
 
-/// A plan before a stroke.
-struct BeforeBurn {
-    /// How many vectors it has.
+/// The state of the planner before a stroke.
+struct Checkpoint {
+    /// The number of vectors.
     moves: usize,
     here: [f64; 3],
     settled: Settled,
@@ -189,19 +192,19 @@ struct BeforeBurn {
     ticker: Option<Ticker>,
 }
 
-/// A plan of a burned stroke.
+/// An attempt at a burned stroke.
 #[derive(Clone, Copy)]
-struct BurnTry {
-    way: BurnWay,
-    /// Where it was to be switched.
+struct BurnAttempt {
+    way: BurnVariant,
+    /// The intended switching points.
     wanted: SwitchLead,
-    /// How far from where it is burned then the stroke begins or ends, in mm.
+    /// The distance of the burned start or end from the stroke's, in mm.
     off_mm: f64,
-    /// Whether the arm does not come out of it as planned.
+    /// Whether the arm may deviate from the plan in it.
     fails: bool,
 }
 
-impl BurnTry {
+impl BurnAttempt {
     fn is_within(&self, most_mm: f64) -> bool {
         !self.fails && self.off_mm < most_mm
     }
@@ -211,21 +214,22 @@ impl BurnTry {
     }
 }
 
-/// How a stroke may be burned for its ticks to come out elsewhere.
+/// A variant of burning a stroke, with different ticks.
 #[derive(Clone, Copy)]
-struct BurnWay {
-    /// Of the speed.
+struct BurnVariant {
+    /// The share of the speed.
     speed_share: f64,
-    /// How much longer the run-up is, as the way of so many ticks: no longer than a stroke is run out.
+    /// The additional length of the run-up, in ticks: at most the length of the run-out.
     longer_ticks: f64,
-    /// Where it has one more vector, which may take just the tick in which the laser is switched.
+    /// The end with an additional vector, which may consist of just the tick in which the laser is
+    /// switched.
     parted: Parted,
-    /// It is tried where the error is larger than that, in mm.
+    /// The error above which the variant is tried, in mm.
     worth_mm: f64,
 }
 
-impl BurnWay {
-    /// As it is wanted, and those that are tried if that does not come out.
+impl BurnVariant {
+    /// Returns the requested variant followed by the alternatives.
     fn all() -> impl Iterator<Item = Self> {
         WAYS.into_iter().flat_map(|way| {
             LONGER_TICKS.into_iter().map(move |longer_ticks| Self {
@@ -245,24 +249,24 @@ impl BurnWay {
     }
 }
 
-/// How often a burned stroke is planned for the ticks of a stock arm.
+/// The maximum number of attempts per variant.
 const BURN_ROUNDS: u32 = 12;
-/// When so many vectors were planned for a stroke, no other ways are tried.
+/// After this many planned vectors no more variants are tried.
 const MOST_PLANNED: usize = 5_000;
 const LONGER_TICKS: [f64; 5] = [0.0, 0.7, 1.4, 2.1, 2.8];
-/// What is slower burns more, and what is parted is slower at times: so they have to be worth it. Half of the least burn is off anyway where
-/// the laser is switched at a corner.
-const WAYS: [BurnWay; 7] = [
-    BurnWay::new(1.0, Parted::Nowhere, 0.01),
-    BurnWay::new(1.0, Parted::AtEnd, 0.025),
-    BurnWay::new(1.0, Parted::AtBoth, 0.025),
-    BurnWay::new(0.97, Parted::Nowhere, 0.025),
-    BurnWay::new(0.97, Parted::AtBoth, 0.025),
-    BurnWay::new(0.9, Parted::Nowhere, 0.5 * LEAST_BURN_MM),
-    // That much more is burned only where the arm would not come out of the stroke as planned.
-    BurnWay::new(0.8, Parted::Nowhere, f64::INFINITY),
+/// Slower variants burn more and divided ones may be slower: they must be worth it. An error of
+/// half the shortest burn is unavoidable where the laser is switched at a corner.
+const WAYS: [BurnVariant; 7] = [
+    BurnVariant::new(1.0, Parted::Nowhere, 0.01),
+    BurnVariant::new(1.0, Parted::AtEnd, 0.025),
+    BurnVariant::new(1.0, Parted::AtBoth, 0.025),
+    BurnVariant::new(0.97, Parted::Nowhere, 0.025),
+    BurnVariant::new(0.97, Parted::AtBoth, 0.025),
+    BurnVariant::new(0.9, Parted::Nowhere, 0.5 * LEAST_BURN_MM),
+    // Burns much more; only for strokes in which the arm would deviate from the plan otherwise.
+    BurnVariant::new(0.8, Parted::Nowhere, f64::INFINITY),
 ];
-/// How much more may be burned on a millimetre for it to be as much everywhere.
+/// The factor by which burning per millimetre may increase to make it even.
 const MOST_SPREAD: f64 = 1.2;
 
 #[cfg(test)]
@@ -273,8 +277,8 @@ mod tests {
     use super::*;
     use crate::{ArmLimits, DrawingTool, Paper, Pass, Plan, burned_corners};
 
-    /// Where the laser of a stock arm is on, stroke by stroke: from the last tick before the vectors that burn up to the last but one
-    /// of these.
+    /// Returns the burned line of each stroke on a stock arm: from the last tick before the burning
+    /// vectors up to their last but one.
     fn lit(plan: &Plan) -> Vec<Stroke> {
         let mut ticker = Ticker::new(plan.arm_limits(), 0.0);
         let mut here = Point::new(plan.start[0], plan.start[1]);
@@ -293,7 +297,7 @@ mod tests {
                 stroke.points.push(there);
             }
             if let Some(stroke) = lit.last_mut().filter(|_| vector.kind == MoveKind::RunOut) {
-                // The laser goes off before the last tick of the vector before.
+                // The laser switches off before the last tick of the vector before.
                 stroke.points.pop();
                 stroke.points.push(last_tick[0]);
             }
@@ -302,7 +306,7 @@ mod tests {
         lit
     }
 
-    /// A stroke with corners as near to each other as a laser burns them, and farther.
+    /// A stroke with corners as close together as a laser burns them, and farther apart.
     fn stroke() -> impl Strategy<Value = Stroke> {
         let step = (0.0..360.0_f64, prop_oneof![0.08..0.3_f64, 0.1..3.0_f64]);
         proptest::collection::vec(step, 1..12).prop_map(|steps| {
@@ -315,7 +319,7 @@ mod tests {
         })
     }
 
-    /// How many times as long as at this speed a stock arm burns each of these strokes.
+    /// Returns the burning time of each stroke on a stock arm, relative to that at this speed.
     fn times_as_long(strokes: &[Stroke], burn_speed_mm_s: f64) -> Vec<f64> {
         let laser = Laser {
             burn_speed_mm_s,
@@ -360,14 +364,14 @@ mod tests {
             burn_speed_mm_s in 1.0..15.0_f64,
             lines in proptest::collection::vec((0.0..360.0_f64, 0.2..2.0_f64), 1..4),
         ) {
-            // Shorter ones are burned for whole ticks of 20 ms all the same.
+            // Shorter lines are burned for whole ticks of 20 ms anyway.
             let strokes: Vec<Stroke> = lines.iter().zip(0_u8..).map(|((turn_deg, wanted_s), i)| {
                 let begin = Point::new(200.0, 40.0 * f64::from(i) - 40.0);
                 let way = Vec2::from_angle(turn_deg.to_radians()) * (burn_speed_mm_s * wanted_s);
                 Stroke::open(vec![begin, begin + way])
             }).collect();
             for times in times_as_long(&strokes, burn_speed_mm_s) {
-                // Within 0.05 nine of ten.
+                // Within 0.05 in nine of ten cases.
                 prop_assert!((times - 1.0).abs() < 0.25, "{times}");
             }
         }
@@ -384,8 +388,8 @@ mod tests {
             let pass = Pass::new(DrawingTool::Laser(laser), strokes.to_vec());
             let plan = Plan::new(&[pass], &Paper::level(-40.0), &arm_limits).expect("a plan");
             let off = deviation(&strokes, &lit(&plan));
-            // 0.01 in nine of ten strokes, 0.033 in 99 of a hundred and 0.069 at most of eight thousand, whose first corner is sharp and
-            // as near to the beginning as a laser burns at all.
+            // 0.01 in nine of ten strokes, 0.033 in 99 %, and at most 0.069 in eight thousand, for
+            // a sharp first corner as close to the start as a laser burns at all.
             prop_assert!(off.largest_mm() <= LEAST_BURN_MM, "{off:?}");
         }
     }

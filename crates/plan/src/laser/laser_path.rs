@@ -1,4 +1,4 @@
-//! The way of a laser through a stroke: it gets to its speed before, and loses it behind.
+//! The path of a laser through a stroke: it accelerates before and brakes after.
 
 use dobot_geometry::{Point, Stroke, Vec2, bounds, distance_from_chord};
 
@@ -6,20 +6,20 @@ use crate::path::planner::LEAST_VECTOR_MM;
 use crate::ticks::tick::TICK_S;
 use crate::{ArmLimits, Laser};
 
-/// Where a laser gets to its speed before a stroke, and where it loses it behind.
+/// The path of a laser through a stroke, with run-up and run-out.
 pub(crate) struct LaserPath {
     pub run_up: Point,
-    /// Along the stroke up to where it is switched on.
+    /// The points up to the place where the laser is switched on.
     pub off_to: Vec<Point>,
-    /// On from there, up to where it is switched off.
+    /// The points from there to the place where it is switched off.
     pub on_to: Vec<Point>,
     pub run_out: Point,
     pub brake: Point,
-    /// Where it is switched: not where it was to be, if a corner lies too near to that.
+    /// The actual switching points, which differ from the intended ones if a corner is too close.
     pub lead: SwitchLead,
 }
 
-/// Where a vector ends at an end of a stroke, though the laser is not switched there but behind it.
+/// The end of a stroke at which a vector is divided, although the laser is switched later.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Parted {
     Nowhere,
@@ -27,8 +27,8 @@ pub(crate) enum Parted {
     AtBoth,
 }
 
-/// How far before the end of a vector the laser is switched with the vector behind it, in mm: a stock
-/// arm does that a tick before its motors begin that vector.
+/// The distance before the end of a vector at which the laser is switched by the next vector, in
+/// mm: a stock arm does that one tick before the motion of that vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SwitchLead {
     pub on_mm: f64,
@@ -36,7 +36,7 @@ pub(crate) struct SwitchLead {
 }
 
 impl SwitchLead {
-    /// As long as the laser's speed is kept.
+    /// Returns the lead at constant laser speed.
     pub(crate) fn at_speed(laser: &Laser, arm_limits: &ArmLimits) -> Self {
         let mm = if arm_limits.has_ticks {
             laser.burn_speed_mm_s * f64::from(TICK_S)
@@ -63,7 +63,7 @@ impl SwitchLead {
 }
 
 impl LaserPath {
-    /// So many mm are added to the way on which it gets to its speed.
+    /// Creates the path of a stroke; the run-up is extended by `longer_mm`.
     pub(crate) fn of(
         points: &[Point],
         speed_mm_s: f64,
@@ -98,9 +98,10 @@ impl LaserPath {
     }
 }
 
-/// Where along a path a laser can be switched on that is to be switched on there: no vector behind it may be shorter than
-/// [`LEAST_BURN_MM`]. A corner that lies nearer is left out if nobody sees that. Otherwise it is switched on at that corner or so far before
-/// it, whichever is nearer: off by half of that at the most.
+/// Returns the possible switching point closest to the wanted one: the next vector must not be
+/// shorter than [`LEAST_BURN_MM`]. A closer corner is removed if that is invisible. Otherwise the
+/// laser is switched at that corner or [`LEAST_BURN_MM`] before it, with an error of at most half
+/// of that.
 ///
 /// ```text
 ///            wanted                          wanted
@@ -136,15 +137,15 @@ fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
     }
 }
 
-/// How far beyond the end of a stroke a laser goes at the most, in mm.
+/// Returns the maximum distance of the laser beyond the ends of a stroke, in mm.
 pub(crate) fn run_mm(laser: &Laser, arm_limits: &ArmLimits) -> f64 {
     let speed_mm_s = laser.burn_speed_mm_s;
     let run_out_mm = packet_mm(speed_mm_s, arm_limits).max(LEAST_RUN_OUT_MM);
     SwitchLead::at_speed(laser, arm_limits).off_mm + run_out_mm + gain_mm(speed_mm_s, arm_limits)
 }
 
-/// What it takes to get to a speed, and at least as much as the link needs for a packet. From rest an arm with ticks gets to a
-/// tick's change at once, and no slower.
+/// Returns the distance needed to reach a speed, and at least one packet's. From rest, an arm with
+/// ticks reaches the change per tick immediately and cannot be slower.
 fn gain_mm(speed_mm_s: f64, arm_limits: &ArmLimits) -> f64 {
     let gain_mm = 0.5 * speed_mm_s * speed_mm_s / arm_limits.acceleration_mm_s2 * RUN_SPARE;
     let least_mm_s = if arm_limits.has_ticks {
@@ -155,13 +156,14 @@ fn gain_mm(speed_mm_s: f64, arm_limits: &ArmLimits) -> f64 {
     gain_mm.max(packet_mm(speed_mm_s.max(least_mm_s), arm_limits))
 }
 
-/// How far it goes while the link brings a packet.
+/// Returns the distance covered while the link delivers a packet.
 fn packet_mm(speed_mm_s: f64, arm_limits: &ArmLimits) -> f64 {
     speed_mm_s * arm_limits.link.period_s * RUN_SPARE
 }
 
-/// The corners of a stroke that a laser burns, none nearer to the next than [`LEAST_BURN_MM`]: the link takes as long for a shorter
-/// vector as for any other, and burns a hole. Of a stroke that is shorter than that, its beginning alone.
+/// Returns the corners of a burned stroke, at least [`LEAST_BURN_MM`] apart: the link takes as long
+/// for a shorter vector as for any other, so the laser would burn a hole. For a stroke shorter than
+/// that, returns only its start.
 #[must_use]
 pub fn burned_corners(stroke: &Stroke) -> Vec<Point> {
     let mut points = Vec::with_capacity(stroke.points.len());
@@ -181,8 +183,8 @@ pub fn burned_corners(stroke: &Stroke) -> Vec<Point> {
     points
 }
 
-/// The corners of a stroke as a laser can burn them, two or more. What is shorter than the spot is a line as long as that, as far to
-/// one side of it as to the other.
+/// Returns the corners of a stroke, at least two. A stroke shorter than the spot becomes a centred
+/// line of that length.
 pub(crate) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
     let points = burned_corners(stroke);
     if points.len() > 1 && stroke.length_mm() >= DOT_MM {
@@ -190,13 +192,13 @@ pub(crate) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
     }
     let middle = bounds(stroke.points.iter().copied()).center();
     let come = middle - Point::new(here[0], here[1]);
-    let into = way_of(stroke.segments()).or_else(|| unit(come));
+    let into = direction_of(stroke.segments()).or_else(|| unit(come));
     let half = into.unwrap_or(Vec2::new(1.0, 0.0)) * (0.5 * DOT_MM);
     vec![middle - half, middle + half]
 }
 
-/// The speed at which a laser burns a path: a stock arm switches it between ticks, so that what is
-/// shorter than a tick at its own speed is burned for a whole one.
+/// Returns the speed at which a laser burns a path: a stock arm switches it between ticks, so a
+/// path shorter than a tick is burned for a whole one.
 pub(crate) fn burn_speed_mm_s(points: &[Point], laser: &Laser, arm_limits: &ArmLimits) -> f64 {
     let length_mm: f64 = points.windows(2).map(|it| it[0].distance(it[1])).sum();
     if arm_limits.has_ticks {
@@ -206,7 +208,7 @@ pub(crate) fn burn_speed_mm_s(points: &[Point], laser: &Laser, arm_limits: &ArmL
     }
 }
 
-/// Where a path leads up to a place so far along it, and on from there.
+/// Splits a path at a distance along it.
 fn split(path: &[Point], at_mm: f64) -> (Vec<Point>, Vec<Point>) {
     let (mut left_mm, mut before) = (at_mm, Vec::new());
     for (i, pair) in path.windows(2).enumerate() {
@@ -221,8 +223,8 @@ fn split(path: &[Point], at_mm: f64) -> (Vec<Point>, Vec<Point>) {
     (before, Vec::new())
 }
 
-/// The direction of the first piece that has one.
-fn way_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Vec2> {
+/// Returns the direction of the first segment with a length.
+fn direction_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Vec2> {
     segments.find_map(|(a, b)| unit(b - a))
 }
 
@@ -231,12 +233,13 @@ fn unit(way: Vec2) -> Option<Vec2> {
     (length >= LEAST_VECTOR_MM).then(|| way * (1.0 / length))
 }
 
-/// A laser burns a dot as a line, as long as its spot is wide.
+/// The length of the line that a laser burns for a dot: the width of its spot.
 pub const DOT_MM: f64 = 0.2;
-/// No vector that a laser burns is shorter, but of a stroke that is: the link would have it burn a hole there.
+/// The minimum length of a burned vector, except for shorter strokes: the laser would burn a hole
+/// because of the link.
 pub const LEAST_BURN_MM: f64 = 0.08;
-/// Nobody sees less burned, or so far aside.
+/// A distance that is invisible when burned.
 pub(crate) const NEAR_MM: f64 = 0.005;
 const LEAST_RUN_OUT_MM: f64 = 0.1;
-/// Ways to get faster and slower are a little longer than they have to be, for rounding.
+/// The extra length of acceleration and braking, for rounding.
 const RUN_SPARE: f64 = 1.01;

@@ -1,20 +1,23 @@
-//! What a laser burns slower than it is to, and so darker.
+//! Detection of strokes burned too slowly, and so too dark.
 
 use crate::{DrawingTool, MoveKind, Plan, PlannedPass};
 
-/// What of a pass is burned slower than its laser is to: corners, short vectors and the link allow no more.
+/// The part of a pass burned below the requested speed because of corners, short vectors or the
+/// link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowBurning {
-    /// How much of it, in mm.
+    /// The length burned slowly, in mm.
     pub slow_mm: f64,
-    /// How much the pass burns at all, in mm.
+    /// The total burned length, in mm.
     pub burned_mm: f64,
-    /// The speed that all but a twentieth of it gets to, in mm/s: asked for that, it would be burned evenly.
+    /// The speed that all but 5 % of the length reaches, in mm/s: at this speed the pass burns
+    /// evenly.
     pub even_mm_s: f64,
 }
 
 impl Plan {
-    /// What of a pass is burned slower than its laser is to; nothing where that is next to nothing, and for a pen.
+    /// Returns the part of a pass burned below the laser's speed; `None` if it is negligible, and
+    /// for a pen.
     #[must_use]
     pub fn slow_burning(&self, pass: &PlannedPass) -> Option<SlowBurning> {
         let DrawingTool::Laser(laser) = pass.tool else {
@@ -33,13 +36,13 @@ impl Plan {
         let is_slow = |it: &[f64; 2]| it[0] * SLOW < laser.burn_speed_mm_s;
         let burned_mm = sum_mm(&burned);
         let slow_mm = sum_mm(&burned[..burned.partition_point(is_slow)]);
-        let seen_mm = SEEN_SHARE * burned_mm;
+        let sampled_limit_mm = SEEN_SHARE * burned_mm;
         let mut passed_mm = 0.0;
         let even = burned.iter().find(|it| {
             passed_mm += it[1];
-            passed_mm > seen_mm
+            passed_mm > sampled_limit_mm
         })?;
-        (slow_mm > seen_mm).then_some(SlowBurning {
+        (slow_mm > sampled_limit_mm).then_some(SlowBurning {
             slow_mm,
             burned_mm,
             even_mm_s: even[0],
@@ -47,9 +50,9 @@ impl Plan {
     }
 }
 
-/// What is burned so many times as long as asked for is seen to be darker.
+/// A burning time this many times as long is visibly darker.
 const SLOW: f64 = 1.25;
-/// Nobody minds less of it.
+/// The largest share of the length that is negligible.
 const SEEN_SHARE: f64 = 0.05;
 
 #[cfg(test)]
@@ -80,7 +83,7 @@ mod tests {
 
     #[test]
     fn what_the_link_slows_down_is_reported_and_is_even_at_the_speed_that_is_reported() {
-        // Its packets take 80 ms each: 20 of 0.8 mm allow 10 mm/s.
+        // Its packets take 80 ms each: 20 vectors of 0.8 mm allow 10 mm/s.
         let row: Vec<(f64, f64)> = (0..=20)
             .map(|i| (200.0 + 0.8 * f64::from(i), 0.0))
             .collect();

@@ -1,4 +1,4 @@
-//! A plan in the words of the protocol.
+//! The commands of a plan.
 
 use dobot_arm::Limits;
 use dobot_wire::{
@@ -8,8 +8,8 @@ use dobot_wire::{
 use crate::{MoveKind, Plan, PlannedVector};
 
 impl Plan {
-    /// All that the arm is told for this drawing, in order: laser off, which tool it has, the
-    /// acceleration, to the start, and the vectors; behind a laser, laser off once more.
+    /// Returns all commands of the drawing in order: laser off, tool, acceleration, move to the
+    /// start, and the vectors; for a laser, laser off again at the end.
     pub fn commands(&self) -> impl Iterator<Item = Command> {
         approach(self)
             .into_iter()
@@ -18,21 +18,21 @@ impl Plan {
             .chain(self.burns().then(|| LASER_OFF.into()))
     }
 
-    /// Where the arm waits for a person: the index in [`commands`](Self::commands) of the command
-    /// that has to wait, and what the person is told.
+    /// Returns the breaks: the index in [`commands`](Self::commands) of the command that must wait,
+    /// and the message to the person.
     pub fn breaks_in_commands(&self) -> impl Iterator<Item = (usize, &str)> {
         let breaks = self.breaks.iter();
         breaks.map(|it| (self.command_of(it.before), it.message.as_str()))
     }
 
-    /// The index in [`commands`](Self::commands) of a vector.
+    /// Returns the index in [`commands`](Self::commands) of a vector.
     #[must_use]
     pub const fn command_of(&self, vector: usize) -> usize {
         APPROACH_LEN + 1 + vector
     }
 }
 
-/// What has to be told before the arm goes to the start.
+/// Returns the commands before the move to the start.
 pub(crate) fn approach(plan: &Plan) -> [Command; APPROACH_LEN] {
     let tool = Configuration::EndEffector {
         tool: plan.passes[0].tool.tool().into(),
@@ -43,8 +43,9 @@ pub(crate) fn approach(plan: &Plan) -> [Command; APPROACH_LEN] {
     [LASER_OFF.into(), tool.into(), acceleration.into()]
 }
 
-/// To where the first vector begins. The tool keeps its rotation on all vectors, so the servo turns against the base: it begins
-/// in its middle, unless that is too far from its end somewhere.
+/// Returns the move to the start of the first vector. The tool keeps its rotation on all vectors,
+/// so the servo turns against the base: it starts at its centre, unless that brings it too close to
+/// a limit somewhere.
 pub(crate) fn to_start(plan: &Plan) -> MoveTo {
     let [x_mm, y_mm, z_mm] = plan.start.map(single);
     let begin_deg = y_mm.atan2(x_mm).to_degrees();
@@ -61,7 +62,7 @@ pub(crate) fn to_start(plan: &Plan) -> MoveTo {
     }
 }
 
-/// Between which angles the base turns, in degrees; no way leads behind it.
+/// Returns the range of the base angle, in degrees; no path leads behind the base.
 fn base_span_deg(plan: &Plan) -> [f32; 2] {
     let places = std::iter::once(plan.start).chain(plan.positions());
     let bases_deg = places.map(|[x, y, _]| single(y.atan2(x).to_degrees()));
@@ -70,12 +71,11 @@ fn base_span_deg(plan: &Plan) -> [f32; 2] {
     })
 }
 
-/// The packet's contents for a planned vector (state 4; Table 2.6).
+/// Returns the packet of a planned vector (state 4; Table 2.6).
 ///
-/// Only in laser mode does a stock arm look at the laser at all, and it leaves it as it was set
-/// (note N48). So the vector behind a stroke is in laser mode too, with the laser off, and all
-/// other ways are in writing mode: in laser mode with the laser off it would accelerate a
-/// hundredfold.
+/// A stock arm switches the laser only in laser mode and otherwise leaves it unchanged (note N48).
+/// Therefore the vector after a stroke is also in laser mode, with the laser off. All others are in
+/// writing mode, because laser mode with the laser off accelerates a hundredfold.
 pub(crate) const fn write(vector: &PlannedVector) -> WriteVector {
     let mode = match vector.kind {
         MoveKind::Burn | MoveKind::RunOut => WriteMode::Laser,
@@ -97,7 +97,7 @@ pub(crate) const fn write(vector: &PlannedVector) -> WriteVector {
 pub(crate) const LASER_OFF: JointJog = JointJog::new(JointJogAxis::LaserOff, 0.0);
 
 const APPROACH_LEN: usize = 3;
-/// How far the servo turns to both sides of its middle, less what rounding needs.
+/// The range of the servo to both sides of its centre, less a margin for rounding.
 const SERVO_DEG: f64 = Limits::STOCK.servo.max.0 - 1.0;
 
 #[cfg(test)]
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_drawing_around_half_the_base_begins_with_the_servo_turned() {
-        // Dots 220 mm from the axis, at these angles of the base.
+        // Dots 220 mm from the axis, at these base angles.
         let rotation_deg = |bases_deg: &[f64]| {
             let dot = |deg: &f64| {
                 let (sin, cos) = deg.to_radians().sin_cos();
@@ -136,7 +136,7 @@ mod tests {
             let plan = Plan::new(&[pass], &Paper::default(), &ArmLimits::default()).unwrap();
             to_start(&plan).rotation_deg
         };
-        // The servo goes from 65 to -65 degrees instead of from 0 to -130.
+        // The servo turns from 65 to -65 degrees instead of from 0 to -130.
         assert!((rotation_deg(&[-60.0, 0.0, 70.0]) - 5.0).abs() < 0.01);
         assert!((rotation_deg(&[20.0, -60.0, 70.0]) - 20.0).abs() < 0.01);
     }

@@ -1,11 +1,12 @@
-//! Ways around the place where the arm stands.
+//! Detours around the arm's own position.
 
 use std::f64::consts::PI;
 
 use dobot_geometry::{Point, Vec2};
 
-/// The corners of a way that stays at least `nearest_mm` away from the axis of the arm, or as far as its ends are, and
-/// leads past the arm in front of it, never behind. There are none where the straight way does that.
+/// Returns the corners of a path that keeps `nearest_mm` from the arm's axis (or the distance of
+/// its ends, if smaller) and passes in front of the arm. There are none if the straight path does
+/// that.
 ///
 /// ```text
 ///              .--------.
@@ -20,7 +21,7 @@ pub fn detour(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
     if radius_mm <= 0.0 {
         return Vec::new();
     }
-    // Angles are from -pi to pi, so that the way between them leads past x > 0.
+    // Angles range from -pi to pi, so the path between them passes x > 0.
     let touches = |it: Vec2| (radius_mm / it.hypot()).min(1.0).acos();
     let turn = to.atan2() - from.atan2();
     let arc = turn.abs() - touches(from) - touches(to);
@@ -49,7 +50,7 @@ mod tests {
 
     use super::*;
 
-    /// How near the legs of a way come to the axis, and whether one of them leads behind it.
+    /// Returns the minimum distance of a path from the axis, and whether it passes behind it.
     fn nearest_mm(way: &[Point]) -> (f64, bool) {
         let legs = way.windows(2).map(|it| {
             let (a, leg) = (it[0].to_vec2(), it[1] - it[0]);
@@ -85,7 +86,7 @@ mod tests {
             way[1..way.len() - 1].iter().all(|it| it.x > 100.0),
             "{way:?}"
         );
-        // Two lines that touch the circle, and the arc between them.
+        // Two tangents and the arc between them.
         let length_mm: f64 = way.windows(2).map(|it| it[0].distance(it[1])).sum();
         let touching_mm = (220.0_f64.powi(2) - 150.0_f64.powi(2)).sqrt();
         let arc = PI - 2.0 * (150.0_f64 / 220.0).acos();

@@ -1,4 +1,4 @@
-//! Where a vector leads.
+//! The endpoint of a vector.
 
 use dobot_arm::stock;
 
@@ -6,7 +6,7 @@ use crate::path::commands::write;
 use crate::ticks::ticker::Ticker;
 use crate::{ArmLimits, DrawingTool, PlannedVector};
 
-/// Where vectors lead: exactly their increments further, or to where a stock arm takes itself to be then.
+/// Computes endpoints: exact increments, or the position of a stock arm in its own arithmetic.
 #[derive(Clone, Debug)]
 pub(crate) struct Endpoint {
     stock: Option<StockEndpoint>,
@@ -14,9 +14,9 @@ pub(crate) struct Endpoint {
 
 #[derive(Clone, Debug)]
 struct StockEndpoint {
-    /// How far the tool reaches beyond the wrist.
+    /// The distance of the tool from the wrist.
     tool_mm: f32,
-    /// What the arm carries over from vector to vector.
+    /// The state carried from vector to vector.
     ticker: Ticker,
 }
 
@@ -30,22 +30,23 @@ impl Endpoint {
         }
     }
 
-    /// Where these increments lead from here, in mm, as far as is known without their speeds.
-    pub(crate) fn about(&self, here: [f64; 3], way: [f32; 3]) -> [f64; 3] {
+    /// Returns the endpoint of these increments, in mm, as far as it is known without their speeds.
+    pub(crate) fn estimate(&self, here: [f64; 3], way: [f32; 3]) -> [f64; 3] {
         match &self.stock {
             Some(it) => stock::behind(here, way, it.tool_mm),
             None => [0, 1, 2].map(|i| here[i] + f64::from(way[i])),
         }
     }
 
-    /// Where the next vector leads from here, in mm. A stock arm adds up its ticks in single precision: what that makes of a
-    /// vector differs by a millionth of a millimetre, thousands of times in the same direction.
-    pub(crate) fn behind(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
+    /// Returns the endpoint of the next vector, in mm. A stock arm sums its ticks in single
+    /// precision, which changes a vector by a millionth of a millimetre, thousands of times in the
+    /// same direction.
+    pub(crate) fn after(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
         let way = [vector.x_mm, vector.y_mm, vector.z_mm];
         let way = match &mut self.stock {
             Some(it) => it.ticker.displacement_mm(&write(vector)),
             None => way,
         };
-        self.about(here, way)
+        self.estimate(here, way)
     }
 }

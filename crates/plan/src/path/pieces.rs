@@ -1,6 +1,6 @@
-//! Long vectors cut into pieces.
+//! Division of long vectors into pieces.
 //!
-//! The protocol has no stop: an arm finishes what it has received. So no vector that it receives is to be long.
+//! The protocol has no stop: an arm finishes all received vectors, so none should be long.
 //!
 //! ```text
 //!   speed     _____________          the same motion in four packets. With ticks each piece is a number
@@ -21,20 +21,21 @@ use crate::ticks::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
 use crate::ticks::ticker::{Ticker, length};
 use crate::{ArmLimits, DrawingTool, MoveKind, PlannedVector};
 
-/// A vector that burns takes no longer, in s, unless a stock arm only speeds up and brakes on it.
+/// The maximum duration of a burning vector, in s, unless a stock arm only accelerates and brakes
+/// in it.
 pub const LONGEST_BURN_S: f64 = 0.18;
-/// The same for a vector of a pen that draws.
+/// The maximum duration of a drawing pen's vector, in s.
 pub const LONGEST_DRAW_S: f64 = 0.34;
 
-/// Cuts long vectors into pieces. Ways, speeds and times stay as they are.
+/// Divides long vectors into pieces without changing paths, speeds and times.
 pub(crate) struct Pieces {
     acceleration_mm_s2: f64,
-    /// An arm with ticks as it runs the vectors, and as it runs their pieces.
+    /// An arm with ticks executing the whole vectors, and one executing their pieces.
     arms: Option<[TickedArm; 2]>,
 }
 
 impl Pieces {
-    /// Those of the first vectors of a plan, which begins at this place.
+    /// Creates the divider for a plan that begins at this place.
     pub(crate) fn new(arm_limits: &ArmLimits, tool: &DrawingTool, start: [f64; 3]) -> Self {
         let arm = Ticker::of(arm_limits, 0.0).map(|ticker| TickedArm {
             ticker,
@@ -47,7 +48,7 @@ impl Pieces {
         }
     }
 
-    /// The pieces of the next vector, behind which comes another one.
+    /// Returns the pieces of the next vector.
     pub(crate) fn of(
         &mut self,
         vector: &PlannedVector,
@@ -62,20 +63,20 @@ impl Pieces {
             return of_time(vector, longest_s, self.acceleration_mm_s2);
         };
         let whole = planned.run(vector);
-        let goes_on_alike = |pieces: &Vec<PlannedVector>| {
+        let continues_alike = |pieces: &Vec<PlannedVector>| {
             let mut behind = divided.clone();
             behind.run_all(pieces);
-            next.is_none_or(|it| is_like(&planned.tick_stroke(it), &behind.tick_stroke(it)))
+            next.is_none_or(|it| is_alike(&planned.tick_stroke(it), &behind.tick_stroke(it)))
         };
         let pieces =
-            of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(goes_on_alike);
+            of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(continues_alike);
         let pieces = pieces.unwrap_or_else(|| vec![*vector]);
         divided.run_all(&pieces);
         pieces
     }
 }
 
-/// An arm with ticks behind the vectors that it has run.
+/// The state of an arm with ticks after some vectors.
 #[derive(Clone)]
 struct TickedArm {
     ticker: Ticker,
@@ -85,7 +86,7 @@ struct TickedArm {
 
 impl TickedArm {
     fn run(&mut self, vector: &PlannedVector) -> TickStroke {
-        self.here = self.endpoint.behind(self.here, vector);
+        self.here = self.endpoint.after(self.here, vector);
         self.ticker.run(&write(vector))
     }
 
@@ -95,13 +96,13 @@ impl TickedArm {
         }
     }
 
-    /// How it would run a vector.
+    /// Returns the ticks of a vector without executing it.
     fn tick_stroke(&self, vector: &PlannedVector) -> TickStroke {
         self.ticker.clone().run(&write(vector))
     }
 }
 
-/// Pieces that all take as long.
+/// Divides a vector into pieces of equal duration.
 fn of_time(vector: &PlannedVector, longest_s: f64, acceleration_mm_s2: f64) -> Vec<PlannedVector> {
     let whole = vector.profile(acceleration_mm_s2);
     let count = (whole.duration_s() / longest_s - ROUNDING).ceil().max(1.0);
@@ -110,7 +111,7 @@ fn of_time(vector: &PlannedVector, longest_s: f64, acceleration_mm_s2: f64) -> V
     let (mut rest, mut end_s) = (*vector, each_s);
     while end_s < whole.duration_s() - 0.5 * each_s {
         let [mut piece, mut after] = rest.parts(whole.distance() - whole.distance_at(end_s));
-        // Of the length as it is rounded.
+        // Use the rounded length.
         let end_mm_s = speed_before_mm_s(&whole, after.length_mm(), acceleration_mm_s2);
         piece.end_speed_mm_s = round_down(end_mm_s);
         after.start_speed_mm_s = piece.end_speed_mm_s;
@@ -126,7 +127,7 @@ fn of_time(vector: &PlannedVector, longest_s: f64, acceleration_mm_s2: f64) -> V
     pieces
 }
 
-/// The speed so far before the end of a vector, in mm/s.
+/// Returns the speed at a distance before the end of a vector, in mm/s.
 fn speed_before_mm_s(whole: &Profile, left_mm: f64, acceleration_mm_s2: f64) -> f64 {
     let reached = |speed_mm_s: f64, way_mm: f64| {
         (speed_mm_s * speed_mm_s + 2.0 * acceleration_mm_s2 * way_mm).sqrt()
@@ -136,19 +137,22 @@ fn speed_before_mm_s(whole: &Profile, left_mm: f64, acceleration_mm_s2: f64) -> 
     up_mm_s.min(down_mm_s).min(whole.peak_speed())
 }
 
-/// Whether a vector comes out in as many ticks, or if these are many in hardly more or less.
-fn is_like(a: &TickStroke, b: &TickStroke) -> bool {
+/// Whether two executions have the same ticks, with a negligible difference in the number of
+/// constant-speed ticks.
+fn is_alike(a: &TickStroke, b: &TickStroke) -> bool {
     let [[a_up, a_even, a_down], [b_up, b_even, b_down]] = [a.counts, b.counts];
     let apart = f64::from(a_even.abs_diff(b_even));
     a.is_exact() == b.is_exact()
         && (a_up, a_down) == (b_up, b_down)
-        && apart <= HARDLY * f64::from(a.ticks())
+        && apart <= NEGLIGIBLE_SHARE * f64::from(a.ticks())
 }
 
-/// Pieces of whole ticks, each as fast in every tick as the whole vector, in the ways in which there are such packets.
+/// Returns possible divisions into pieces of whole ticks that have the speed of the whole vector in
+/// every tick.
 ///
-/// How many ticks slow down to a rest is told by the largest speed alone: that may fit only a piece that hardly does anything
-/// else. And by the last digit of what the last piece leaves, the next vector may take a tick more or less.
+/// The maximum speed alone determines the number of decelerating ticks before a rest, which may fit
+/// only a piece that does little else. The last digit of the speed left by the last piece may
+/// change the ticks of the next vector.
 fn of_ticks(
     vector: &PlannedVector,
     longest_s: f64,
@@ -164,7 +168,7 @@ fn of_ticks(
     })
 }
 
-/// Pieces that end at these ticks, so far before them.
+/// Returns the pieces that end at these ticks, shifted by a distance.
 fn ending_at(
     (ends, shift_mm): (&[usize], f64),
     vector: &PlannedVector,
@@ -178,7 +182,8 @@ fn ending_at(
     let ways_mm = whole.speeds_mm_s().map(|it| f64::from(it * TICK_S));
     let ways_mm: Vec<f64> = ways_mm.collect();
     let length_mm: f64 = ways_mm.iter().sum();
-    // Each aims from where those before lead, so that what the arm rounds does not add up.
+    // Each piece starts at the actual end of those before, so that the arm's rounding does not
+    // accumulate.
     let piece_to = |share: f64, arm: &TickedArm| {
         let to = [0, 1, 2].map(|i| start[i] + share * (target[i] - start[i]));
         let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| single(to[i] - arm.here[i]));
@@ -195,7 +200,7 @@ fn ending_at(
     for &end in ends {
         let left_mm = ways_mm[end..].iter().sum::<f64>() + shift_mm;
         let kept = i16::try_from(end - begin).ok()? - up;
-        // It goes on as fast as it is.
+        // The piece ends at constant speed.
         let piece = PlannedVector {
             end_speed_mm_s: f32::INFINITY,
             ..piece_to(1.0 - left_mm / length_mm, &arm)
@@ -208,7 +213,7 @@ fn ending_at(
     Some(pieces)
 }
 
-/// At which ticks pieces end: among those that keep the speed, but for the last of them.
+/// Returns the ticks at which pieces end: constant-speed ticks, except for the last piece.
 fn ends([up, even, down]: [i16; 3], longest_s: f64, brakes_apart: bool) -> Vec<usize> {
     let [up, even, down] = [up, even, down].map(|it| usize::try_from(it).unwrap_or(0));
     #[expect(
@@ -234,7 +239,8 @@ fn ends([up, even, down]: [i16; 3], longest_s: f64, brakes_apart: bool) -> Vec<u
     ends
 }
 
-/// A piece with speeds for which an arm cuts it into these ticks: how fast they are follows from its length.
+/// Finds speeds with which the arm executes a piece in these ticks; their values follow from its
+/// length.
 fn with_counts(
     piece: &PlannedVector,
     counts: [i16; 3],
@@ -243,7 +249,8 @@ fn with_counts(
     let step_mm_s = arm.ticker.step_mm_s();
     let [ups, evens, downs] = counts.map(f32::from);
     let ticks = ups + evens + downs;
-    // 50 L = n b + d s, with the begin speed b, a change d for each tick that is faster, and s of these in all ticks.
+    // 50 L = n b + d s, with the initial speed b, a change d per accelerating tick, and s such
+    // changes over all ticks.
     let steps = ups * (ups - 1.0) / 2.0 + ups * (evens + downs) - downs * (downs + 1.0) / 2.0;
     let begin_mm_s = (50.0 * length(&write(piece)) - step_mm_s * steps) / ticks;
     let top_mm_s = (begin_mm_s + ups * step_mm_s) * (1.0 - SPARE);
@@ -251,7 +258,8 @@ fn with_counts(
         MoveKind::Burn => LEAST_BURN_MM_S.min(piece.max_speed_mm_s),
         _ => LEAST_END_MM_S,
     };
-    // What all ticks correct makes an arm faster than it was told: the rest is told of that speed, or it would take more ticks.
+    // The correction of all ticks makes the arm faster than its packet; the rest needs that speed
+    // as its maximum, or it would take more ticks.
     let slower = SLOWER_STEPS.map(|it| top_mm_s - it * step_mm_s);
     let tops_mm_s = iter::once(piece.max_speed_mm_s).chain(slower);
     let tried = tops_mm_s.flat_map(|it| {
@@ -270,24 +278,25 @@ fn with_counts(
             ..*piece
         })
     });
-    let is_cut_so = |piece: &PlannedVector| {
+    let has_counts = |piece: &PlannedVector| {
         let tick_stroke = arm.tick_stroke(piece);
         tick_stroke.counts == counts && tick_stroke.is_exact()
     };
-    let found = tried.into_iter().find(is_cut_so)?;
+    let found = tried.into_iter().find(has_counts)?;
     arm.run(&found);
     Some(found)
 }
 
-/// How much longer the last piece of a vector may be, in mm: the first one is as much shorter.
+/// Changes of the last piece's length, in mm; the first one changes by the opposite.
 const SHIFTS_MM: [f64; 5] = [0.0, 4e-5, -4e-5, 2e-4, -2e-4];
-/// Nobody sees that a line is drawn so much faster or slower, as a share.
-const HARDLY: f64 = 0.003;
-/// Numbers that differ by less, as shares, are the same.
+/// The share of a speed that is invisible in a drawing.
+const NEGLIGIBLE_SHARE: f64 = 0.003;
+/// Shares that differ by less are equal.
 const ROUNDING: f64 = 1e-3;
-/// By how much a begin speed is lower than it could be, as a share: a piece is as long as single precision lets it be.
+/// The share by which an initial speed is lowered, because single precision limits the length of a
+/// piece.
 const SPARE: f32 = 1e-4;
-/// So many steps of speed below the fastest tick a largest speed is tried.
+/// Steps of speed below the fastest tick that are tried as maximum speed.
 const SLOWER_STEPS: [f32; 3] = [0.25, 0.0, 0.45];
 
 #[cfg(test)]
@@ -319,14 +328,14 @@ mod tests {
         })
     }
 
-    /// The plan without pieces, and with them.
+    /// Returns the plan without and with pieces.
     fn plans(strokes: &[Stroke], tool: DrawingTool, arm_limits: &ArmLimits) -> [Plan; 2] {
         let passes = [Pass::new(tool, strokes.to_vec())];
         let paper = Paper::level(-40.0);
         [Plan::whole, Plan::new].map(|plan| plan(&passes, &paper, arm_limits).expect("a plan"))
     }
 
-    /// Where the tool of an arm is at each tick of a plan, in mm, and whether it burns or draws there.
+    /// Returns the position at each tick of a plan, in mm, and the kind of its vector.
     fn motion(plan: &Plan) -> Vec<([f64; 3], MoveKind)> {
         let mut places = Vec::new();
         let mut ticker = Ticker::of(plan.arm_limits(), 0.0);
@@ -357,7 +366,8 @@ mod tests {
         places
     }
 
-    /// Both plans move the arm in the same way; in pieces none that keeps its speed lasts longer than this, in s.
+    /// Checks that both plans move the arm equally and that no piece at constant speed takes longer
+    /// than this, in s.
     fn check(
         whole: &Plan,
         divided: &Plan,

@@ -1,4 +1,4 @@
-//! From strokes to vectors: the ways of the tool, chain by chain.
+//! From strokes to vectors: the paths of the tool, chain by chain.
 
 use dobot_geometry::{Point, Stroke};
 
@@ -12,34 +12,34 @@ use crate::speed::joints::JointSpeeds;
 use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick_chain::LastPlaces;
+use crate::ticks::tick_chain::LastPositions;
 use crate::ticks::tick_fit::LEAST_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
 use crate::{ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, PlannedVector};
 
-/// Plans one way after the other. A chain is a way between two rests.
+/// Plans one chain after another. A chain is a path between two rests.
 pub(crate) struct Planner<'a> {
     paper: &'a Paper,
     pub(crate) arm_limits: &'a ArmLimits,
     pub(crate) chain_speeds: ChainSpeeds,
-    /// Where the arm has ticks.
+    /// Present if the arm has ticks.
     pub(crate) ticker: Option<Ticker>,
-    /// Where the tool was at the last ticks.
-    pub(crate) last_places: LastPlaces,
+    /// The tool positions at the last ticks.
+    pub(crate) last_positions: LastPositions,
     pub(crate) travel: TravelVectors,
-    /// Where the vectors so far lead, rounding included.
+    /// The end of the planned vectors, including rounding.
     pub(crate) here: [f64; 3],
     pub(crate) settled: Settled,
-    /// What matters: of a pen that it is over soon.
+    /// The objective of the current pass.
     pub(crate) objective: Objective,
-    /// How fast the tool travels, in mm/s.
+    /// The travel speed of the tool, in mm/s.
     pub(crate) travel_mm_s: f64,
     joints: JointSpeeds,
     pub(crate) moves: Vec<PlannedVector>,
-    /// Which stroke and pass the next vectors belong to.
+    /// The stroke and pass of the next vectors.
     pub(crate) stroke: u32,
     pass: u32,
-    /// The runs since the last rest; reused.
+    /// The vectors since the last rest; the buffer is reused.
     pub(crate) chain: Vec<ChainVector>,
 }
 
@@ -56,16 +56,16 @@ impl<'a> Planner<'a> {
             paper,
             arm_limits,
             chain_speeds: if tool.burns() {
-                chain_speeds.in_pieces(LONGEST_BURN_S)
+                chain_speeds.with_pieces(LONGEST_BURN_S)
             } else {
                 chain_speeds
             },
             ticker: if tool.burns() {
-                ticker.map(|it| it.of_others().in_pieces(LONGEST_BURN_S))
+                ticker.map(|it| it.with_unknown_speed().with_pieces(LONGEST_BURN_S))
             } else {
                 ticker
             },
-            last_places: LastPlaces::default(),
+            last_positions: LastPositions::default(),
             travel: TravelVectors::default(),
             here: start,
             settled: Settled {
@@ -96,6 +96,8 @@ impl<'a> Planner<'a> {
         }
     }
 
+    /// Plans a pen stroke.
+    ///
     /// ```text
     ///   up    ----> Travel ----.                     .---- Travel ---->
     ///                          | Lower          Lift |
@@ -121,7 +123,7 @@ impl<'a> Planner<'a> {
         self.stroke += 1;
     }
 
-    /// A way from rest to rest, around the place where the arm stands.
+    /// Travels from rest to rest, around the arm's own position.
     pub(crate) fn travel(&mut self, to: Point, above_mm: f64, limit_mm_s: f64) {
         let here = Point::new(self.here[0], self.here[1]);
         for corner in detour(here, to, self.arm_limits.nearest_mm) {
@@ -131,7 +133,7 @@ impl<'a> Planner<'a> {
         self.rest();
     }
 
-    /// A vector to a place so high above the paper.
+    /// Adds a vector to a place at a height above the paper.
     pub(crate) fn go(&mut self, kind: MoveKind, to: Point, above_mm: f64, limit_mm_s: f64) {
         let to = [to.x, to.y, self.paper.z_at(to) + above_mm];
         let here = self.here;
@@ -141,7 +143,7 @@ impl<'a> Planner<'a> {
         if length(way) < self.least_vector_mm(kind) {
             return;
         }
-        self.here = self.settled.endpoint.about(here, [x_mm, y_mm, z_mm]);
+        self.here = self.settled.endpoint.estimate(here, [x_mm, y_mm, z_mm]);
         let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
         self.chain.push(ChainVector::of(way, limit_mm_s));
         self.moves.push(PlannedVector {
@@ -158,8 +160,8 @@ impl<'a> Planner<'a> {
         });
     }
 
-    /// What is shorter is left to the next vector. A laser is switched however short the way is; its
-    /// ways do not begin at rest.
+    /// Returns the length below which a vector is merged into the next one. The laser must be
+    /// switched however short the path is, and its vectors do not begin at rest.
     fn least_vector_mm(&self, kind: MoveKind) -> f64 {
         match kind {
             MoveKind::Travel | MoveKind::Lower | MoveKind::Draw | MoveKind::Lift => {
@@ -169,7 +171,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// The chain ends: its speeds can be planned.
+    /// Ends the chain and plans its speeds.
     pub(crate) fn rest(&mut self) {
         if self.chain.is_empty() {
             return;
@@ -181,17 +183,18 @@ impl<'a> Planner<'a> {
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
-            self.tell_burn_speeds(begin);
+            self.raise_burn_speeds(begin);
         } else if self.objective == Objective::Fast && self.chain.len() == 1 {
-            self.note_lone();
+            self.push_travel();
         } else {
-            self.rest_in_ticks(begin);
+            self.plan_ticks(begin);
         }
         self.chain.clear();
     }
 
-    /// Where a laser is to burn as fast as is allowed at the least, rounding and slow corners tell no less.
-    fn tell_burn_speeds(&mut self, begin: usize) {
+    /// Raises the speeds of a laser to the allowed minimum if rounding and slow corners lowered
+    /// them.
+    fn raise_burn_speeds(&mut self, begin: usize) {
         let fastest_mm_s = self.chain.iter().map(|it| it.limit_mm_s);
         if fastest_mm_s.fold(0.0, f64::max) < LEAST_BURN_MM_S.into() {
             return;
@@ -202,32 +205,32 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// The speeds of the first `count` vectors are planned, so where they lead is known to the last digit. Those to come begin
-    /// there.
+    /// Computes the exact end of the first `count` vectors, whose speeds are planned, and moves the
+    /// following vectors there.
     pub(crate) fn settle(&mut self, count: usize) {
         let settled = &mut self.settled;
         for vector in &self.moves[settled.count..count] {
-            settled.here = settled.endpoint.behind(settled.here, vector);
+            settled.here = settled.endpoint.after(settled.here, vector);
         }
         settled.count = count;
         self.here = self.moves[count..].iter().fold(settled.here, |here, it| {
-            settled.endpoint.about(here, [it.x_mm, it.y_mm, it.z_mm])
+            settled.endpoint.estimate(here, [it.x_mm, it.y_mm, it.z_mm])
         });
     }
 
-    /// All has been told.
+    /// Plans the remaining vectors and returns all of them.
     pub(crate) fn finish(mut self) -> Vec<PlannedVector> {
         self.plan_travel(0);
         self.moves
     }
 }
 
-/// The vectors whose speeds are planned, on an arm with ticks.
+/// The vectors with planned speeds, on an arm with ticks.
 #[derive(Clone, Debug)]
 pub(crate) struct Settled {
     endpoint: Endpoint,
     count: usize,
-    /// Where they lead.
+    /// Their end.
     here: [f64; 3],
 }
 
@@ -239,7 +242,7 @@ fn set(vector: &mut PlannedVector, speeds: Speeds) {
     vector.duration_s = speeds.duration_s as f32;
 }
 
-/// The largest single-precision number that is not above `value`.
+/// Returns the largest single-precision number not above `value`.
 pub(crate) fn round_down(value: f64) -> f32 {
     #[expect(clippy::cast_possible_truncation, reason = "corrected below")]
     let nearest = value as f32;

@@ -1,10 +1,11 @@
-//! Vectors from rest to rest: from one stroke to the next, and all of a dot.
+//! Pen-up vectors from rest to rest: between strokes, and the moves of a dot.
 //!
-//! A stock arm keeps less than a tick's change of speed at a rest, and begins the next vector with it (note N48). What a lone
-//! vector keeps is no choice of its own: so those in a row are planned together.
+//! A stock arm keeps less than a tick's change of speed at a rest and begins the next vector with
+//! it (note N48). A single vector cannot choose that speed, so consecutive vectors are planned
+//! together.
 //!
 //! ```text
-//!   stroke |  Lift . Travel . Lower |  stroke        . a rest between two lone vectors
+//!   stroke |  Lift . Travel . Lower |  stroke        . a rest between two travel vectors
 //!          '------------------------'
 //!               planned together
 //! ```
@@ -15,19 +16,19 @@ use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick_chain::{Breadth, TickChain};
 
-/// Those that are not planned yet.
+/// The travel vectors not yet planned.
 #[derive(Debug, Default)]
 pub(crate) struct TravelVectors {
     chain: Vec<ChainVector>,
-    /// How each should be run if there were no ticks.
+    /// The speeds without ticks.
     speeds: Vec<Speeds>,
-    /// No packet may tell a larger speed.
+    /// The maximum speed in each packet.
     most_mm_s: Vec<f32>,
 }
 
 impl Planner<'_> {
-    /// The chain is a lone vector.
-    pub(crate) fn note_lone(&mut self) {
+    /// Records the chain as a single travel vector.
+    pub(crate) fn push_travel(&mut self) {
         let limits_mm_s = [self.chain[0].limit_mm_s];
         let (chain_speeds, speeds) = self.wanted(&limits_mm_s);
         self.chain_speeds = chain_speeds;
@@ -40,15 +41,16 @@ impl Planner<'_> {
         }
     }
 
-    /// Plans the lone vectors so far, which are the last ones before the chain: all but so many of them, whose plans may
-    /// change with what follows.
+    /// Plans the recorded travel vectors, which directly precede the chain, except the last `but`,
+    /// whose plans may change with their successors.
     pub(crate) fn plan_travel(&mut self, but: usize) {
         let Some(mut ticker) = self.ticker.take() else {
             return;
         };
         let end = self.moves.len() - self.chain.len();
         let begin = end - self.travel.chain.len();
-        // What is kept between them is seen; what follows the last one is not known.
+        // The positions show the speeds kept between the vectors; the successor of the last one is
+        // unknown.
         let mut over = vec![0.0; self.travel.chain.len()];
         if let Some(last) = over.last_mut() {
             *last = 1.0;
@@ -60,13 +62,13 @@ impl Planner<'_> {
             objective: Objective::Fast,
             over: &over,
             most_mm_s: &self.travel.most_mm_s,
-            before: self.last_places,
+            before: self.last_positions,
         }
         .fits(&ticker, Breadth::TRAVEL);
         let planned = fits.len().saturating_sub(but);
         let (fits, moves) = (&fits[..planned], &mut self.moves[begin..]);
         ticker.set(moves, &self.travel.speeds, fits);
-        self.last_places = self.last_places.behind(&self.travel.chain, fits);
+        self.last_positions = self.last_positions.after(&self.travel.chain, fits);
         self.travel.chain.drain(..planned);
         self.travel.speeds.drain(..planned);
         self.travel.most_mm_s.drain(..planned);
@@ -75,7 +77,7 @@ impl Planner<'_> {
     }
 }
 
-/// So many lone vectors are planned together at the most.
+/// The maximum number of travel vectors planned together.
 const MOST_TRAVEL: usize = 60;
-/// So many of these are planned again with those that follow.
+/// The number of these that are planned again with their successors.
 const TRAVEL_BEFORE_LAST: usize = 12;

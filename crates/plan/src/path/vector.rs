@@ -1,9 +1,9 @@
-//! One vector of a plan.
+//! A vector of a plan.
 
 use dobot_motion::Profile;
 use dobot_wire::single;
 
-/// One vector of a plan: an increment and its speeds, as a packet holds them (state 4; Table 2.6).
+/// A vector of a plan: an increment and its speeds, as in a packet (state 4; Table 2.6).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannedVector {
     /// Forward, in mm.
@@ -12,41 +12,41 @@ pub struct PlannedVector {
     pub y_mm: f32,
     /// Up, in mm.
     pub z_mm: f32,
-    /// The speed to begin with: the end speed of the vector before, in mm/s.
+    /// The start speed: the end speed of the vector before, in mm/s.
     pub start_speed_mm_s: f32,
-    /// The speed to end with, in mm/s.
+    /// The end speed, in mm/s.
     pub end_speed_mm_s: f32,
-    /// The speed not to pass in between, in mm/s.
+    /// The maximum speed, in mm/s.
     pub max_speed_mm_s: f32,
-    /// How long it takes: accelerate, keep the largest speed for a while if it is reached, brake; on
-    /// a stock arm a number of ticks. In s.
+    /// The duration in s: acceleration, constant maximum speed if it is reached, braking; on a
+    /// stock arm a whole number of ticks.
     pub duration_s: f32,
-    /// What the tool does.
+    /// The action of the tool.
     pub kind: MoveKind,
-    /// Which stroke it belongs to, from 0, counted through all passes; a travel to the stroke that
-    /// it leads to.
+    /// The stroke, from 0, counted through all passes; for a travel, the next stroke.
     pub stroke: u32,
-    /// Which pass it belongs to, from 0.
+    /// The pass, from 0.
     pub pass: u32,
 }
 
 impl PlannedVector {
-    /// The increments along X, Y and Z in mm.
+    /// Returns the increments along X, Y and Z in mm.
     #[must_use]
     pub fn increments(&self) -> [f64; 3] {
         [self.x_mm, self.y_mm, self.z_mm].map(f64::from)
     }
 
-    /// The length in mm.
+    /// Returns the length in mm.
     #[must_use]
     pub fn length_mm(&self) -> f64 {
         length(self.increments())
     }
 
-    /// Two vectors in the same direction that together lead just as far, the second one so long, in mm.
+    /// Splits the vector into two in the same direction; the second one has the given length, in
+    /// mm.
     pub(crate) fn parts(&self, second_mm: f64) -> [Self; 2] {
         let share = second_mm / self.length_mm();
-        // In whole parts of this, so that the difference is exact.
+        // Round to whole parts of this size, so that the difference is exact.
         let second = |it: f32| single((f64::from(it) * share * PARTS_OF_MM).round() / PARTS_OF_MM);
         let [x_mm, y_mm, z_mm] = [self.x_mm, self.y_mm, self.z_mm].map(second);
         let first = Self {
@@ -76,24 +76,24 @@ impl PlannedVector {
     }
 }
 
-/// What the tool does on a vector.
+/// The action of the tool on a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoveKind {
-    /// The pen goes to the next stroke, up; the laser, off.
+    /// Travels to the next stroke: pen up, or laser off.
     Travel,
-    /// The pen goes down to the paper.
+    /// Lowers the pen to the paper.
     Lower,
-    /// The pen draws.
+    /// Draws with the pen.
     Draw,
-    /// The pen goes up from the paper.
+    /// Lifts the pen from the paper.
     Lift,
-    /// The laser, off, gets to its speed on a straight way into the stroke.
+    /// Accelerates with the laser off, straight into the stroke.
     RunUp,
-    /// The laser burns.
+    /// Burns.
     Burn,
-    /// The laser is switched off in full motion, straight on behind the stroke.
+    /// Switches the laser off in full motion, straight out of the stroke.
     RunOut,
-    /// The laser, off, comes to rest.
+    /// Brakes to rest with the laser off.
     Brake,
 }
 
@@ -105,7 +105,7 @@ impl MoveKind {
     }
 }
 
-/// A power of two: of 256 mm single precision holds these parts, and no smaller ones.
+/// A power of two: single precision holds these parts of 256 mm, and no smaller ones.
 const PARTS_OF_MM: f64 = 65_536.0;
 
 pub(crate) fn length([x, y, z]: [f64; 3]) -> f64 {

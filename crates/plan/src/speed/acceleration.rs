@@ -1,4 +1,4 @@
-//! How much a planned motion accelerates, measured from the motion itself.
+//! The acceleration of a planned motion, measured from its positions.
 
 use crate::Plan;
 use crate::path::commands::write;
@@ -6,8 +6,8 @@ use crate::speed::sampled_acceleration::{at_ticks, second_difference};
 use crate::ticks::tick::TICK_S;
 use crate::ticks::ticker::Ticker;
 
-/// The largest acceleration of a plan's motion in mm/s2, as seen by somebody who looks where the
-/// tool is each `apart_s` seconds.
+/// Returns the maximum acceleration of a plan's motion in mm/s2, from positions sampled every
+/// `apart_s` seconds.
 ///
 /// ```text
 ///   p(t - h) ---> p(t)          |p(t + h) - 2 p(t) + p(t - h)| / h2
@@ -15,8 +15,8 @@ use crate::ticks::ticker::Ticker;
 ///                    v p(t + h)
 /// ```
 ///
-/// Looked at often enough a sharp corner has any acceleration; each 80 ms is how a stock arm tells
-/// where it is. Looked at four times as often as `apart_s` says, so that no moment is missed.
+/// With short intervals, a sharp corner has any acceleration; a stock arm reports its position
+/// every 80 ms. Windows start four times per interval, so that no peak is missed.
 #[must_use]
 pub fn acceleration(plan: &Plan, apart_s: f64) -> f64 {
     let places = places(plan, apart_s / LOOKS);
@@ -27,7 +27,7 @@ pub fn acceleration(plan: &Plan, apart_s: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Where the tool is each `step_s` seconds.
+/// Returns the tool position every `step_s` seconds.
 fn places(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
     if plan.arm_limits().has_ticks {
         between(&ticks(plan), step_s / f64::from(TICK_S))
@@ -36,7 +36,7 @@ fn places(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
     }
 }
 
-/// Where the tool is at each tick of a stock arm.
+/// Returns the tool position at each tick of a stock arm.
 fn ticks(plan: &Plan) -> Vec<[f64; 3]> {
     let mut ticker = Ticker::new(plan.arm_limits(), 0.0);
     let (mut places, mut from) = (vec![plan.start], plan.start);
@@ -49,7 +49,7 @@ fn ticks(plan: &Plan) -> Vec<[f64; 3]> {
     places
 }
 
-/// So many places from the first to the last of these, so many of them apart.
+/// Interpolates positions at a distance of `apart` samples.
 fn between(places: &[[f64; 3]], apart: f64) -> Vec<[f64; 3]> {
     let at = |index: u32| {
         let place = f64::from(index) * apart;
@@ -66,7 +66,7 @@ fn between(places: &[[f64; 3]], apart: f64) -> Vec<[f64; 3]> {
     (0..).map_while(at).collect()
 }
 
-/// Where the tool is if it follows its profiles without ticks.
+/// Returns the tool positions of the profiles without ticks.
 fn smooth(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
     let acceleration = plan.arm_limits().acceleration_mm_s2;
     let (mut places, mut from, mut t_s) = (Vec::new(), plan.start, 0.0);

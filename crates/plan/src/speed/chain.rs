@@ -1,5 +1,4 @@
-//! How fast the chain of vectors between two rests is run, so that neither the acceleration nor the
-//! link is overdriven.
+//! Planning of the speeds between two rests within acceleration and link limits.
 
 use std::iter::repeat;
 
@@ -7,23 +6,23 @@ use crate::ArmLimits;
 use crate::speed::link::Credit;
 use crate::speed::lookahead::{ChainVector, Cornering, Junction};
 use crate::speed::objective::Objective;
-use crate::speed::sampled_acceleration::SeenMotion;
+use crate::speed::sampled_acceleration::SampledMotion;
 use crate::speed::speeds::Speeds;
 
-/// Speeds for a chain: reused from chain to chain.
+/// The speed planner of a chain; its buffers are reused.
 #[derive(Clone, Debug)]
 pub(crate) struct ChainSpeeds {
     cornering: Cornering,
     begin_mm_s: f64,
-    /// Seconds from packet to packet.
+    /// Seconds between packets.
     period_s: f64,
-    /// Vectors that the arm has in hand.
+    /// The vectors queued in the arm.
     credit: Credit,
     junctions: Vec<Junction>,
-    /// How long each vector is to take, in s.
+    /// The target duration of each vector, in s.
     wanted_s: Vec<f64>,
-    /// How it was run when it was last looked how the tool turns.
-    seen: Vec<Speeds>,
+    /// The speeds at the last check of the sampled acceleration.
+    sampled: Vec<Speeds>,
 }
 
 impl ChainSpeeds {
@@ -38,20 +37,20 @@ impl ChainSpeeds {
             credit: Credit::new(arm_limits.link),
             junctions: Vec::new(),
             wanted_s: Vec::new(),
-            seen: Vec::new(),
+            sampled: Vec::new(),
         }
     }
 
-    /// The same where vectors that take longer come in pieces.
-    pub(crate) fn in_pieces(self, piece_s: f64) -> Self {
+    /// Takes into account that vectors of longer duration are divided.
+    pub(crate) fn with_pieces(self, piece_s: f64) -> Self {
         Self {
-            credit: self.credit.in_pieces(piece_s),
+            credit: self.credit.with_pieces(piece_s),
             ..self
         }
     }
 
-    /// The speeds of the chain's vectors, from rest to rest. Its limits are lowered where the link
-    /// needs that.
+    /// Returns the speeds of the chain's vectors, from rest to rest. Lowers its limits where the
+    /// link requires it.
     pub(crate) fn plan<'a>(
         &'a mut self,
         chain: &'a mut [ChainVector],
@@ -60,8 +59,8 @@ impl ChainSpeeds {
         self.plan_from(0.0, chain, objective)
     }
 
-    /// The speeds of the chain's vectors, if it begins with this speed. Where braking takes longer
-    /// than there is way, they are as if it did not.
+    /// Returns the speeds of the chain's vectors from an initial speed. If the distance is too
+    /// short for braking, it is ignored.
     pub(crate) fn plan_from<'a>(
         &'a mut self,
         begin_mm_s: f64,
@@ -73,7 +72,7 @@ impl ChainSpeeds {
             Objective::Even => self.lower_to_link(chain, 0),
             Objective::Fast => {
                 self.plan_motion(chain);
-                if let Some(waits) = self.first_that_waits() {
+                if let Some(waits) = self.first_wait() {
                     self.lower_to_link(chain, waits.saturating_sub(REACH));
                 }
             }
@@ -82,8 +81,9 @@ impl ChainSpeeds {
         (0..chain.len()).map(|i| self.speeds(chain, i))
     }
 
-    /// The first vector that would be over before the next is there: until then those in hand are enough.
-    fn first_that_waits(&self) -> Option<usize> {
+    /// Returns the first vector that would finish before the next one arrives, after the queue is
+    /// used up.
+    fn first_wait(&self) -> Option<usize> {
         let mut credit = self.credit;
         self.wanted_s.iter().position(|&wanted_s| {
             let waits = wanted_s < credit.least_s();
@@ -92,8 +92,8 @@ impl ChainSpeeds {
         })
     }
 
-    /// Evens the limits out from a vector on: a short vector between long ones may be fast, because others come
-    /// meanwhile.
+    /// Averages the limits from a vector on: a short vector between long ones may be fast, because
+    /// others arrive in the meantime.
     fn lower_to_link(&self, chain: &mut [ChainVector], from: usize) {
         let lengths: Vec<f64> = chain.iter().map(|run| run.length_mm).collect();
         for (i, run) in chain.iter_mut().enumerate().skip(from) {
@@ -106,9 +106,10 @@ impl ChainSpeeds {
         }
     }
 
-    /// Without a link every vector is there in no time, and nothing has to wait.
+    /// Iterates until acceleration and link limits hold. Without a link every vector is available
+    /// immediately.
     fn plan_with_link(&mut self, chain: &mut [ChainVector]) {
-        self.seen.clear();
+        self.sampled.clear();
         for round in 0..ROUNDS {
             self.plan_motion(chain);
             let credit = self.credit;
@@ -118,7 +119,7 @@ impl ChainSpeeds {
             }
             self.credit = credit;
         }
-        // Slow enough whatever the others do.
+        // Slow enough regardless of the neighbours.
         for run in chain.iter_mut() {
             run.limit_mm_s = run.limit_mm_s.min(run.length_mm / self.period_s);
         }
@@ -126,27 +127,28 @@ impl ChainSpeeds {
         self.wait_for_link(chain);
     }
 
-    /// Uses less of the radius of a corner where the tool would be seen to accelerate more than it
-    /// may: several corners may lie within the time over which that is measured. Whether any had
-    /// to be eased. Their speed is taken times the share that is allowed, to this power. It is looked only where something has changed
-    /// since the last round: elsewhere nothing had to be eased.
+    /// Slows down corners at which the sampled acceleration exceeds the limit, which happens if
+    /// several corners lie within the sampling window. Returns whether any was slowed.
+    ///
+    /// The corner speed is multiplied by the allowed share raised to this power. Only corners near
+    /// changed vectors are examined; the others passed before.
     fn ease_corners(&mut self, chain: &mut [ChainVector], power: i32) -> bool {
         if chain.len() < 2 {
             return false;
         }
         let speeds: Vec<Speeds> = (0..chain.len()).map(|i| self.speeds(chain, i)).collect();
         let a = self.cornering.acceleration_mm_s2;
-        let before = self.seen.iter().map(Some).chain(repeat(None));
+        let before = self.sampled.iter().map(Some).chain(repeat(None));
         let changed: Vec<bool> = speeds
             .iter()
             .zip(before)
             .map(|(now, it)| Some(now) != it)
             .collect();
-        let shares = SeenMotion::new(chain, &speeds, a).shares(LEAST_SHARE, &changed);
+        let shares = SampledMotion::new(chain, &speeds, a).shares(LEAST_SHARE, &changed);
         for (corner, share) in shares.iter().enumerate().filter(|it| *it.1 < 1.0) {
             chain[corner].corner_mm_s = speeds[corner].end_mm_s * share.powi(power);
         }
-        self.seen = speeds;
+        self.sampled = speeds;
         shares.iter().any(|it| *it < 1.0)
     }
 
@@ -160,8 +162,8 @@ impl ChainSpeeds {
         );
     }
 
-    /// Gives vectors the time that the link needs; where a vector cannot be as slow between the
-    /// speeds of its ends, its limit is lowered. Whether none had to be.
+    /// Extends vectors to the time that the link needs; if a vector cannot be that slow between its
+    /// end speeds, its limit is lowered. Returns whether none was lowered.
     fn wait_for_link(&mut self, chain: &mut [ChainVector]) -> bool {
         let (mut credit, mut done) = (self.credit, true);
         for i in 0..chain.len() {
@@ -183,14 +185,14 @@ impl ChainSpeeds {
         done
     }
 
-    /// The largest speed in between is chosen so that the vector takes the time wanted, as nearly
-    /// as can be.
+    /// Returns the speeds of a vector, with the maximum speed that best matches the target
+    /// duration.
     fn speeds(&self, chain: &[ChainVector], i: usize) -> Speeds {
         let (run, a) = (&chain[i], self.cornering.acceleration_mm_s2);
         let [start, end] = [i, i + 1].map(|at| self.junctions[at].speed_mm_s());
         let wanted_s = self.wanted_s[i];
-        // Accelerate to the speed v, keep it, brake:
-        // wanted = (2 v - start - end) / a + (length - (2 v2 - start2 - end2) / 2 a) / v
+        // Accelerate to the speed v, keep it, brake: wanted = (2 v - start - end) / a + (length -
+        // (2 v2 - start2 - end2) / 2 a) / v
         let time = a * wanted_s + start + end;
         let way = a * run.length_mm + 0.5 * (start * start + end * end);
         let root = (time * time - 4.0 * way).max(0.0).sqrt();
@@ -200,12 +202,12 @@ impl ChainSpeeds {
     }
 }
 
-/// How many vectors before and behind count for how fast one may be.
+/// The number of neighbours on each side that count for the average speed.
 const REACH: usize = 2;
 const ROUNDS: i32 = 60;
-/// After so many rounds corners are eased by more than it seems they need, and more so after twice as
-/// many: their neighbours speed up meanwhile.
+/// After this many rounds corners are slowed more than computed, and even more after twice as many,
+/// because their neighbours accelerate meanwhile.
 const PATIENCE: i32 = 6;
 const SLOWER: f64 = 0.999;
-/// Rounds of easing end where no corner is seen to accelerate more than half a percent too much.
+/// Rounds end when no corner exceeds the sampled acceleration by more than about half a percent.
 pub(crate) const LEAST_SHARE: f64 = 0.994;

@@ -1,4 +1,4 @@
-//! How long a way takes, estimated without planning it.
+//! Estimation of a path's duration without planning it.
 
 use dobot_arm::TICK_S;
 
@@ -6,21 +6,21 @@ use crate::speed::link::Credit;
 use crate::speed::lookahead::{ChainVector, Cornering};
 use crate::{ArmLimits, DrawingTool, LinkRate};
 
-/// What decides how long a stroke takes.
+/// Estimates the duration of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DurationEstimator {
-    /// How corners slow the tool down.
+    /// The limits at corners.
     pub cornering: Cornering,
-    /// The largest speed, in mm/s.
+    /// The maximum speed, in mm/s.
     pub speed_mm_s: f64,
-    /// How fast vectors come.
+    /// The rate of the link.
     pub link: LinkRate,
-    /// How much longer a vector takes in the mean because it is cut into whole ticks, in s.
+    /// The mean extra duration of a vector because it is divided into whole ticks, in s.
     pub lost_s: f64,
 }
 
 impl DurationEstimator {
-    /// The pace of this tool on this machine.
+    /// Creates the estimator for a tool and the limits of an arm.
     #[must_use]
     pub const fn of(arm_limits: &ArmLimits, tool: &DrawingTool) -> Self {
         Self {
@@ -35,14 +35,14 @@ impl DurationEstimator {
         }
     }
 
-    /// Whether the arm cuts each vector into whole ticks.
+    /// Whether the arm divides each vector into whole ticks.
     #[must_use]
     pub fn has_ticks(&self) -> bool {
         self.lost_s > 0.0
     }
 
-    /// How long the arm takes for each vector between these increments in mm, from rest to rest, in s:
-    /// the link left out, and no corner eased.
+    /// Returns the duration of each vector with these increments in mm, from rest to rest, in s,
+    /// without the link and without slowing corners further.
     #[must_use]
     pub fn durations_s(&self, increments: impl Iterator<Item = [f64; 3]>) -> Vec<f64> {
         let chain: Vec<ChainVector> = increments
@@ -51,8 +51,8 @@ impl DurationEstimator {
         self.cornering.durations_s(&chain)
     }
 
-    /// How long all of them take behind the link, in s. The link counts as somewhat slower than it is:
-    /// where it slows one vector down its neighbours brake for it.
+    /// Returns the total duration including the link, in s. The link is assumed slightly slower
+    /// than it is: if it slows one vector, the neighbours brake for it.
     #[must_use]
     pub fn time_s(&self, durations_s: &[f64]) -> f64 {
         let mut credit = Credit::new(LinkRate {
@@ -68,7 +68,7 @@ impl DurationEstimator {
 }
 
 const BRAKING: f64 = 1.15;
-/// A vector takes whole ticks, and rather more of them than less.
+/// The mean number of ticks lost by rounding a vector up to whole ticks.
 const LOST_TICKS: f64 = 0.9;
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
-//! How fast the tool may go without a joint turning too fast.
+//! Tool speed limits that keep the joint speeds within their limits.
 
 use dobot_arm::{FOREARM, REAR_ARM};
 
 use crate::path::vector::length;
 
-/// What the joints allow along a straight vector.
+/// The speed limit from the joints along a straight vector.
 ///
 /// ```text
 ///   distance D: pivot to wrist          near the axis           stretched far out
@@ -15,9 +15,9 @@ use crate::path::vector::length;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct JointSpeeds {
-    /// The largest speed of base, rear arm and forearm, in rad/s.
+    /// The maximum speed of base, rear arm and forearm, in rad/s.
     limit_rad_s: f64,
-    /// How far the tool reaches beyond the wrist, in mm.
+    /// The distance of the tool from the wrist, in mm.
     tool_mm: f64,
 }
 
@@ -29,16 +29,16 @@ impl JointSpeeds {
         }
     }
 
-    /// The largest speed of the tool from here along this way, in mm/s, no more than `wanted_mm_s`.
-    /// Places out of reach count for nothing: whoever checks reach refuses them.
+    /// Returns the maximum tool speed along this vector, in mm/s, at most `wanted_mm_s`. Positions
+    /// out of reach are ignored; the reach check refuses them.
     pub(crate) fn cap(&self, here: [f64; 3], way: [f64; 3], wanted_mm_s: f64) -> f64 {
         let length_mm = length(way);
         if self.is_easy(here, length_mm, wanted_mm_s) {
             return wanted_mm_s;
         }
         let direction = way.map(|it| it / length_mm);
-        // Where it passes the axis of the base most closely the base turns fastest, where it is
-        // farthest out, at an end, the two arms.
+        // The base turns fastest at the closest point to its axis, the two links at the farthest
+        // point, which is an end.
         let [x, y, _] = here;
         let flat_v2 = way[0] * way[0] + way[1] * way[1];
         let nearest = if flat_v2 > 0.0 {
@@ -54,8 +54,8 @@ impl JointSpeeds {
         wanted_mm_s.min(allowed_mm_s.max(self.stretched_mm_s()))
     }
 
-    /// Whether no joint can come near to its limit: the wrist stays well between folded and
-    /// stretched, the tool away from the axis, and the speed is moderate.
+    /// Whether no joint can approach its limit: the wrist stays well between folded and stretched,
+    /// the tool away from the axis, and the speed is moderate.
     fn is_easy(&self, [x, y, z]: [f64; 3], length_mm: f64, speed_mm_s: f64) -> bool {
         let reach_mm = (x * x + y * y).sqrt();
         let across_mm = reach_mm - self.tool_mm;
@@ -66,7 +66,8 @@ impl JointSpeeds {
             && speed_mm_s * EASY_PER_MM <= self.limit_rad_s
     }
 
-    /// How far the fastest of the three joints turns for each millimetre at this place, in rad.
+    /// Returns the rotation per millimetre of the fastest of the three joints at this position, in
+    /// rad.
     fn turn_per_mm(&self, [x, y, z]: [f64; 3], [dx, dy, dz]: [f64; 3]) -> f64 {
         let reach_mm = (x * x + y * y).sqrt();
         let across_mm = reach_mm - self.tool_mm;
@@ -95,9 +96,9 @@ impl JointSpeeds {
             .fold(0.0, f64::max)
     }
 
-    /// The speed that is allowed even where the arm is stretched: right there a joint turns as
-    /// the root of the way. In a tick of 20 ms from there at v mm/s it turns 36 deg/s times the
-    /// root of v, and a little more for the elevation.
+    /// Returns the speed that is allowed even with the arm stretched: there a joint turns with the
+    /// square root of the distance. In the first tick of 20 ms at v mm/s it turns 36 deg/s times
+    /// the square root of v, and slightly more for the elevation.
     fn stretched_mm_s(&self) -> f64 {
         let root = self.limit_rad_s / STRETCHED_RAD_S;
         root * root
@@ -106,13 +107,13 @@ impl JointSpeeds {
 
 /// The difference of the squared link lengths.
 const LINKS_V2: f64 = FOREARM.0 * FOREARM.0 - REAR_ARM.0 * REAR_ARM.0;
-/// Between these distances no joint turns more than `EASY_PER_MM`, whatever the direction:
-/// 1 / 80 + 0.0081 at 80 mm, 1 / 285 + 0.0144 at 285 mm.
+/// Between these distances no joint turns more than `EASY_PER_MM` in any direction: 1 / 80 + 0.0081
+/// at 80 mm, 1 / 285 + 0.0144 at 285 mm.
 const EASY_NEAR_MM: f64 = 80.0;
 const EASY_FAR_MM: f64 = 285.0;
 /// In rad.
 const EASY_PER_MM: f64 = 0.021;
-/// 45 degrees a second.
+/// 45 degrees per second.
 const STRETCHED_RAD_S: f64 = 45.0 * core::f64::consts::PI / 180.0;
 
 #[cfg(test)]
@@ -136,7 +137,7 @@ mod tests {
         Some([base.0, rear.0, fore.0])
     }
 
-    /// The fastest joint along a way in ticks of 20 ms at this speed, in deg/s.
+    /// Returns the fastest joint speed along a vector in ticks of 20 ms, in deg/s.
     fn fastest_deg_s(here: [f64; 3], way: [f64; 3], speed_mm_s: f64) -> Option<f64> {
         let ticks = (length(way) / (speed_mm_s * 0.02)).floor();
         let at = |tick: f64| {
@@ -190,7 +191,7 @@ mod tests {
             let way = way.map(|it| it * share);
             let far = [0, 1, 2].map(|i| here[i] + way[i]);
             prop_assume!(joints(here).is_some() && joints(far).is_some() && length(way) > 0.01);
-            // Nearer than that, with the arm folded, nobody may draw.
+            // Closer positions, with the arm folded, are not allowed for drawing.
             prop_assume!(far[0].hypot(far[1]) >= 129.0);
             let cap = JointSpeeds::new(100.0, PEN_MM).cap(here, way, 80.0);
             prop_assert!(cap > 0.0 && cap <= 80.0);

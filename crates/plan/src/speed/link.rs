@@ -1,9 +1,9 @@
-//! How many vectors the arm has in hand.
+//! The vectors queued in the arm.
 
 use crate::LinkRate;
 
-/// The link brings a vector in each period; what the arm has not begun waits in its queue. So a
-/// vector may be shorter than a period if enough of them wait.
+/// The queue of the arm, as time credit: the link delivers a vector per period, and vectors not
+/// begun yet wait in the queue. A vector may be shorter than a period if enough others wait.
 ///
 /// ```text
 ///   waiting
@@ -16,10 +16,10 @@ use crate::LinkRate;
 #[expect(clippy::struct_field_names, reason = "units")]
 pub(crate) struct Credit {
     period_s: f64,
-    /// How much time those that wait took on the link, in s.
+    /// The link time of the waiting vectors, in s.
     waiting_s: f64,
     most_s: f64,
-    /// A vector that takes longer comes in pieces, in s.
+    /// The duration above which a vector is divided, in s.
     piece_s: f64,
 }
 
@@ -33,17 +33,17 @@ impl Credit {
         }
     }
 
-    /// The same where vectors that take longer come in pieces.
-    pub(crate) const fn in_pieces(self, piece_s: f64) -> Self {
+    /// Takes into account that vectors of longer duration are divided.
+    pub(crate) const fn with_pieces(self, piece_s: f64) -> Self {
         Self { piece_s, ..self }
     }
 
-    /// How long the next vector has to take at the least.
+    /// Returns the minimum duration of the next vector.
     pub(crate) fn least_s(&self) -> f64 {
         (self.period_s - self.waiting_s).max(0.0)
     }
 
-    /// The next vector takes so long.
+    /// Adds the next vector with its duration.
     pub(crate) fn take(&mut self, duration_s: f64) {
         let packets = (duration_s / self.piece_s).ceil().max(1.0);
         let waiting_s = self.waiting_s + duration_s - packets * self.period_s;
@@ -51,8 +51,8 @@ impl Credit {
     }
 }
 
-/// A stock arm tells its state while fewer than four wait; one is left for where statuses and
-/// vectors begin at different times.
+/// A stock arm reports its state while fewer than four vectors wait; one is reserved because
+/// statuses and vectors begin at different times.
 const MOST_WAITING: f64 = 2.0;
 
 #[cfg(test)]
@@ -64,7 +64,7 @@ mod tests {
         let mut credit = Credit::new(LinkRate { period_s: 0.08 });
         assert_eq!(credit.least_s(), 0.08);
         credit.take(1.0);
-        // Two wait, and a third comes while they are run.
+        // Two wait, and a third arrives while they are executed.
         assert_eq!(credit.least_s(), 0.0);
         credit.take(0.04);
         credit.take(0.04);
@@ -75,8 +75,8 @@ mod tests {
 
     #[test]
     fn a_vector_that_comes_in_pieces_leaves_less_time_for_others_to_come() {
-        let mut credit = Credit::new(LinkRate { period_s: 0.08 }).in_pieces(0.2);
-        // Two packets; the next one has come for a quarter of its time.
+        let mut credit = Credit::new(LinkRate { period_s: 0.08 }).with_pieces(0.2);
+        // Two packets; a quarter of the next one has arrived.
         credit.take(0.22);
         assert!((credit.least_s() - 0.02).abs() < 1e-12);
     }

@@ -1,23 +1,23 @@
-//! Look-ahead: how fast each vector begins and ends, and how long it should take.
+//! Look-ahead: start and end speeds of vectors, and their durations.
 
 use crate::path::vector::length;
 
-/// One straight vector, as look-ahead sees it.
+/// A straight vector for the look-ahead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainVector {
-    /// Its direction, of length one.
+    /// The unit vector of its direction.
     pub direction: [f64; 3],
-    /// Its length in mm, above 0.
+    /// The length in mm, above 0.
     pub length_mm: f64,
-    /// The speed that must not be passed on it, in mm/s.
+    /// The maximum speed, in mm/s.
     pub limit_mm_s: f64,
-    /// The largest speed at the corner behind it in mm/s: infinite, or less where that corner and
-    /// those near to it together turn the tool too fast.
+    /// The maximum speed at the corner after it in mm/s: infinite, or lower if that corner and its
+    /// neighbours together turn the tool too fast.
     pub corner_mm_s: f64,
 }
 
 impl ChainVector {
-    /// A vector with these increments in mm, not all 0, which no corner slows down yet.
+    /// Creates a vector with these increments in mm, not all 0, and no corner limit.
     #[must_use]
     pub fn of(increments: [f64; 3], limit_mm_s: f64) -> Self {
         let length_mm = length(increments);
@@ -30,21 +30,21 @@ impl ChainVector {
     }
 }
 
-/// What corners are measured against.
+/// The limits at corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cornering {
-    /// The largest acceleration, along the path and across it together, in mm/s2.
+    /// The maximum acceleration, along the path and across it together, in mm/s2.
     pub acceleration_mm_s2: f64,
-    /// How far an imagined arc through a corner may leave it, in mm: the larger, the faster
-    /// corners are passed. The arm itself draws the corner sharp. See
+    /// The maximum deviation of an imagined arc from a corner, in mm: a larger value allows faster
+    /// corners. The arm itself draws sharp corners. See
     /// [`ArmLimits::corner_deviation_mm`](crate::ArmLimits::corner_deviation_mm).
     pub deviation_mm: f64,
-    /// Over which time the acceleration at a corner is measured, in s. A corner turns the speed in
-    /// no time at all; what counts is where the tool is this long before it, at it and behind it.
+    /// The window over which the acceleration at a corner is measured, in s. A corner changes the
+    /// velocity instantly; the positions one window before, at and one window after it count.
     pub window_s: f64,
 }
 
-/// Where two vectors meet, or where a chain begins or ends.
+/// The junction of two vectors, or the start or end of a chain.
 ///
 /// ```text
 ///          t       corner      an arc touches both vectors at the distance t from the corner:
@@ -57,11 +57,11 @@ pub struct Cornering {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Junction {
-    /// The square of the speed in the middle of the arc.
+    /// The squared speed in the middle of the arc.
     pub v2: f64,
-    /// The largest square of a speed on the arc; infinite where the way goes straight on.
+    /// The maximum squared speed on the arc; infinite if the path is straight.
     cap_v2: f64,
-    /// How far the arc reaches along both vectors, in mm.
+    /// The length of the arc's tangents along both vectors, in mm.
     tangent_mm: f64,
     /// Cosine and sine of the turn.
     cos: f64,
@@ -69,9 +69,9 @@ pub struct Junction {
 }
 
 impl Cornering {
-    /// The speeds at the junctions of a chain, from the start of the first vector to the end of the
-    /// last: the fastest motion along the path with its corners rounded, from the speed
-    /// `begin_mm_s` or the largest that can be braked in time, to rest.
+    /// Computes the speeds at the junctions of a chain: the fastest motion along the path with
+    /// rounded corners, from the speed `begin_mm_s`, or the highest that can be braked in time, to
+    /// rest.
     ///
     /// ```text
     ///   speed
@@ -118,7 +118,7 @@ impl Cornering {
         }
     }
 
-    /// How long each vector of a chain from rest to rest takes at the least, in s.
+    /// Returns the minimum duration of each vector of a chain from rest to rest, in s.
     #[must_use]
     pub fn durations_s(self, chain: &[ChainVector]) -> Vec<f64> {
         let mut junctions = Vec::with_capacity(chain.len() + 1);
@@ -129,7 +129,7 @@ impl Cornering {
             .collect()
     }
 
-    /// The corner between two vectors, with the largest speed that it allows.
+    /// Returns the junction of two vectors with its maximum speed.
     #[must_use]
     pub fn junction(self, before: &ChainVector, after: &ChainVector) -> Junction {
         let ([ax, ay, az], [bx, by, bz]) = (before.direction, after.direction);
@@ -148,8 +148,9 @@ impl Cornering {
         let reach_mm = self.deviation_mm * (1.0 + cos_half) / sin_half;
         let shorter_mm = before.length_mm.min(after.length_mm);
         let most_mm = reach_mm.min(0.5 * shorter_mm);
-        let seen_mm_s = self.seen_mm_s(sin_half, shorter_mm);
-        let cap_v2 = (self.acceleration_mm_s2 * most_mm / tan_half).min(seen_mm_s * seen_mm_s);
+        let sampled_limit_mm_s = self.sampled_limit_mm_s(sin_half, shorter_mm);
+        let cap_v2 = (self.acceleration_mm_s2 * most_mm / tan_half)
+            .min(sampled_limit_mm_s * sampled_limit_mm_s);
         if cap_v2 < LEAST_V2 {
             return Junction::REST;
         }
@@ -162,11 +163,11 @@ impl Cornering {
         }
     }
 
-    /// The speed at which no more than the acceleration is seen at a corner, in mm/s. If the tool keeps
-    /// its speed, that turns by as much as the acceleration changes within the window. On a way that
-    /// is longer, or where the corner is sharp, the tool brakes before it and speeds up behind it, which
-    /// is seen, too.
-    fn seen_mm_s(self, sin_half: f64, shorter_mm: f64) -> f64 {
+    /// Returns the corner speed at which the sampled acceleration reaches its limit, in mm/s. At
+    /// constant speed, the velocity turns by as much as the acceleration changes it within the
+    /// window. On longer vectors or at sharp corners, the tool also brakes before and accelerates
+    /// after the corner, which adds to the samples.
+    fn sampled_limit_mm_s(self, sin_half: f64, shorter_mm: f64) -> f64 {
         let change_mm_s = self.acceleration_mm_s2 * self.window_s;
         let even_mm_s = 0.5 * change_mm_s / sin_half;
         let windows = shorter_mm / (even_mm_s * self.window_s);
@@ -174,8 +175,8 @@ impl Cornering {
         even_mm_s - 0.5 * change_mm_s * (windows - 1.0).max(sharp).clamp(0.0, 1.0)
     }
 
-    /// The largest square of a speed in the middle of the arc at the end of a vector that begins
-    /// with `v2` in the middle of the one at its start.
+    /// Returns the maximum squared speed in the middle of the arc at the end of a vector, given
+    /// `v2` in the middle of the arc at its start.
     fn reached_v2(self, v2: f64, from: &Junction, run: &ChainVector, to: &Junction) -> f64 {
         let limit_v2 = run.limit_mm_s * run.limit_mm_s;
         let straight_mm = run.length_mm - from.tangent_mm - to.tangent_mm;
@@ -184,8 +185,8 @@ impl Cornering {
         to.half_arc(into.min(to.cap_v2).min(limit_v2)).min(limit_v2)
     }
 
-    /// How long the vector between two junctions takes at the least, in s, in the motion that
-    /// [`speeds`](Self::speeds) found.
+    /// Returns the minimum duration of the vector between two junctions, in s, in the motion found
+    /// by [`speeds`](Self::speeds).
     #[must_use]
     pub fn duration_s(self, from: &Junction, run: &ChainVector, to: &Junction) -> f64 {
         let a = self.acceleration_mm_s2;
@@ -204,7 +205,7 @@ impl Cornering {
 }
 
 impl Junction {
-    /// A chain begins or ends.
+    /// The start or end of a chain.
     const REST: Self = Self {
         v2: 0.0,
         ..Self::STRAIGHT_ON
@@ -218,18 +219,18 @@ impl Junction {
         sin: 0.0,
     };
 
-    /// The speed in mm/s.
+    /// Returns the speed in mm/s.
     #[must_use]
     pub fn speed_mm_s(&self) -> f64 {
         self.v2.sqrt()
     }
 
-    /// The square of the speed at one end of a half of the arc, from that at the other, with as
-    /// much acceleration along the way as turning leaves.
+    /// Returns the squared speed at one end of half the arc, from that at the other end, using the
+    /// acceleration that turning leaves.
     ///
-    /// With w the share of the acceleration that turning takes, w = v2 / (a r), along the way is
-    /// left `a sqrt(1 - w2)`. So `dw / ds = 2 sqrt(1 - w2) / r`, whose solution is a sine: over the
-    /// half of an arc its argument grows by the whole turn.
+    /// With w the share of the acceleration used for turning, w = v2 / (a r), the acceleration left
+    /// along the path is `a sqrt(1 - w2)`. So `dw / ds = 2 sqrt(1 - w2) / r`, whose solution is a
+    /// sine: over half an arc its argument grows by the whole turn.
     fn half_arc(&self, v2: f64) -> f64 {
         if self.tangent_mm == 0.0 {
             return v2;
@@ -241,8 +242,8 @@ impl Junction {
         self.cap_v2 * (w * self.cos + (1.0 - w * w).sqrt() * self.sin)
     }
 
-    /// How long a half of the arc takes, with a speed at its outer end: in two pieces, each as if
-    /// the acceleration along it were even.
+    /// Returns the duration of half the arc, given the speed at its outer end: in two pieces, each
+    /// with constant acceleration.
     fn half_arc_s(&self, outer_mm_s: f64, acceleration_mm_s2: f64) -> f64 {
         if self.tangent_mm == 0.0 {
             return 0.0;
@@ -257,11 +258,11 @@ impl Junction {
     }
 }
 
-/// Where half the sine of a turn is less, the way goes straight on.
+/// Below this half sine of a turn the path is straight.
 const STRAIGHT: f64 = 1e-7;
-/// Half the sine of a turn up to which a corner is gentle.
+/// The half sine of a turn up to which a corner is gentle.
 const GENTLE: f64 = 0.3;
-/// Below this square of a speed a corner is a stop, in (mm/s)2.
+/// The squared speed below which a corner is a stop, in (mm/s)2.
 const LEAST_V2: f64 = 1e-6;
 
 #[cfg(test)]
@@ -316,8 +317,8 @@ mod tests {
 
     #[test]
     fn at_a_sharp_corner_the_tool_is_no_further_away_than_the_acceleration_allows() {
-        // Right angle, braking and accelerating with a: 0.08 s from the corner it is
-        // v h + a h2 / 2 away on both sides, and the second difference is sqrt(2) times that.
+        // Right angle, braking and accelerating with a: 0.08 s from the corner the distance is v h
+        // + a h2 / 2 on both sides, and the second difference is sqrt(2) times that.
         let v = speeds(&[run(0.0, 50.0, 90.0), run(90.0, 50.0, 90.0)])[1];
         let away_mm = v * 0.08 + 0.5 * 100.0 * 0.08 * 0.08;
         let seen = 2.0_f64.sqrt() * away_mm / (0.08 * 0.08);

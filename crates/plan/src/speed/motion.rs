@@ -1,11 +1,11 @@
-//! How far the tool is at each moment of the fastest motion along a path.
+//! The position over time of the fastest motion along a path.
 
 use crate::DurationEstimator;
 use crate::speed::lookahead::ChainVector;
 use crate::speed::speeds::{Ramps, Speeds};
 
-/// The fastest motion along a path of vectors, from rest to rest, if no link and no ticks limit it and no corner is
-/// eased.
+/// The fastest motion along a path of vectors, from rest to rest, without link, ticks and further
+/// slowing of corners.
 #[derive(Clone, Debug)]
 pub struct Motion {
     vectors: Vec<MovingVector>,
@@ -15,20 +15,21 @@ pub struct Motion {
 /// One vector in motion.
 #[derive(Clone, Copy, Debug)]
 struct MovingVector {
-    /// When it begins.
+    /// The start time.
     begin_s: f64,
-    /// Where it begins, along the path.
+    /// The start distance along the path.
     begin_mm: f64,
     length_mm: f64,
     ramps: Ramps,
-    /// How long it takes with these, in s.
+    /// The duration with these speeds, in s.
     duration_s: f64,
-    /// How many times as long it takes, since its corners are rounded.
+    /// The factor by which it takes longer because its corners are rounded.
     slower: f64,
 }
 
 impl Motion {
-    /// The motion along vectors with these increments in mm, none of them all 0, at a pace. Each takes `least_s` at the least.
+    /// Creates the motion along vectors with these increments in mm, none of them zero. Each takes
+    /// at least `least_s`.
     #[must_use]
     pub fn along(
         estimator: &DurationEstimator,
@@ -69,13 +70,13 @@ impl Motion {
         }
     }
 
-    /// How long all of it takes, in s.
+    /// Returns the total duration, in s.
     #[must_use]
     pub const fn duration_s(&self) -> f64 {
         self.duration_s
     }
 
-    /// How far along the path the tool is after a time, in mm.
+    /// Returns the distance along the path at a time, in mm.
     #[must_use]
     pub fn gone_mm(&self, t_s: f64) -> f64 {
         let after = self.vectors.partition_point(|it| it.begin_s <= t_s);
@@ -87,7 +88,7 @@ impl Motion {
         })
     }
 
-    /// When the tool is so far along the path, in s.
+    /// Returns the time at a distance along the path, in s.
     #[must_use]
     pub fn reached_s(&self, gone_mm: f64) -> f64 {
         let after = self.vectors.partition_point(|it| it.begin_mm <= gone_mm);

@@ -1,13 +1,13 @@
-//! What matters where speeds are chosen.
+//! The objective of speed planning.
 
 use crate::DrawingTool;
 
-/// What matters where speeds are chosen.
+/// The objective of speed planning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Objective {
-    /// That the way is run evenly, with the times and the speeds wanted: for what has to keep its speed, as a laser has.
+    /// Even motion with the target times and speeds, for a laser.
     Even,
-    /// That the way is over soon: for a pen. Whether it turns too fast in ticks is told by where they lie.
+    /// Minimum time, for a pen. The positions at the ticks show whether it turns too fast.
     Fast,
 }
 

@@ -1,4 +1,4 @@
-//! Other speeds for vectors that are planned already: faster or slower while the arm draws.
+//! New speeds for planned vectors, faster or slower while the arm draws.
 
 use dobot_arm::Position;
 use dobot_wire::WriteVector;
@@ -12,31 +12,29 @@ use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
 use crate::ticks::ticker::Ticker;
 
-/// The arm where some vectors begin.
+/// The state of the arm at the start of some vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RespeedStart {
-    /// The speed that it has, or keeps for them, in mm/s.
+    /// The current or kept speed, in mm/s.
     pub speed_mm_s: f32,
-    /// Where its tool is.
+    /// The tool position.
     pub position: Position,
-    /// Which tool that is.
+    /// The tool.
     pub tool: dobot_arm::Tool,
 }
 
-/// The same vectors at `share` times their speeds, from the speed at which the vector before them
-/// ends.
+/// Scales the speeds of vectors by `share`, starting with the end speed of the vector before.
 ///
-/// 1. Slower (a share below 1): all speeds are that share of those planned. Faster: the largest
-///    speeds are multiplied, and the rest is planned again, within the joint speeds, the
-///    acceleration, the corners and the link of the machine; speeds that a person wanted as the
-///    largest do not count.
-/// 2. Where the arm is too fast or too slow for that, it brakes or accelerates with the
-///    acceleration of the machine until it is not. A vector that was planned to end at rest does
-///    so, as long as the vectors up to there are long enough to brake in.
-/// 3. Where each vector leads, what it does with the laser, and a stop stay as they are.
+/// 1. Slower (a share below 1): all speeds are that share of those planned. Faster: the maximum
+///    speeds are multiplied, and the rest is planned again, within joint speeds, acceleration,
+///    corners and link; maximum speeds set by a person do not apply.
+/// 2. If the current speed does not match, the arm brakes or accelerates within its limits until it
+///    does. A vector that was planned to end at rest does so, if the distance is long enough for
+///    braking.
+/// 3. The endpoints of vectors, their laser switches and stops are unchanged.
 ///
-/// A share of 1 from the speed that the first vector was planned to begin with changes nothing,
-/// unless the vectors have another length by now, and a stock arm would miss their ends.
+/// A share of 1 from the planned start speed changes nothing, unless the vectors were changed in
+/// length since and a stock arm would miss their ends.
 #[must_use]
 pub fn respeed(
     vectors: &[WriteVector],
@@ -59,8 +57,8 @@ pub fn respeed(
         .collect()
 }
 
-/// The speed that an arm has behind a vector, in mm/s, if it had this one before: a stock arm ends
-/// a vector at another speed than it says, and begins the next one with that (note N48).
+/// Returns the speed of an arm after a vector, in mm/s, given the speed before: a stock arm ends a
+/// vector at another speed than in the packet, and begins the next one with it (note N48).
 #[must_use]
 pub fn end_speed_mm_s(vector: &WriteVector, begin_speed_mm_s: f32, arm_limits: &ArmLimits) -> f32 {
     let ticker = Ticker::of(arm_limits, begin_speed_mm_s);
@@ -72,14 +70,14 @@ struct Respeeding<'a> {
     share: f64,
     /// The end speed of the vector before.
     speed_mm_s: f32,
-    /// Where that ended, in mm.
+    /// Its end, in mm.
     here: [f64; 3],
     joints: JointSpeeds,
     ticker: Option<Ticker>,
 }
 
 impl Respeeding<'_> {
-    /// Other speeds up to the next rest.
+    /// Replans the speeds up to the next rest.
     fn chain(&mut self, chain: &[WriteVector]) -> Vec<WriteVector> {
         if self.share == 1.0 && self.runs_as_planned(chain) {
             for vector in chain {
@@ -100,14 +98,14 @@ impl Respeeding<'_> {
             .collect()
     }
 
-    /// Whether the vectors lead where they should from this speed, without a jerk.
+    /// Whether the vectors end where planned from this speed, without a jerk.
     fn runs_as_planned(&self, chain: &[WriteVector]) -> bool {
         let Some(ticker) = &self.ticker else {
             return (chain[0].start_speed_mm_s - self.speed_mm_s).abs() < SAME_MM_S;
         };
         let begin_mm_s = self.speed_mm_s.min(chain[0].max_speed_mm_s);
         let is_near = (chain[0].start_speed_mm_s - begin_mm_s).abs() < ticker.step_mm_s();
-        is_near && ticker.runs_true(chain)
+        is_near && ticker.runs_exactly(chain)
     }
 
     fn vector(&mut self, vector: &WriteVector, targets: [f64; 2], most_mm_s: f32) -> WriteVector {
@@ -121,7 +119,7 @@ impl Respeeding<'_> {
         next
     }
 
-    /// The end speed and the largest speed of each vector.
+    /// Returns the end speed and the maximum speed of each vector.
     fn faster(&self, chain: &[WriteVector]) -> Vec<[f64; 2]> {
         let mut here = self.here;
         let mut runs: Vec<ChainVector> = Vec::with_capacity(chain.len());
@@ -139,7 +137,7 @@ impl Respeeding<'_> {
         speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
     }
 
-    /// A vector is run as it is.
+    /// Records the execution of a vector.
     fn follow(&mut self, vector: &WriteVector) {
         let way = way(vector);
         self.here = [0, 1, 2].map(|i| self.here[i] + way[i]);
@@ -150,7 +148,7 @@ impl Respeeding<'_> {
     }
 }
 
-/// The same where they are slower.
+/// Returns the end speed and the maximum speed of each vector at a lower share.
 fn slower(chain: &[WriteVector], share: f64) -> Vec<[f64; 2]> {
     let scaled = |vector: &WriteVector| {
         [vector.end_speed_mm_s, vector.max_speed_mm_s].map(|it| share * f64::from(it))
@@ -162,7 +160,8 @@ fn way(vector: &WriteVector) -> [f64; 3] {
     [vector.x_mm, vector.y_mm, vector.z_mm].map(f64::from)
 }
 
-/// The vector, with the speeds nearest to those wanted that can be had from this begin speed.
+/// Returns the vector with the speeds closest to the targets that are reachable from this initial
+/// speed.
 fn from_speed(
     vector: &WriteVector,
     begin_mm_s: f64,
@@ -182,7 +181,7 @@ fn from_speed(
     }
 }
 
-/// Speeds that differ by less are the same.
+/// Speeds that differ by less are equal.
 const SAME_MM_S: f32 = 1e-3;
 
 #[cfg(test)]
@@ -206,7 +205,7 @@ mod tests {
         vectors.collect()
     }
 
-    /// In the middle of where it reaches: no joint comes near to its limit.
+    /// A start in the middle of the reach, where no joint approaches its limit.
     fn begin(speed_mm_s: f32) -> RespeedStart {
         RespeedStart {
             speed_mm_s,
@@ -217,7 +216,7 @@ mod tests {
 
     #[test]
     fn no_joint_is_overdriven_however_fast_it_is_to_be() {
-        // Past the axis of the base at 70 mm, where 100 degrees a second are 122 mm/s.
+        // Past the axis of the base at 70 mm, where 100 degrees per second are 122 mm/s.
         let sideways = WriteVector {
             y_mm: 200.0,
             ..planned(&[(200.0, 0.0), (210.0, 0.0)])[1]
@@ -326,7 +325,7 @@ mod tests {
             };
             let steeper: Vec<WriteVector> = planned.iter().map(steeper).collect();
             let next = respeed(&steeper, &begin(at_mm_s), 1.0, &arm_limits);
-            prop_assert!(Ticker::new(&arm_limits, at_mm_s).runs_true(&next));
+            prop_assert!(Ticker::new(&arm_limits, at_mm_s).runs_exactly(&next));
             let same = next.iter().zip(&steeper);
             prop_assert!(same.clone().all(|(it, was)| it.z_mm == was.z_mm));
             let ends = |it: &WriteVector| it.end_speed_mm_s == 0.0;

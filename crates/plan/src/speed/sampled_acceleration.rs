@@ -1,4 +1,4 @@
-//! How a motion is seen to accelerate by somebody who looks where the tool is every now and then.
+//! The acceleration of a motion, measured from sampled positions.
 
 use dobot_motion::TickStroke;
 
@@ -7,18 +7,18 @@ use crate::speed::lookahead::ChainVector;
 use crate::speed::speeds::{Ramps, Speeds};
 use crate::ticks::tick::TICK_S;
 
-/// A chain of vectors in motion: when the tool is at its corners, and where.
+/// A chain in motion: time and position of its corners.
 #[derive(Debug)]
-pub(crate) struct SeenMotion<'a> {
+pub(crate) struct SampledMotion<'a> {
     chain: &'a [ChainVector],
     speeds: &'a [Speeds],
     ramps: Vec<Ramps>,
     acceleration_mm_s2: f64,
-    /// When each vector begins, in s, and where, in mm; last, where the chain ends.
+    /// The start of each vector, time in s and position in mm, followed by the end of the chain.
     begins: Vec<(f64, [f64; 3])>,
 }
 
-impl<'a> SeenMotion<'a> {
+impl<'a> SampledMotion<'a> {
     pub(crate) fn new(
         chain: &'a [ChainVector],
         speeds: &'a [Speeds],
@@ -43,13 +43,13 @@ impl<'a> SeenMotion<'a> {
         }
     }
 
-    /// For each vector the share that is allowed of the acceleration seen at the corner behind it; 1
-    /// where the share is not below `least`.
+    /// Returns the allowed share of the sampled acceleration at the corner after each vector; 1
+    /// unless the share is below `least`.
     ///
-    /// It is looked at each corner that is seen together with a changed vector, and around it as far as the corner is seen.
+    /// Only corners within the sampling window of a changed vector are examined.
     pub(crate) fn shares(&self, least: f64, changed: &[bool]) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.chain.len()];
-        let allowed_mm = seen_mm(self.acceleration_mm_s2);
+        let allowed_mm = sampled_limit_mm(self.acceleration_mm_s2);
         let most_mm2 = (allowed_mm / least).powi(2);
         for corner in self.corners_near(changed) {
             let at_s = self.begins[corner].0;
@@ -67,7 +67,7 @@ impl<'a> SeenMotion<'a> {
         shares
     }
 
-    /// The corners that are seen together with one of these vectors.
+    /// Returns the corners within the sampling window of a changed vector.
     fn corners_near(&self, changed: &[bool]) -> impl Iterator<Item = usize> {
         let mut near = vec![false; self.chain.len()];
         for vector in (0..near.len()).filter(|&it| changed[it]) {
@@ -82,8 +82,8 @@ impl<'a> SeenMotion<'a> {
             .map(|it| it.0)
     }
 
-    /// Where the tool is at a moment, not far from a corner. Before the chain it came straight on,
-    /// behind it it stands.
+    /// Returns the tool position at a time close to a corner. Before the chain the tool moves
+    /// straight, after it the tool rests.
     fn at(&self, t_s: f64, near: usize) -> [f64; 3] {
         let last = self.chain.len() - 1;
         let mut i = near.min(last);
@@ -106,7 +106,7 @@ impl<'a> SeenMotion<'a> {
         on(place, run, gone_mm)
     }
 
-    /// The corner that is nearest to a moment.
+    /// Returns the corner closest in time.
     fn nearest(&self, t_s: f64, near: usize) -> usize {
         let corners = 1..self.chain.len();
         let away_s = |corner: usize| (self.begins[corner].0 - t_s).abs();
@@ -121,12 +121,12 @@ impl<'a> SeenMotion<'a> {
     }
 }
 
-/// A chain of vectors in ticks: where the tool is at each.
+/// A chain in ticks: the tool position at each tick.
 #[derive(Debug)]
 pub(crate) struct TickPositions {
-    /// In mm from where it begins.
+    /// The positions, in mm from the start.
     places: Vec<[f64; 3]>,
-    /// At which tick each vector ends.
+    /// The tick at which each vector ends.
     ends: Vec<usize>,
 }
 
@@ -140,7 +140,7 @@ impl Default for TickPositions {
 }
 
 impl TickPositions {
-    /// The next vector, as the arm runs it.
+    /// Appends a vector as executed by the arm.
     pub(crate) fn push(&mut self, run: &ChainVector, tick_stroke: &TickStroke) {
         let begin = self.places[self.places.len() - 1];
         self.places
@@ -148,10 +148,11 @@ impl TickPositions {
         self.ends.push(self.places.len() - 1);
     }
 
-    /// As [`SeenMotion::shares`]. The tool stands before the chain and behind it.
+    /// Returns the shares as in [`SampledMotion::shares`]. The tool rests before and after the
+    /// chain.
     pub(crate) fn shares(&self, acceleration_mm_s2: f64, least: f64) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.ends.len()];
-        let allowed_mm = seen_mm(acceleration_mm_s2);
+        let allowed_mm = sampled_limit_mm(acceleration_mm_s2);
         let last = self.places.len() - 1;
         let corners = self.ends.split_last().map_or(&[][..], |it| it.1);
         let mut corner = 0;
@@ -171,7 +172,7 @@ impl TickPositions {
     }
 }
 
-/// Where the tool is at each tick of a vector that it runs from there in this direction.
+/// Returns the tool position at each tick of a vector from a start and a direction.
 pub(crate) fn at_ticks(
     begin: [f64; 3],
     direction: [f64; 3],
@@ -185,8 +186,8 @@ pub(crate) fn at_ticks(
         })
 }
 
-/// The second difference of places a window apart at this acceleration, in mm.
-pub(crate) fn seen_mm(acceleration_mm_s2: f64) -> f64 {
+/// Returns the second difference of positions one window apart at this acceleration, in mm.
+pub(crate) fn sampled_limit_mm(acceleration_mm_s2: f64) -> f64 {
     acceleration_mm_s2 * WINDOW_S * WINDOW_S
 }
 
@@ -206,13 +207,14 @@ fn on(place: [f64; 3], run: &ChainVector, way_mm: f64) -> [f64; 3] {
     [0, 1, 2].map(|i| place[i] + way_mm * run.direction[i])
 }
 
-/// The time between two statuses of a stock arm: how the arm itself is seen to move.
+/// The sampling window: the status period of a stock arm.
 pub(crate) const WINDOW_S: f64 = 0.08;
-/// Where around a corner it is looked.
+/// The sampling times around a corner, in windows.
 const AROUND: [f64; 11] = [
     -0.9, -0.8, -0.65, -0.45, -0.25, 0.0, 0.25, 0.45, 0.65, 0.8, 0.9,
 ];
-/// How far from a corner a vector is at the most that is seen with it: looked around it as above, a window before and behind.
+/// The maximum time between a corner and a vector sampled together with it: the sampling range
+/// above plus one window.
 const AROUND_S: f64 = 2.0 * WINDOW_S;
-/// The same in ticks.
+/// The sampling window in ticks.
 pub(crate) const WINDOW_TICKS: usize = 4;

@@ -1,21 +1,21 @@
-//! The speeds of one vector.
+//! The speeds of a vector.
 
-/// The speeds of one vector, in mm/s, and how long it takes with them.
+/// The speeds of a vector, in mm/s, and its duration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::struct_field_names, reason = "units")]
 pub(crate) struct Speeds {
     pub start_mm_s: f64,
     pub end_mm_s: f64,
     pub max_mm_s: f64,
-    /// The largest speed that is reached.
+    /// The peak speed that is reached.
     pub peak_mm_s: f64,
-    /// The largest that would be allowed.
+    /// The maximum speed that is allowed.
     pub limit_mm_s: f64,
     pub duration_s: f64,
 }
 
 impl Speeds {
-    /// A vector with these speeds: at its start, at its end, and the largest, in mm/s.
+    /// Creates the speeds of a vector from start, end and maximum speed, in mm/s.
     pub(crate) fn of(length_mm: f64, speeds: [f64; 3], limit_mm_s: f64, acceleration: f64) -> Self {
         let [start_mm_s, end_mm_s, max_mm_s] = speeds;
         Self {
@@ -28,7 +28,7 @@ impl Speeds {
         }
     }
 
-    /// How a vector so long is run with these speeds.
+    /// Returns the ramps of a vector of this length.
     pub(crate) fn ramps(&self, length_mm: f64, acceleration: f64) -> Ramps {
         let (start, end, peak) = (self.start_mm_s, self.end_mm_s, self.peak_mm_s);
         let up_s = (peak - start) / acceleration;
@@ -45,21 +45,21 @@ impl Speeds {
     }
 }
 
-/// How one vector is run: the tool speeds up, keeps its speed and brakes.
+/// The execution of a vector: acceleration, constant speed and braking.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ramps {
     start_mm_s: f64,
     peak_mm_s: f64,
     acceleration: f64,
-    /// How long it speeds up, and how far it gets, in s and mm.
+    /// The duration and distance of the acceleration, in s and mm.
     up_s: f64,
     up_mm: f64,
-    /// How long it keeps its speed, in s.
+    /// The duration of constant speed, in s.
     even_s: f64,
 }
 
 impl Ramps {
-    /// How far along the vector the tool is after a time, in mm.
+    /// Returns the distance along the vector at a time, in mm.
     pub(crate) fn distance_mm(&self, t_s: f64) -> f64 {
         let (peak, a) = (self.peak_mm_s, self.acceleration);
         if t_s <= self.up_s {
@@ -73,7 +73,7 @@ impl Ramps {
         self.up_mm + peak * self.even_s + (peak - 0.5 * a * braking_s) * braking_s
     }
 
-    /// After which time the tool is so far along the vector, in s.
+    /// Returns the time at a distance along the vector, in s.
     pub(crate) fn reached_s(&self, gone_mm: f64) -> f64 {
         let (start, peak, a) = (self.start_mm_s, self.peak_mm_s, self.acceleration);
         if gone_mm <= self.up_mm {

@@ -1,13 +1,13 @@
-//! Vectors that each begin and end at rest, for an arm of which nobody knows how fast it begins.
+//! Vectors that each begin and end at rest, for an arm with unknown initial speed.
 
 use dobot_wire::{WriteVector, single};
 
 use crate::ArmLimits;
 use crate::ticks::ticker::is_rapid;
 
-/// The same vectors at `share` of their largest speeds, and no faster than planned, each from rest to
-/// rest. A stock arm makes them as long as they should be to 0.02 mm, whatever less than a tick's
-/// change of speed it has kept from before (note N48).
+/// Returns the vectors at `share` of their maximum speeds, at most as planned, each from rest to
+/// rest. A stock arm executes their lengths to 0.02 mm with any residual speed below a tick's
+/// change (note N48).
 ///
 /// ```text
 ///   speed of a tick               kept from before:      each has the largest speed k + 0.45 steps:
@@ -16,10 +16,10 @@ use crate::ticks::ticker::is_rapid;
 ///      none  |_/..........\_                             left, and never less than none
 /// ```
 ///
-/// A largest speed of less than half a step would leave the arm at the speed that it has kept, for
-/// minutes or for ever (note N51): so the least is one step, and what is between is rounded down.
-/// A vector in laser mode with the laser off cannot speed up at all. So the one before it does not rest.
-/// What is planned from rest to rest stays as it is at a share of 1.
+/// With a maximum speed below half a step, the arm would continue at its residual speed for minutes
+/// or forever (note N51), so the minimum is one step, and speeds in between are rounded down. A
+/// vector in laser mode with the laser off cannot accelerate, so the one before it does not end at
+/// rest. Vectors planned from rest to rest are unchanged at a share of 1.
 #[must_use]
 pub fn stop_each(vectors: &[WriteVector], share: f64, arm_limits: &ArmLimits) -> Vec<WriteVector> {
     let next = vectors.iter().skip(1).map(Some).chain([None]);
@@ -46,7 +46,7 @@ pub fn stop_each(vectors: &[WriteVector], share: f64, arm_limits: &ArmLimits) ->
         .collect()
 }
 
-/// Whether it begins and ends at rest as it is.
+/// Whether the vector begins and ends at rest.
 fn rests(vector: &WriteVector) -> bool {
     vector.start_speed_mm_s == 0.0 && vector.end_speed_mm_s == 0.0
 }
@@ -68,7 +68,7 @@ mod tests {
         link: crate::LinkRate { period_s: 0.08 },
     };
 
-    /// What a stock arm that has kept this speed makes of the vectors.
+    /// Returns the executed vectors of a stock arm with this residual speed.
     fn tick_strokes(
         vectors: &[WriteVector],
         mut kept_mm_s: f32,
@@ -91,7 +91,8 @@ mod tests {
 
     #[test]
     fn the_slowest_vector_is_over_in_seconds_whatever_a_stock_arm_has_kept() {
-        // 6 mm/s at 10 %. At the speed kept, 1.66 mm would take 50 * 1.66 / 0.0044 ticks: 375 s.
+        // 6 mm/s at 10 %. At the residual speed, 1.66 mm would take 50 * 1.66 / 0.0044 ticks: 375
+        // s.
         let vector = WriteVector::by(1.664_266, 0.0, 0.0, 6.0);
         for kept_mm_s in [0.0, 5.418_604e-7, 0.004_43, 0.4, 1.9] {
             let slow = stop_each(&[vector], 0.1, &STOCK);
@@ -159,7 +160,8 @@ mod tests {
             let planned: Vec<_> = lengths_mm.iter().map(vector).collect();
             let vectors = stop_each(&planned, share, &arm_limits);
             for (vector, tick_stroke) in vectors.iter().zip(tick_strokes(&vectors, kept * step_mm_s, &arm_limits)) {
-                // What is kept is kept on a short way if it is more than a tenth of the largest speed.
+                // On a short vector, a residual speed remains if it exceeds a tenth of the maximum
+                // speed.
                 let most_ticks = 50.0 * vector.x_mm / (0.1 * step_mm_s) + 10.0;
                 let off_mm = tick_stroke.length_mm() - vector.x_mm;
                 prop_assert!(off_mm.abs() < 0.02, "{off_mm} mm: {vector:?}: {tick_stroke:?}");

@@ -1,4 +1,4 @@
-//! The tick of a stock arm, as it counts: in single precision.
+//! The tick of a stock arm in single precision, as the arm computes.
 
-/// How long it is, in s.
+/// The duration of a tick, in s.
 pub(crate) const TICK_S: f32 = dobot_arm::TICK.as_secs_f32();

@@ -1,4 +1,5 @@
-//! How a stock arm is to run a chain: round after round, until no corner turns the tool too fast.
+//! The tick planner: plans a chain for a stock arm in rounds, until no corner turns the tool too
+//! fast.
 
 use crate::path::planner::{Planner, round_down};
 use crate::speed::chain::{ChainSpeeds, LEAST_SHARE};
@@ -7,95 +8,103 @@ use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::TickPositions;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
-use crate::ticks::tick_chain::{Breadth, LastPlaces, TickChain};
+use crate::ticks::tick_chain::{Breadth, LastPositions, TickChain};
 use crate::ticks::tick_fit::TickFit;
 use crate::ticks::ticker::Ticker;
 use crate::{MoveKind, PlannedVector};
 
 impl Planner<'_> {
-    /// The chain ends, on an arm with ticks: its speeds can be planned.
-    pub(crate) fn rest_in_ticks(&mut self, begin: usize) {
+    /// Ends the chain and plans its speeds on an arm with ticks.
+    pub(crate) fn plan_ticks(&mut self, begin: usize) {
         self.plan_travel(0);
         let Some(ticker) = self.ticker.take() else {
             return;
         };
         let travel_mm_s = round_down(self.travel_mm_s);
         let moves = &self.moves[begin..];
-        let mut it = InTicks::new(begin, ticker, moves, &self.chain, travel_mm_s);
+        let mut plan = TickPlan::new(begin, ticker, moves, &self.chain, travel_mm_s);
         let attempt = match self.objective {
             Objective::Fast => {
-                let attempt = self.attempt(&it, Breadth::ONE);
+                let attempt = self.attempt(&plan, Breadth::ONE);
                 if attempt.is_good() {
                     attempt
                 } else {
-                    self.search(&mut it)
+                    self.search(&mut plan)
                 }
             }
-            // What a vector leaves decides how fast the next one can be: of a laser all are to be right.
-            Objective::Even => self.attempt(&it, Breadth::MANY),
+            // The speed left by a vector limits the next one, and for a laser all of them must be
+            // right.
+            Objective::Even => self.attempt(&plan, Breadth::MANY),
         };
-        it.ticker
+        plan.ticker
             .set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
         self.settle(self.moves.len());
-        self.last_places = self.last_places.behind(&self.chain, &attempt.fits);
-        self.ticker = Some(it.ticker);
+        self.last_positions = self.last_positions.after(&self.chain, &attempt.fits);
+        self.ticker = Some(plan.ticker);
         self.chain_speeds = attempt.chain_speeds;
     }
 
-    /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
-    /// are taken slower, and what that changes is planned again. Where that helps no more, the vectors before them are parted. What is
-    /// the least too much is taken.
-    fn search(&mut self, it: &mut InTicks) -> Attempt {
-        let mut attempt = self.attempt(it, Breadth::MANY);
+    /// Searches for better speeds: corners at which the sampled acceleration of a pen is too high
+    /// are slowed down, and the affected vectors are planned again. If that does not help, the
+    /// vectors before them are split. Returns the best attempt.
+    fn search(&mut self, plan: &mut TickPlan) -> Attempt {
+        let mut attempt = self.attempt(plan, Breadth::MANY);
         let mut best = attempt.clone();
-        let (mut partings, mut in_vain) = (0, 0);
+        let (mut splits, mut in_vain) = (0, 0);
         for _ in 0..MOST_ROUNDS {
             if !attempt.is_sharp() || in_vain == MOST_IN_VAIN {
                 break;
             }
-            let parts = in_vain >= PATIENCE && partings < MOST_PARTINGS && self.part(it, &mut best);
-            if parts {
+            let is_split =
+                in_vain >= PATIENCE && splits < MAX_SPLITS && self.split(plan, &mut best);
+            if is_split {
                 attempt = best.clone();
-                partings += 1;
+                splits += 1;
             } else {
-                self.take_slower(it, &attempt);
+                self.slow_corners(plan, &attempt);
             }
-            self.repair(it, &mut attempt, Breadth::MOST);
+            self.repair(plan, &mut attempt, Breadth::MOST);
             let gets_better = attempt.sharpness() < BETTER * best.sharpness();
-            in_vain = if parts || gets_better { 0 } else { in_vain + 1 };
-            if parts || attempt.sharpness() < best.sharpness() {
+            in_vain = if is_split || gets_better {
+                0
+            } else {
+                in_vain + 1
+            };
+            if is_split || attempt.sharpness() < best.sharpness() {
                 best = attempt.clone();
             }
         }
         best
     }
 
-    /// Cuts the straight ways in two whose corners are still taken too fast, where they take long enough. Whether any was.
+    /// Splits the straight vectors before corners that are still too fast, if they take long
+    /// enough. Returns whether any was split.
     ///
-    /// What an arm corrects in all ticks of a vector it keeps at the end, and it corrects a long vector only upwards and by
-    /// little: from corner to corner it keeps more. Of the ways through two vectors some keep next to nothing.
-    fn part(&mut self, it: &mut InTicks, attempt: &mut Attempt) -> bool {
+    /// The arm keeps the correction that it spreads over the ticks of a vector, and on a long
+    /// vector that is always a small increase, which adds up from corner to corner. With two
+    /// vectors, some choices keep next to nothing.
+    fn split(&mut self, plan: &mut TickPlan, attempt: &mut Attempt) -> bool {
         let sharp = (0..self.chain.len()).filter(|&i| attempt.shares[i] < 1.0);
-        let mut parted: Vec<usize> = sharp
-            .map(|i| self.straight_from(i))
-            .filter(|&i| attempt.fits[i].ticks() >= PARTED_TICKS)
+        let mut split: Vec<usize> = sharp
+            .map(|i| self.straight_start(i))
+            .filter(|&i| attempt.fits[i].ticks() >= SPLIT_TICKS)
             .collect();
-        parted.dedup();
-        for &i in parted.iter().rev() {
+        split.dedup();
+        for &i in split.iter().rev() {
             let second_mm = self.brakes_mm(attempt.speeds[i].peak_mm_s);
             let second_mm = second_mm.min(0.5 * self.chain[i].length_mm);
-            let parts = self.moves[it.begin + i].parts(second_mm);
-            let runs = parts.map(|part| ChainVector::of(part.increments(), it.limits_mm_s[i]));
-            self.moves.splice(it.begin + i..=it.begin + i, parts);
+            let parts = self.moves[plan.begin + i].parts(second_mm);
+            let runs = parts.map(|part| ChainVector::of(part.increments(), plan.limits_mm_s[i]));
+            self.moves.splice(plan.begin + i..=plan.begin + i, parts);
             self.chain.splice(i..=i, runs);
-            it.part(i);
-            attempt.part(i);
+            plan.split(i);
+            attempt.split(i);
         }
-        !parted.is_empty()
+        !split.is_empty()
     }
 
-    /// The first of the vectors that lead straight on to the end of this one.
-    fn straight_from(&self, mut i: usize) -> usize {
+    /// Returns the first of the collinear vectors that end with this one.
+    fn straight_start(&self, mut i: usize) -> usize {
         let is_straight = |i: usize| {
             let [a, b] = [i - 1, i].map(|it| self.chain[it].direction);
             a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() > STRAIGHT_COS
@@ -106,16 +115,16 @@ impl Planner<'_> {
         i
     }
 
-    /// How long a second part has to be: from this speed the arm comes to rest on it, and has some ticks to choose when it begins to
-    /// brake.
+    /// Returns the length of a second part: enough to brake from this speed to rest, with some
+    /// ticks to choose the start of braking.
     fn brakes_mm(&self, speed_mm_s: f64) -> f64 {
         let brakes_mm = 0.5 * speed_mm_s * speed_mm_s / self.arm_limits.acceleration_mm_s2;
         brakes_mm + EVEN_TICKS * f64::from(TICK_S) * speed_mm_s
     }
 
-    fn attempt(&mut self, it: &InTicks, breadth: Breadth) -> Attempt {
-        let (chain_speeds, speeds) = self.wanted(&it.limits_mm_s);
-        let fits = self.in_ticks(it, &speeds).fits(&it.ticker, breadth);
+    fn attempt(&mut self, plan: &TickPlan, breadth: Breadth) -> Attempt {
+        let (chain_speeds, speeds) = self.wanted(&plan.limits_mm_s);
+        let fits = self.tick_chain(plan, &speeds).fits(&plan.ticker, breadth);
         Attempt {
             shares: self.shares(&fits),
             chain_speeds,
@@ -124,8 +133,8 @@ impl Planner<'_> {
         }
     }
 
-    /// What the speeds should be if there were no ticks. A pen may be as fast on each vector as that vector allows: what the
-    /// link allows is told by the ticks.
+    /// Returns the target speeds without ticks. A pen may use the full limit of each vector: the
+    /// ticks show what the link allows.
     pub(crate) fn wanted(&mut self, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
         let mut chain_speeds = self.chain_speeds.clone();
         let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.objective).collect();
@@ -137,37 +146,37 @@ impl Planner<'_> {
         (chain_speeds, speeds)
     }
 
-    /// Plans again what has changed since an attempt.
-    fn repair(&mut self, it: &InTicks, attempt: &mut Attempt, breadth: Breadth) {
-        let (chain_speeds, speeds) = self.wanted(&it.limits_mm_s);
+    /// Replans everything that has changed since an attempt.
+    fn repair(&mut self, plan: &TickPlan, attempt: &mut Attempt, breadth: Breadth) {
+        let (chain_speeds, speeds) = self.wanted(&plan.limits_mm_s);
         let both = speeds.iter().zip(&attempt.speeds);
         let changed: Vec<bool> = both
             .zip(&attempt.shares)
             .map(|((now, before), share)| now != before || *share < 1.0)
             .collect();
-        let chain = self.in_ticks(it, &speeds);
-        chain.repair(&it.ticker, &mut attempt.fits, &changed, breadth);
+        let chain = self.tick_chain(plan, &speeds);
+        chain.repair(&plan.ticker, &mut attempt.fits, &changed, breadth);
         attempt.shares = self.shares(&attempt.fits);
         attempt.chain_speeds = chain_speeds;
         attempt.speeds = speeds;
     }
 
-    fn in_ticks<'a>(&'a self, it: &'a InTicks, speeds: &'a [Speeds]) -> TickChain<'a> {
+    fn tick_chain<'a>(&'a self, plan: &'a TickPlan, speeds: &'a [Speeds]) -> TickChain<'a> {
         TickChain {
             objective: self.objective,
-            moves: &self.moves[it.begin..],
+            moves: &self.moves[plan.begin..],
             chain: &self.chain,
             speeds,
-            over: &it.over,
-            most_mm_s: &it.most_mm_s,
+            over: &plan.over,
+            most_mm_s: &plan.most_mm_s,
             before: match self.objective {
-                Objective::Fast => self.last_places,
-                Objective::Even => LastPlaces::default(),
+                Objective::Fast => self.last_positions,
+                Objective::Even => LastPositions::default(),
             },
         }
     }
 
-    /// What share of the acceleration seen at the corner behind each vector is allowed.
+    /// Returns the allowed share of the sampled acceleration at the corner after each vector.
     fn shares(&self, fits: &[TickFit]) -> Vec<f64> {
         let mut ticks = TickPositions::default();
         for (run, fit) in self.chain.iter().zip(fits) {
@@ -176,36 +185,37 @@ impl Planner<'_> {
         ticks.shares(self.arm_limits.acceleration_mm_s2, LEAST_SHARE)
     }
 
-    /// Corners that are too fast, round after round more so; those that are hardly faster than one
-    /// tick becomes a stop in the end.
-    fn take_slower(&mut self, it: &mut InTicks, attempt: &Attempt) {
-        let step_mm_s = f64::from(it.ticker.step_mm_s());
+    /// Slows corners that are too fast, more with each round; a corner slower than one step finally
+    /// becomes a stop.
+    fn slow_corners(&mut self, plan: &mut TickPlan, attempt: &Attempt) {
+        let step_mm_s = f64::from(plan.ticker.step_mm_s());
         let shares = attempt.shares.iter().enumerate();
         for (i, share) in shares.filter(|it| *it.1 < 1.0) {
-            it.over[i] = (2.0 * it.over[i]).min(MOST_OVER);
+            plan.over[i] = (2.0 * plan.over[i]).min(MOST_OVER);
             let slower_mm_s = attempt.speeds[i].end_mm_s * share;
-            let stops = it.over[i] == MOST_OVER && slower_mm_s < step_mm_s;
+            let stops = plan.over[i] == MOST_OVER && slower_mm_s < step_mm_s;
             self.chain[i].corner_mm_s = if stops { 0.0 } else { slower_mm_s };
         }
     }
 }
 
-/// The chain that ends, for an arm with ticks.
-struct InTicks {
+/// The chain being planned on an arm with ticks.
+struct TickPlan {
     /// Its first vector.
     begin: usize,
-    /// What the arm carries over to it.
+    /// The arm's state before it.
     ticker: Ticker,
-    /// How fast each vector may be, whatever the link allows.
+    /// The maximum speed of each vector, regardless of the link.
     limits_mm_s: Vec<f64>,
-    /// How many times as much an end speed above the one wanted counts, for each vector.
+    /// The weight of end speeds above the target, for each vector.
     over: Vec<f64>,
-    /// No packet may tell a larger speed, for each vector.
+    /// The maximum speed in each packet.
     most_mm_s: Vec<f32>,
 }
 
-impl InTicks {
-    /// Where the tool marks nothing it is told no larger speed than `travel_mm_s`, or what its chain is.
+impl TickPlan {
+    /// Creates the plan. A vector without a mark has at most `travel_mm_s` or the chain's maximum
+    /// speed in its packet.
     fn new(
         begin: usize,
         ticker: Ticker,
@@ -215,7 +225,8 @@ impl InTicks {
     ) -> Self {
         let limits_mm_s: Vec<f64> = chain.iter().map(|it| it.limit_mm_s).collect();
         let most_mm_s = round_down(limits_mm_s.iter().copied().fold(0.0, f64::max));
-        // From rest an arm gets to whole steps of speed only, and a laser is to burn no slower for that.
+        // From rest, an arm reaches only whole steps of speed, and a laser must not burn slower
+        // because of that.
         let next_mm_s = (most_mm_s + 0.5 * ticker.step_mm_s()).min(travel_mm_s);
         let most = |vector: &PlannedVector| match vector.kind {
             MoveKind::RunUp => most_mm_s.max(next_mm_s),
@@ -230,8 +241,8 @@ impl InTicks {
         }
     }
 
-    /// A vector has become two.
-    fn part(&mut self, i: usize) {
+    /// Records that a vector became two.
+    fn split(&mut self, i: usize) {
         self.over[i] = 1.0;
         self.over.insert(i, 1.0);
         self.most_mm_s.insert(i, self.most_mm_s[i]);
@@ -239,43 +250,43 @@ impl InTicks {
     }
 }
 
-/// A chain as it comes out in ticks.
+/// A chain with its speeds in ticks.
 #[derive(Clone)]
 struct Attempt {
     chain_speeds: ChainSpeeds,
-    /// What was wanted of each vector.
+    /// The target speeds.
     speeds: Vec<Speeds>,
-    /// What comes out.
+    /// The resulting fits.
     fits: Vec<TickFit>,
-    /// What share of the acceleration seen at the corner behind each vector is allowed.
+    /// The allowed share of the sampled acceleration at the corner after each vector.
     shares: Vec<f64>,
 }
 
 impl Attempt {
-    /// Whether no search could make it much better.
+    /// Whether a search could not improve it much.
     fn is_good(&self) -> bool {
         self.late_share() < MOST_LATE_SHARE && !self.is_sharp()
     }
 
-    /// A vector has become two, which are to be planned again.
-    fn part(&mut self, i: usize) {
+    /// Records that a vector became two, which must be planned again.
+    fn split(&mut self, i: usize) {
         self.speeds.insert(i, self.speeds[i]);
         self.fits.insert(i, self.fits[i]);
         self.shares.insert(i, 0.0);
         self.shares[i + 1] = 0.0;
     }
 
-    /// Whether more acceleration is seen than allowed.
+    /// Whether the sampled acceleration exceeds the limit.
     fn is_sharp(&self) -> bool {
         self.shares.iter().any(|it| *it < 1.0)
     }
 
-    /// How much more acceleration is seen than allowed, in the square and at all corners together.
+    /// Returns the squared excess of the sampled acceleration, summed over all corners.
     fn sharpness(&self) -> f64 {
         self.shares.iter().map(|it| (1.0 / it - 1.0).powi(2)).sum()
     }
 
-    /// How much longer all of it takes than wanted, as a share of that.
+    /// Returns the excess duration as a share of the target.
     fn late_share(&self) -> f64 {
         let wanted_s: f64 = self.speeds.iter().map(|it| it.duration_s).sum();
         let took_s: f64 = self.fits.iter().map(TickFit::duration_s).sum();
@@ -283,23 +294,23 @@ impl Attempt {
     }
 }
 
-/// What takes no longer than this beyond what is wanted is not worth a search.
+/// A smaller excess duration is not worth a search.
 const MOST_LATE_SHARE: f64 = 0.01;
-/// How often a chain is planned again for the ticks of a stock arm at the most.
+/// The maximum number of rounds for a chain.
 const MOST_ROUNDS: u32 = 40;
-/// It gets better if as little is left as this share of what was too much.
+/// A round is an improvement if it leaves less than this share of the excess.
 const BETTER: f64 = 0.8;
-/// After so many rounds in which it does not, vectors are parted.
+/// The number of rounds without improvement before vectors are split.
 const PATIENCE: u32 = 2;
-/// After so many the search is over.
+/// The number of rounds without improvement that ends the search.
 const MOST_IN_VAIN: u32 = 8;
-/// How often vectors are parted.
-const MOST_PARTINGS: u32 = 6;
-/// Not those that take fewer ticks: each part takes as long as the link needs.
-const PARTED_TICKS: u32 = 8;
-/// So many ticks a second part goes on before it brakes.
+/// The maximum number of splits.
+const MAX_SPLITS: u32 = 6;
+/// The minimum number of ticks of a vector to split: each part takes as long as the link needs.
+const SPLIT_TICKS: u32 = 8;
+/// The number of constant-speed ticks of a second part before it brakes.
 const EVEN_TICKS: f64 = 10.0;
-/// The cosine of a turn that is none.
+/// The cosine above which two vectors are collinear.
 const STRAIGHT_COS: f64 = 0.999_999;
-/// How many times as much an end speed above the one wanted counts at the most.
+/// The maximum weight of end speeds above the target.
 const MOST_OVER: f64 = 16.0;

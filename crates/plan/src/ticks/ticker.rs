@@ -1,4 +1,4 @@
-//! A chain of vectors for a stock arm, tick by tick.
+//! The state of a stock arm along a chain of vectors.
 
 use dobot_motion::TickStroke;
 use dobot_wire::{WriteMode, WriteVector};
@@ -8,18 +8,18 @@ use crate::speed::link::Credit;
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
-use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickTarget, TickWish};
+use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickPreference, TickTarget};
 use crate::{ArmLimits, MoveKind, PlannedVector};
 
-/// What the arm carries over from vector to vector.
+/// The state that a stock arm carries from vector to vector.
 #[derive(Clone, Debug)]
 pub(crate) struct Ticker {
     acceleration_mm_s2: f32,
-    /// The end speed that the arm has stored, in mm/s.
+    /// The stored end speed, in mm/s.
     stored_mm_s: f32,
-    /// What it may have stored instead, where that is not known.
-    perhaps_mm_s: Option<[f32; 3]>,
-    /// How many ticks the vectors so far were too short, in ticks.
+    /// Possible other stored speeds, if it is unknown.
+    possible_mm_s: Option<[f32; 3]>,
+    /// The ticks by which the vectors before were too short.
     early: f64,
     credit: Credit,
 }
@@ -30,36 +30,36 @@ impl Ticker {
         Self {
             acceleration_mm_s2: arm_limits.acceleration_mm_s2 as f32,
             stored_mm_s,
-            perhaps_mm_s: None,
+            possible_mm_s: None,
             early: 0.0,
             credit: Credit::new(arm_limits.link),
         }
     }
 
-    /// The ticks of a machine that has some.
+    /// Creates the state for an arm with ticks; `None` without ticks.
     pub(crate) fn of(arm_limits: &ArmLimits, stored_mm_s: f32) -> Option<Self> {
         arm_limits
             .has_ticks
             .then(|| Self::new(arm_limits, stored_mm_s))
     }
 
-    /// The same where others used the arm before: nobody knows what it has stored.
-    pub(crate) const fn of_others(self) -> Self {
+    /// Marks the stored speed as unknown, because others used the arm before.
+    pub(crate) const fn with_unknown_speed(self) -> Self {
         Self {
-            perhaps_mm_s: Some(LEFT_BY_OTHERS_MM_S),
+            possible_mm_s: Some(LEFT_BY_OTHERS_MM_S),
             ..self
         }
     }
 
-    /// The same where vectors that take longer come in pieces.
-    pub(crate) const fn in_pieces(self, piece_s: f64) -> Self {
+    /// Takes into account that vectors of longer duration are divided.
+    pub(crate) const fn with_pieces(self, piece_s: f64) -> Self {
         Self {
-            credit: self.credit.in_pieces(piece_s),
+            credit: self.credit.with_pieces(piece_s),
             ..self
         }
     }
 
-    /// Gives the vectors of a chain these speeds: they are run behind those before.
+    /// Assigns the fits to the vectors of a chain and executes them.
     pub(crate) fn set(&mut self, moves: &mut [PlannedVector], speeds: &[Speeds], fits: &[TickFit]) {
         for ((vector, speeds), fit) in moves.iter_mut().zip(speeds).zip(fits) {
             vector.start_speed_mm_s = self.stored_mm_s.min(fit.max_mm_s);
@@ -70,18 +70,18 @@ impl Ticker {
         }
     }
 
-    /// The speeds with which the next vector comes nearest to these, the best first.
+    /// Returns the fits of the next vector closest to these speeds, best first.
     pub(crate) fn fits(
         &self,
         vector: &WriteVector,
         speeds: Speeds,
-        wish: TickWish,
+        wish: TickPreference,
     ) -> Vec<TickFit> {
         let target = self.target(length(vector), speeds, factor(vector), wish);
         target.fits(self.stored_mm_s)
     }
 
-    /// What becomes of the next vector with the speeds of this fit.
+    /// Returns the execution of the next vector with the speeds of this fit.
     pub(crate) fn tick_stroke_with(&self, vector: &WriteVector, fit: &TickFit) -> TickStroke {
         let acceleration_mm_s2 = factor(vector) * self.acceleration_mm_s2;
         TickStroke::of(
@@ -93,7 +93,8 @@ impl Ticker {
         )
     }
 
-    /// Gives a vector of a job the speeds with which a stock arm comes nearest to its own, whose speeds are those of a plan without ticks.
+    /// Replaces the speeds of a job's vector, planned without ticks, by the closest ones for a
+    /// stock arm.
     pub(crate) fn respeed(
         &mut self,
         vector: &mut WriteVector,
@@ -111,7 +112,7 @@ impl Ticker {
         let end = if rests { 0.0 } else { end };
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
         let stored_mm_s = self.stored_mm_s;
-        let wish = TickWish {
+        let wish = TickPreference {
             objective: Objective::Even,
             over: 1.0,
             most_mm_s,
@@ -127,21 +128,21 @@ impl Ticker {
         vector.max_speed_mm_s = fit.max_mm_s;
     }
 
-    /// How the arm runs a vector behind those before.
+    /// Executes a vector.
     pub(crate) fn run(&mut self, vector: &WriteVector) -> TickStroke {
         let tick_stroke = self.tick_stroke(vector, self.stored_mm_s);
         self.stored_mm_s = tick_stroke.end_mm_s;
         tick_stroke
     }
 
-    /// How far the arm gets with a vector behind those before, in mm.
+    /// Executes a vector and returns its displacement, in mm.
     pub(crate) fn displacement_mm(&mut self, vector: &WriteVector) -> [f32; 3] {
         let way = [vector.x_mm, vector.y_mm, vector.z_mm];
         self.run(vector).displacement_mm(way, length(vector))
     }
 
-    /// Whether the arm makes each of these vectors as long as it should be.
-    pub(crate) fn runs_true(&self, vectors: &[WriteVector]) -> bool {
+    /// Whether the arm executes the exact length of each of these vectors.
+    pub(crate) fn runs_exactly(&self, vectors: &[WriteVector]) -> bool {
         let mut stored_mm_s = self.stored_mm_s;
         vectors.iter().all(|vector| {
             let tick_stroke = self.tick_stroke(vector, stored_mm_s);
@@ -150,7 +151,8 @@ impl Ticker {
         })
     }
 
-    /// Whether one of these vectors comes out wrong, or where a laser goes off the arm may creep on, whatever it has stored.
+    /// Whether any of these vectors is executed wrongly, or the arm may creep after the laser goes
+    /// off, with any possible stored speed.
     pub(crate) fn fails(&self, moves: &[PlannedVector]) -> bool {
         let wrong = |stored_mm_s: f32, is_sure: bool| {
             let mut stored_mm_s = stored_mm_s;
@@ -161,11 +163,11 @@ impl Ticker {
                 creeps || is_sure && !tick_stroke.is_exact()
             })
         };
-        let mut perhaps_mm_s = self.perhaps_mm_s.iter().flatten();
-        wrong(self.stored_mm_s, true) || perhaps_mm_s.any(|&it| wrong(it, false))
+        let mut possible_mm_s = self.possible_mm_s.iter().flatten();
+        wrong(self.stored_mm_s, true) || possible_mm_s.any(|&it| wrong(it, false))
     }
 
-    /// What the arm has in hand before each vector of a chain that it runs like that.
+    /// Returns the link credit before each vector of a chain with these fits.
     pub(crate) fn credits(&self, fits: &[TickFit]) -> Vec<Credit> {
         let mut credit = self.credit;
         let before = |fit: &TickFit| {
@@ -176,7 +178,7 @@ impl Ticker {
         fits.iter().map(before).collect()
     }
 
-    /// Whether none of these vectors comes too late, until the arm has as much in hand as stands beside them.
+    /// Whether none of these vectors arrives too late, until the credit reaches the given one.
     pub(crate) fn keeps_up<'a>(
         &self,
         rest: impl IntoIterator<Item = (&'a TickFit, &'a Credit)>,
@@ -194,7 +196,7 @@ impl Ticker {
         false
     }
 
-    /// How many ticks the next vector has to take at the least.
+    /// Returns the minimum number of ticks of the next vector.
     #[cfg(test)]
     pub(crate) fn least_ticks(&self) -> u32 {
         u32::from(least_ticks(self.credit).unsigned_abs())
@@ -208,7 +210,7 @@ impl Ticker {
         self.acceleration_mm_s2.into()
     }
 
-    /// How much faster one tick may be than the one before, in mm/s.
+    /// Returns the speed change per tick, in mm/s.
     pub(crate) fn step_mm_s(&self) -> f32 {
         self.acceleration_mm_s2 * TICK_S
     }
@@ -223,9 +225,15 @@ impl Ticker {
         )
     }
 
-    /// What the next vector should be, of this length. Speeds are whole ticks: the arm would not begin to
-    /// accelerate to less than one and a half.
-    fn target(&self, length_mm: f32, speeds: Speeds, factor: f32, wish: TickWish) -> TickTarget {
+    /// Returns the target of the next vector. Speeds are whole steps: the arm would not accelerate
+    /// to less than one and a half.
+    fn target(
+        &self,
+        length_mm: f32,
+        speeds: Speeds,
+        factor: f32,
+        wish: TickPreference,
+    ) -> TickTarget {
         let early = match wish.objective {
             Objective::Even => self.early,
             Objective::Fast => 0.0,
@@ -237,22 +245,22 @@ impl Ticker {
             least_ticks: least_ticks(self.credit),
             rests: speeds.end_mm_s == 0.0,
             acceleration_mm_s2: factor * self.acceleration_mm_s2,
-            perhaps_mm_s: self.perhaps_mm_s,
-            wish: TickWish {
+            possible_mm_s: self.possible_mm_s,
+            wish: TickPreference {
                 most_mm_s: wish.most_mm_s.max(1.5 * self.step_mm_s()),
                 ..wish
             },
         }
     }
 
-    /// The next vector is run like that.
+    /// Records the execution of the next vector.
     pub(crate) fn take(&mut self, speeds: &Speeds, fit: &TickFit) {
         let ticks = speeds.duration_s / f64::from(TICK_S);
         let took = f64::from(fit.tick_stroke.ticks());
         self.early = (self.early + ticks - took).clamp(-MOST_EARLY, MOST_EARLY);
         self.credit.take(fit.duration_s());
         self.stored_mm_s = fit.tick_stroke.end_mm_s;
-        self.perhaps_mm_s = fit.perhaps_mm_s;
+        self.possible_mm_s = fit.possible_mm_s;
     }
 }
 
@@ -263,13 +271,13 @@ fn least_ticks(credit: Credit) -> i16 {
         .max(1.0) as i16
 }
 
-/// The length as the arm calculates it.
+/// Returns the length in the arm's own arithmetic.
 pub(crate) fn length(vector: &WriteVector) -> f32 {
     let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
     (x * x + y * y + z * z).sqrt()
 }
 
-/// Whether a stock arm accelerates on it a hundredfold (note N48).
+/// Whether a stock arm accelerates it a hundredfold (note N48).
 pub(crate) fn is_rapid(vector: &WriteVector) -> bool {
     vector.mode == WriteMode::Laser && !vector.laser
 }
@@ -278,8 +286,8 @@ fn factor(vector: &WriteVector) -> f32 {
     if is_rapid(vector) { RAPID_FACTOR } else { 1.0 }
 }
 
-/// With the laser off, laser mode accelerates that much faster (note N48).
+/// The acceleration factor of laser mode with the laser off (note N48).
 const RAPID_FACTOR: f32 = 100.0;
-/// What a vector that was braked to rest leaves besides what is planned, in mm/s: the policy asks for these.
+/// Speeds that a vector braked to rest may leave, in mm/s, as in the policy.
 const LEFT_BY_OTHERS_MM_S: [f32; 3] = [-0.01, -0.1, -0.3];
 const MOST_EARLY: f64 = 0.5;
