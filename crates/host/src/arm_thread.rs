@@ -1,4 +1,4 @@
-//! The thread that has the arm.
+//! The arm thread, which drives the arm's port.
 
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -12,12 +12,13 @@ use crate::driver::Driver;
 use crate::priority;
 use crate::watchdog::PanicStop;
 
-/// The thread that has the arm: the driver of its port runs there, and those who speak the arm's own
-/// protocol, so that no packet waits until a thousand others have been told where the arm is.
+/// The arm thread: it runs the driver of the port and the clients that use the arm's own protocol,
+/// so that no packet waits until a thousand others have received a state.
 ///
-/// The system runs it before threads that can wait, where it is allowed to ([`priority`]).
+/// The system schedules it before threads that can wait, where permitted ([`priority`]).
 ///
-/// When it panics, its [`PanicStop`] sends laser off and the release, since nothing else is left that could.
+/// If it panics, its [`PanicStop`] sends laser off and the release, because nothing else is left to
+/// do so.
 #[derive(Debug)]
 pub(crate) struct ArmThread {
     runtime: Handle,
@@ -25,7 +26,7 @@ pub(crate) struct ArmThread {
     ended: oneshot::Receiver<Result<(), String>>,
 }
 
-/// The thread, with its driver at work.
+/// The thread with its driver running.
 #[derive(Debug)]
 pub(crate) struct ArmAtWork {
     runtime: Handle,
@@ -33,13 +34,13 @@ pub(crate) struct ArmAtWork {
 }
 
 impl ArmThread {
-    /// Starts it; it waits for its driver, and what is spawned there runs already.
+    /// Starts the thread; it waits for its driver, but tasks spawned on it already run.
     ///
     /// # Errors
     ///
-    /// What the operating system says.
+    /// The operating system's error.
     pub(crate) fn start(panic_stop: Arc<PanicStop>) -> io::Result<Self> {
-        // What is spawned beside it would be as urgent as the thread itself.
+        // A thread spawned from it would inherit its priority.
         let runtime = Builder::new_current_thread()
             .enable_all()
             .on_thread_start(priority::of_jobs)
@@ -62,7 +63,7 @@ impl ArmThread {
             };
             let outcome = catch_unwind(AssertUnwindSafe(work))
                 .unwrap_or_else(|_| Err("the thread that has the arm panicked".to_owned()));
-            // Nobody may be waiting for that.
+            // The receiver may be gone.
             let _ = over.send(outcome);
         })?;
         Ok(Self {
@@ -72,10 +73,10 @@ impl ArmThread {
         })
     }
 
-    /// Lets the driver run there, beginning with what is known of its arm already; the thread ends
-    /// with it, and with the thread all else that runs there.
+    /// Runs the driver with the first result of connecting; the thread and all its tasks end with
+    /// it.
     pub(crate) fn run(self, driver: Driver, first: Option<Connecting>) -> ArmAtWork {
-        // A thread that is gone says so when it is waited for.
+        // If the thread has ended, waiting for it reports that.
         let _ = self.driver.send((driver, first));
         ArmAtWork {
             runtime: self.runtime,
@@ -83,14 +84,14 @@ impl ArmThread {
         }
     }
 
-    /// Where its tasks run.
+    /// The runtime of its tasks.
     pub(crate) const fn runtime(&self) -> &Handle {
         &self.runtime
     }
 }
 
 impl ArmAtWork {
-    /// Lets something else run there.
+    /// Spawns another task on the thread.
     pub(crate) fn spawn(&self, task: impl Future<Output = ()> + Send + 'static) {
         self.runtime.spawn(task);
     }
@@ -99,7 +100,7 @@ impl ArmAtWork {
     ///
     /// # Errors
     ///
-    /// What failed that the arm depends on, in one line.
+    /// The failure of something that the arm depends on, in one line.
     pub(crate) async fn ended(self) -> Result<(), String> {
         match self.ended.await {
             Ok(outcome) => outcome,
@@ -139,7 +140,7 @@ mod tests {
     use crate::{Finder, Found, Search};
     use dobot_supervisor::Supervisor;
 
-    /// A port whose driver takes everything, and panics when something is to be heard.
+    /// A port that accepts everything, and panics when it is read.
     struct Panics;
 
     impl AsyncRead for Panics {
@@ -170,7 +171,7 @@ mod tests {
         }
     }
 
-    /// A driver at work on a link, and the way to it.
+    /// Runs a driver on a link and returns it with its handle.
     fn at_work(
         link: Link,
         panic_stop: &Arc<PanicStop>,
@@ -246,7 +247,7 @@ mod tests {
 
         let niceness = || getpriority_process(None).unwrap();
         let usual = niceness();
-        // What the system allows here.
+        // What the system permits here.
         let allowed = std::thread::spawn(move || setpriority_process(None, -10).is_ok());
         let allowed = allowed.join().unwrap();
         let thread = ArmThread::start(Arc::default()).unwrap();

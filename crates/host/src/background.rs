@@ -1,4 +1,4 @@
-//! A thread that waits for disks and pipes, so that others need not.
+//! A background thread for slow disks and pipes.
 
 use std::convert::Infallible;
 use std::io;
@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// A thread with a bounded queue. Pushing never waits.
+/// A background thread with a bounded queue. Pushing never waits.
 #[derive(Debug)]
 pub struct Background<T> {
     queue: SyncSender<T>,
@@ -15,11 +15,11 @@ pub struct Background<T> {
 }
 
 impl<T: Send + 'static> Background<T> {
-    /// Starts a thread that works on what is pushed, until this is dropped.
+    /// Starts a thread that processes pushed items until this is dropped.
     ///
     /// # Errors
     ///
-    /// The operating system's, if it has no thread left.
+    /// The operating system's error if no thread can be started.
     pub fn start(
         name: &str,
         capacity: usize,
@@ -36,7 +36,7 @@ impl<T: Send + 'static> Background<T> {
         Ok(Self { queue, running })
     }
 
-    /// Hands an item to the thread; gives it back if there is no room.
+    /// Pushes an item; returns it if the queue is full.
     ///
     /// # Errors
     ///
@@ -48,7 +48,7 @@ impl<T: Send + 'static> Background<T> {
         })
     }
 
-    /// Waits until all items are done, but no longer than this.
+    /// Waits until all items are processed, but no longer than this.
     pub fn finish(self, within: Duration) {
         drop(self.queue);
         let running = self.running.into_inner();

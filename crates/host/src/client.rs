@@ -1,5 +1,4 @@
-//! A client of the rules, wherever they are kept: in a station that runs, in this process, or in
-//! virtual time.
+//! A client of a supervisor: in a running station, in this process, or in virtual time.
 
 mod local;
 mod virtual_time;
@@ -25,16 +24,16 @@ use self::virtual_time::InVirtualTime;
 
 pub use self::local::{LocalArm, OpenArmError};
 
-/// How long an arm that still moves is asked again.
+/// The total time of retries while an arm still moves.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// How long it is left alone in between.
+/// The pause between two retries.
 const PAUSE: Duration = Duration::from_millis(80);
-/// A stock arm is deaf for up to two seconds after its port was opened, and is given five to say something.
+/// A stock arm does not respond for up to two seconds after its port is opened; five are allowed.
 const FIRST_STATUS: Duration = Duration::from_secs(6);
 
-/// A client of the rules that every command to an arm passes.
+/// A client of the supervisor that checks every command to an arm.
 ///
-/// The rules are the same wherever they are kept, and so are the requests:
+/// Rules and requests are the same wherever the supervisor runs:
 ///
 /// | constructor | the rules are kept | the arm |
 /// |---|---|---|
@@ -42,8 +41,8 @@ const FIRST_STATUS: Duration = Duration::from_secs(6);
 /// | [`open`](Self::open) | in this process, in a thread of their own | is at an address |
 /// | [`with_virtual_arm`](Self::with_virtual_arm) | in this process, in virtual time | is in this process too |
 ///
-/// What a client holds (control of the arm, a jog button) ends when it is dropped. [`end`](Self::end)
-/// waits until the arm rests.
+/// Control of the arm and jog buttons are released when the client is dropped. [`end`](Self::end)
+/// also waits until the arm is at rest.
 ///
 /// ```
 /// use dobot_controller::{Personality, PowerUp};
@@ -71,7 +70,7 @@ pub struct StationClient {
     began: Instant,
 }
 
-/// Where the rules are kept.
+/// Where the supervisor runs.
 enum ClientRoute {
     Running(Box<Remote>, StationAddress),
     Local(Box<Local>),
@@ -79,11 +78,11 @@ enum ClientRoute {
 }
 
 impl StationClient {
-    /// Connects with a station that runs, under a name that the others see.
+    /// Connects to a running station, with a name that other clients see.
     ///
     /// # Errors
     ///
-    /// [`ConnectError`], with what to do about it.
+    /// [`ConnectError`], with a hint.
     pub async fn connect(address: &StationAddress, name: &str) -> Result<Self, ConnectError> {
         let remote = Remote::connect(address, name).await?;
         Ok(Self::new(ClientRoute::Running(
@@ -92,13 +91,14 @@ impl StationClient {
         )))
     }
 
-    /// Opens the port of an arm and keeps the rules in this process, in a thread of their own: with
-    /// journal and recording, without a page and a raw port. The laser is switched off first. The
-    /// pose is not trusted until [`Request::ConfirmPose`]: opening its port resets a stock arm.
+    /// Opens the port of an arm and runs the supervisor in this process, in its own thread, with
+    /// journal and recording but without page and raw port. The laser is switched off first. The
+    /// pose is not trusted until [`Request::ConfirmPose`], because opening its port resets a stock
+    /// arm.
     ///
     /// # Errors
     ///
-    /// [`OpenArmError`]; nothing is left running then.
+    /// [`OpenArmError`]; nothing keeps running.
     ///
     /// # Panics
     ///
@@ -108,23 +108,24 @@ impl StationClient {
         Ok(Self::new(ClientRoute::Local(Box::new(local))))
     }
 
-    /// Keeps the rules of an arm in this process, in virtual time, which passes only while somebody
-    /// waits. Its pose is trusted and its laser needs no arming: it can harm nobody.
+    /// Runs a supervisor with a virtual arm in this process, in virtual time, which passes only
+    /// during waits. Its pose is trusted and its laser needs no arming, since it can do no harm.
     ///
     /// # Panics
     ///
-    /// Never: a journal in memory can always be made.
+    /// Never: an in-memory journal can always be created.
     #[must_use]
     pub fn with_virtual_arm(power_up: PowerUp, policy: Policy, name: &str) -> Self {
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         Self::with_this_virtual_arm(arm, power_up, policy, name)
     }
 
-    /// The same with an arm of one's own: with faults, or in a world. `power_up` is how its controller was switched on.
+    /// Runs a supervisor with the given virtual arm, for example one with faults or in a world.
+    /// `power_up` is the power-up of its controller.
     ///
     /// # Panics
     ///
-    /// Never: a journal in memory can always be made.
+    /// Never: an in-memory journal can always be created.
     #[must_use]
     pub fn with_this_virtual_arm(
         arm: VirtualArm,
@@ -143,11 +144,11 @@ impl StationClient {
         }
     }
 
-    /// Asks for something. What is told in the meantime is kept for [`next`](Self::next).
+    /// Sends a request. Events that arrive in the meantime are kept for [`next`](Self::next).
     ///
     /// # Errors
     ///
-    /// [`RemoteError::Refused`] where it is refused, and others where there is no answer.
+    /// [`RemoteError::Refused`] if it is refused, other variants if no answer comes.
     pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
         match &mut self.way {
             ClientRoute::Running(remote, _) => remote.request(request).await,
@@ -156,12 +157,12 @@ impl StationClient {
         }
     }
 
-    /// Asks for something that takes an arm at rest, as soon as it is: it is asked again for
-    /// five seconds by the arm's clock.
+    /// Sends a request that needs an arm at rest; it is repeated for up to five seconds of the
+    /// arm's time.
     ///
     /// # Errors
     ///
-    /// As of [`request`](Self::request).
+    /// Same as [`request`](Self::request).
     pub async fn request_at_rest(&mut self, request: Request) -> Result<Reply, RemoteError> {
         let until = self.now() + PATIENCE;
         loop {
@@ -174,28 +175,28 @@ impl StationClient {
         }
     }
 
-    /// What is told next: a state or what happened. Nothing is lost when it is cancelled.
+    /// Returns the next event: a state or a notice. Cancelling this loses nothing.
     ///
     /// # Errors
     ///
-    /// [`RemoteError`] where the connection is lost, or the rules are not kept any more.
+    /// [`RemoteError`] if the connection is lost or the supervisor has ended.
     pub async fn next(&mut self) -> Result<StationEvent, RemoteError> {
         match &mut self.way {
             ClientRoute::Running(remote, _) => remote.next().await,
             ClientRoute::Local(local) => local.next().await,
             ClientRoute::Virtual(station) => {
-                // A runtime that has other work (a signal that asks to stop) gets its turn.
+                // Gives other tasks of the runtime (such as a stop signal) a turn.
                 tokio::task::consume_budget().await;
                 Ok(station.next())
             }
         }
     }
 
-    /// The next state.
+    /// Returns the next state.
     ///
     /// # Errors
     ///
-    /// As of [`next`](Self::next).
+    /// Same as [`next`](Self::next).
     pub async fn state(&mut self) -> Result<State, RemoteError> {
         loop {
             if let StationEvent::State(state) = self.next().await? {
@@ -204,7 +205,7 @@ impl StationClient {
         }
     }
 
-    /// What was told already, of rules in virtual time; no time passes.
+    /// Returns the next buffered event in virtual time; no time passes.
     pub fn buffered(&mut self) -> Option<StationEvent> {
         match &mut self.way {
             ClientRoute::Virtual(station) => station.buffered(),
@@ -212,12 +213,12 @@ impl StationClient {
         }
     }
 
-    /// Waits until nothing is under way any more, or no arm is there to do anything: three states in a row say so, for
-    /// between two commands it looks like that, too.
+    /// Waits until nothing is in flight, or there is no arm. That takes three idle states in a row,
+    /// because the arm also looks idle between two commands.
     ///
     /// # Errors
     ///
-    /// As of [`next`](Self::next); [`RemoteError::Silent`] where no state comes for five seconds.
+    /// Same as [`next`](Self::next); [`RemoteError::Silent`] if no state comes for five seconds.
     pub async fn idle(&mut self) -> Result<(), RemoteError> {
         let mut idle = 0;
         while idle < 3 {
@@ -233,12 +234,12 @@ impl StationClient {
         Ok(())
     }
 
-    /// The first state with an arm that tells where it is. A station that has just been started is waited
-    /// for until its arm tells something, for six seconds.
+    /// Returns the first state with an arm. After the start of a station, waits up to six seconds
+    /// for the first status of its arm.
     ///
     /// # Errors
     ///
-    /// [`NoArm`] where there is none to be heard.
+    /// [`NoArm`] if no arm responds.
     pub async fn first_state(&mut self) -> Result<State, NoArm> {
         let mut missing = NoArm::Silent(RemoteError::Silent);
         let until = self.now() + FIRST_STATUS;
@@ -249,7 +250,7 @@ impl StationClient {
             let state = state?;
             match &state.arm {
                 Some(_) if state.link.phase == LinkPhase::Up => return Ok(state),
-                // What was said of the link while there was one tells more than that there is none now.
+                // Why the link was lost is more useful than that there is none now.
                 _ if state.link.phase == LinkPhase::Lost => return Err(NoArm::of(&state)),
                 _ => missing = NoArm::of(&state),
             }
@@ -257,11 +258,11 @@ impl StationClient {
         Err(missing)
     }
 
-    /// Queues a job, and gives its number.
+    /// Queues a job and returns its number.
     ///
     /// # Errors
     ///
-    /// As of [`request`](Self::request).
+    /// Same as [`request`](Self::request).
     pub async fn submit(&mut self, job: NewJob) -> Result<u64, RemoteError> {
         match self.request(Request::SubmitJob { job, key: None }).await? {
             Reply::Job { job } => Ok(job.job),
@@ -271,8 +272,8 @@ impl StationClient {
         }
     }
 
-    /// Cancels a job that was refused before it began: the next try makes one of its own. Why it was
-    /// refused is what counts, so that nothing is told of this.
+    /// Removes a job that was refused before it started; the next attempt queues its own. Errors
+    /// are ignored, because the reason of the refusal is what matters.
     pub async fn forget_unbegun(&mut self, job: u64) {
         let Ok(jobs) = self.jobs().await else {
             return;
@@ -283,21 +284,21 @@ impl StationClient {
         }
     }
 
-    /// Waits until a command that was [accepted](Reply::Accepted) is over.
+    /// Waits until an [accepted](Reply::Accepted) command is over.
     ///
     /// # Errors
     ///
-    /// [`RemoteError::Failed`] where the arm is not where it leads or the link to the arm is lost, and
-    /// others as of [`next`](Self::next).
+    /// [`RemoteError::Failed`] if the arm is not at the command's end or the link is lost,
+    /// otherwise the errors of [`next`](Self::next).
     pub async fn finished(&mut self, command: u64) -> Result<(), RemoteError> {
         self.finished_watched(command, |_| {}).await
     }
 
-    /// The same; `see` is shown every state meanwhile.
+    /// Waits like [`finished`](Self::finished), passing every state to `see`.
     ///
     /// # Errors
     ///
-    /// As of [`finished`](Self::finished).
+    /// Same as [`finished`](Self::finished).
     pub async fn finished_watched(
         &mut self,
         command: u64,
@@ -322,11 +323,11 @@ impl StationClient {
         }
     }
 
-    /// All jobs, the oldest first.
+    /// Returns all jobs, oldest first.
     ///
     /// # Errors
     ///
-    /// [`JobsError`] where they cannot be had.
+    /// [`JobsError`] if they are not available.
     pub async fn jobs(&mut self) -> Result<Vec<JobView>, JobsError> {
         match &mut self.way {
             ClientRoute::Running(_, address) => Ok(fetch(address, "/api/v1/jobs").await?),
@@ -335,11 +336,11 @@ impl StationClient {
         }
     }
 
-    /// For which arm to plan: as it is in this state, by these rules, and calibrated as the rules' keeper knows it.
+    /// Returns the arm to plan for: its pose in this state, its policy, and its known calibration.
     ///
     /// # Errors
     ///
-    /// [`JobsError`] where it does not tell.
+    /// [`JobsError`] if the station does not provide them.
     pub async fn planned_for(
         &mut self,
         mut rules: Rules,
@@ -353,7 +354,7 @@ impl StationClient {
         Ok(PlannedFor::of(rules.into(), state))
     }
 
-    /// Its number among the clients of the rules.
+    /// Returns the client's number.
     #[must_use]
     pub const fn id(&self) -> ClientId {
         match &self.way {
@@ -363,7 +364,7 @@ impl StationClient {
         }
     }
 
-    /// What it may do.
+    /// Returns the client's role.
     #[must_use]
     pub const fn role(&self) -> Role {
         match &self.way {
@@ -372,7 +373,7 @@ impl StationClient {
         }
     }
 
-    /// How long a jog button stays pressed without being said again.
+    /// Returns the dead-man time: how long a jog button stays pressed without a repeated request.
     #[must_use]
     pub fn dead_man(&self) -> Duration {
         let seconds = match &self.way {
@@ -380,7 +381,7 @@ impl StationClient {
             ClientRoute::Local(local) => local.dead_man_s(),
             ClientRoute::Virtual(station) => station.dead_man_s(),
         };
-        // What a station says that cannot be is a button that nobody can hold.
+        // An impossible value from the station means that no button can be held.
         Duration::try_from_secs_f64(seconds).unwrap_or_default()
     }
 
@@ -392,7 +393,7 @@ impl StationClient {
         }
     }
 
-    /// The time since this client came, by the arm's clock.
+    /// Returns the time since this client connected, by the arm's clock.
     #[must_use]
     pub fn now(&self) -> Duration {
         match &self.way {
@@ -401,7 +402,7 @@ impl StationClient {
         }
     }
 
-    /// The address of the arm, where this process has opened it.
+    /// Returns the address of the arm, if this process has opened it.
     #[must_use]
     pub fn arm_address(&self) -> Option<&Address> {
         match &self.way {
@@ -411,7 +412,7 @@ impl StationClient {
         }
     }
 
-    /// The virtual arm, where it is in this process.
+    /// Returns the virtual arm, if it is in this process.
     #[must_use]
     pub const fn virtual_arm(&self) -> Option<&VirtualArm> {
         match &self.way {
@@ -420,7 +421,7 @@ impl StationClient {
         }
     }
 
-    /// The virtual arm, to do something to it.
+    /// Returns the virtual arm mutably.
     pub const fn virtual_arm_mut(&mut self) -> Option<&mut VirtualArm> {
         match &mut self.way {
             ClientRoute::Virtual(station) => Some(station.arm_mut()),
@@ -428,8 +429,8 @@ impl StationClient {
         }
     }
 
-    /// Leaves: what it holds ends. Where the rules are kept in this process, the laser goes off, what
-    /// is under way gets a moment to come to its end, and the port is closed.
+    /// Disconnects and releases everything. If the supervisor runs in this process, the laser goes
+    /// off, in-flight commands get a moment to finish, and the port is closed.
     pub async fn end(self) {
         if let ClientRoute::Local(local) = self.way {
             local.end().await;
@@ -448,7 +449,7 @@ impl fmt::Debug for StationClient {
     }
 }
 
-/// Tells from what a station tells when a job does not run any more.
+/// Determines from notices when a job stops running.
 #[derive(Clone, Copy, Debug)]
 pub struct JobWatch {
     job: u64,
@@ -456,7 +457,7 @@ pub struct JobWatch {
 }
 
 impl JobWatch {
-    /// Watches a job that is to be started.
+    /// Watches a job that is about to start.
     #[must_use]
     pub const fn new(job: u64) -> Self {
         Self {
@@ -465,7 +466,7 @@ impl JobWatch {
         }
     }
 
-    /// How it ended, or that it is paused, and the words for it: from when it has run.
+    /// Returns how the job ended, or that it is paused, with the text; only after it has run.
     pub fn handle_notice(&mut self, notice: &Notice) -> Option<(JobPhase, String)> {
         let News::Job { job, phase } = notice.news else {
             return None;
@@ -473,21 +474,21 @@ impl JobWatch {
         if job != self.job {
             return None;
         }
-        // One that had to come to rest first is told as paused once more.
+        // A job that had to come to rest first is reported as paused once more.
         self.has_run |= phase == JobPhase::Running;
         let rests = !matches!(phase, JobPhase::Queued | JobPhase::Running);
         (self.has_run && rests).then(|| (phase, notice.text.clone()))
     }
 }
 
-/// Why no arm is heard.
+/// Why no arm responds.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoArm {
-    /// The station has none that can be used, and says why.
+    /// The station has no usable arm, and says why.
     #[error("no arm can be used: {0}")]
     Unusable(String),
-    /// The station says nothing.
+    /// The station does not respond.
     #[error(transparent)]
     Silent(#[from] RemoteError),
 }
@@ -502,7 +503,7 @@ impl NoArm {
         Self::Unusable(why)
     }
 
-    /// What to do about it.
+    /// Returns a hint on how to fix it.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
@@ -512,14 +513,14 @@ impl NoArm {
     }
 }
 
-/// Why the jobs cannot be had.
+/// Why the jobs are not available.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum JobsError {
-    /// The station does not give them.
+    /// The station cannot be reached or refuses.
     #[error(transparent)]
     Connect(#[from] ConnectError),
-    /// The rules' supervisor does not give them.
+    /// The supervisor refuses.
     #[error(transparent)]
     Request(#[from] RemoteError),
 }

@@ -1,4 +1,4 @@
-//! Where the arm comes from: a port that is named or looked for, or a virtual arm of the station.
+//! The source of the arm: a port that is named or searched for, or the station's virtual arm.
 
 use std::sync::Arc;
 
@@ -11,42 +11,42 @@ use tokio::time::{Instant, sleep_until};
 
 use crate::{Finder, Found, Reconnect};
 
-/// Where the arm comes from.
+/// The source of the arm.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
-    /// A port that is named or looked for.
+    /// A port that is named or searched for.
     Port(Arc<Mutex<Finder>>),
     /// The station's own virtual arm.
     Virtual {
         arm: InProcess,
         personality: Personality,
-        /// How many times as fast as a clock it lives.
+        /// Its simulation speed, as a factor of real time.
         speed: Speed,
     },
 }
 
-/// The station's own virtual arm: to look at its world, and to let things go wrong.
+/// The station's own virtual arm: to inspect its world and to inject faults.
 #[derive(Clone, Debug)]
 pub struct OwnVirtualArm {
     /// The arm.
     pub arm: InProcess,
-    /// How its controller was switched on.
+    /// The power-up of its controller.
     pub power_up: PowerUp,
 }
 
-/// What is told while there is no link.
+/// The progress of connecting.
 #[derive(Debug)]
 pub(crate) enum Connecting {
     /// The port is open.
     Up(Found),
     /// Not yet, and why.
     Waiting(String),
-    /// It is being looked for already.
+    /// A search is already running.
     Begun(mpsc::Receiver<Self>),
 }
 
 impl Connecting {
-    /// Where the arm is, if it is there.
+    /// Returns the address of the arm, if connected.
     pub(crate) fn address(&self) -> Option<Address> {
         match self {
             Self::Up(found) => Some(found.address.clone()),
@@ -56,19 +56,19 @@ impl Connecting {
 }
 
 impl Source {
-    /// Looks for the arm until it is there, in a task of its own that ends with its receiver.
+    /// Searches for the arm until it is found, in a task that ends with its receiver.
     pub(crate) fn connect(&self, runtime: &Handle) -> mpsc::Receiver<Connecting> {
         let (tell, news) = mpsc::channel(4);
         runtime.spawn(connect(self.clone(), tell));
         news
     }
 
-    /// Whether it is the station's own virtual arm.
+    /// Returns whether this is the station's own virtual arm.
     pub(crate) const fn is_virtual(&self) -> bool {
         matches!(self, Self::Virtual { .. })
     }
 
-    /// The station's own virtual arm, if that is it.
+    /// Returns the station's own virtual arm, if any.
     pub(crate) fn virtual_arm(&self) -> Option<OwnVirtualArm> {
         match self {
             Self::Virtual {
@@ -81,7 +81,7 @@ impl Source {
         }
     }
 
-    /// How the station's own virtual arm behaves.
+    /// Returns the personality of the station's own virtual arm.
     pub(crate) const fn personality(&self) -> Option<Personality> {
         match self {
             Self::Virtual { personality, .. } => Some(*personality),
@@ -89,7 +89,7 @@ impl Source {
         }
     }
 
-    /// How fast time passes for the arm.
+    /// Returns the simulation speed.
     pub(crate) const fn speed(&self) -> Speed {
         match self {
             Self::Virtual { speed, .. } => *speed,
@@ -115,7 +115,7 @@ async fn connect(source: Source, tell: mpsc::Sender<Connecting>) {
     }
 }
 
-/// Tries once.
+/// Makes one attempt.
 async fn attempt(source: &Source) -> Connecting {
     match source {
         Source::Virtual { arm, speed, .. } => Connecting::Up(Found {

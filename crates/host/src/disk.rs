@@ -1,4 +1,4 @@
-//! The station's small files, away from the thread that drives the arm.
+//! Writes of the station's small files, off the arm thread.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use crate::handle::Message;
 use crate::known_arms::NewText;
 use crate::watchdog::take_note;
 
-/// Reads and writes small files in a thread of its own: a disk may take its time, or hang.
+/// Reads and writes small files in a background thread: a disk may be slow or hang.
 #[derive(Debug)]
 pub(crate) struct Disk(Background<Work>);
 
@@ -27,7 +27,7 @@ impl Disk {
     ///
     /// # Errors
     ///
-    /// The operating system's, if it has no thread left.
+    /// The operating system's error if no thread can be started.
     pub(crate) fn start(driver: mpsc::Sender<Message>) -> io::Result<Self> {
         Background::start("disk", WAITING, move |all: Receiver<Work>| {
             for work in all {
@@ -40,19 +40,19 @@ impl Disk {
         .map(Self)
     }
 
-    /// Writes a file. `problem` says in a few words what is lost if that fails.
+    /// Writes a file. `problem` states briefly what is lost if that fails.
     ///
     /// # Errors
     ///
-    /// What people should know: the disk hangs.
+    /// The text to report: the disk hangs.
     pub(crate) fn write(&self, new: NewText, problem: &'static str) -> Result<(), String> {
         let pushed = self.0.push(Work::Write { new, problem });
         pushed.map_err(|_| format!("{problem}: the disk does not answer"))
     }
 
-    /// Reports what watchdogs have left in their note.
+    /// Reports the notes left by watchdogs.
     pub(crate) fn take_note(&self, note: &Path) {
-        // One that is not read now is read at the next start.
+        // A note that is not read now is read at the next start.
         let _ = self.0.push(Work::TakeNote(note.to_owned()));
     }
 
@@ -63,7 +63,7 @@ impl Disk {
 }
 
 impl Work {
-    /// Does it; what people should know afterwards, a line each.
+    /// Does the work; returns lines to report.
     fn done(self) -> Vec<String> {
         match self {
             Self::Write { new, problem } => {
@@ -78,6 +78,6 @@ impl Work {
     }
 }
 
-/// Files that wait to be written, at most: people change them, one at a time.
+/// The maximum number of waiting files: people change them one at a time.
 const WAITING: usize = 64;
 const PATIENCE: Duration = Duration::from_secs(1);

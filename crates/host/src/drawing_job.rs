@@ -1,10 +1,10 @@
-//! A plan of a drawing as a job.
+//! A drawing plan as a job.
 
 use dobot_api::{JobKind, JobPause, JobProgram, NewJob};
 use dobot_plan::Plan;
 use dobot_wire::single;
 
-/// The job that draws a plan. It waits for a person where the plan does.
+/// Returns the job that draws a plan, with the plan's pauses.
 #[must_use]
 pub fn drawing_job(plan: &Plan, title: &str) -> NewJob {
     let pauses = plan.breaks_in_commands().map(|(before, message)| JobPause {

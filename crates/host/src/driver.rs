@@ -1,4 +1,5 @@
-//! The task that owns the arm's port: the supervisor, its clock, its link, its journal, its recording.
+//! The driver: the task that owns the arm's port, with supervisor, clock, link, journal and
+//! recording.
 
 mod log;
 
@@ -29,7 +30,7 @@ use crate::known_arms::{KnownArms, NewText};
 use crate::recording::Recording;
 use crate::watchdog::HeartbeatSender;
 
-/// The task that owns the arm's port. Everything that happens to the arm happens here, in one order.
+/// The task that owns the arm's port. It handles all events of the arm in one order.
 #[derive(Debug)]
 pub(crate) struct Driver {
     supervisor: Supervisor,
@@ -41,29 +42,29 @@ pub(crate) struct Driver {
     stop: Option<KeptStop>,
     disk: Disk,
     link: Option<Link>,
-    /// Where the arm is, or was last.
+    /// The current or last address of the arm.
     address: Option<String>,
-    /// What the connecting task tells, while there is no link.
+    /// News of the connecting task, while there is no link.
     connecting: Option<mpsc::Receiver<Connecting>>,
     incoming: Vec<u8>,
     jobs: Jobs,
-    /// What the journal has written.
+    /// Completed journal writes.
     written: mpsc::UnboundedReceiver<Written>,
     to_journal: mpsc::UnboundedSender<Written>,
     recording: Recording,
-    /// Answers that take their time.
+    /// Pending answers.
     waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
-    /// A job that is started while it still comes to rest.
+    /// A start that waits until its job has come to rest.
     held_start: Option<HeldStart>,
-    /// For tasks that tell the driver something.
+    /// For tasks that send messages to the driver.
     own: mpsc::Sender<Message>,
     heartbeats: HeartbeatSender,
     ending: Option<Instant>,
-    /// What failed that the arm depends on.
+    /// The failure of something that the arm depends on.
     failure: Option<String>,
 }
 
-/// The parts that a driver is made of.
+/// The components of a driver.
 #[derive(Debug)]
 pub(crate) struct DriverParts {
     pub(crate) supervisor: Supervisor,
@@ -75,7 +76,7 @@ pub(crate) struct DriverParts {
     pub(crate) disk: Disk,
     pub(crate) jobs: Jobs,
     pub(crate) recording: Recording,
-    /// For tasks that tell the driver something.
+    /// For tasks that send messages to the driver.
     pub(crate) own: mpsc::Sender<Message>,
     pub(crate) heartbeats: HeartbeatSender,
 }
@@ -125,11 +126,11 @@ impl Driver {
         }
     }
 
-    /// Takes up a job that was at work when the station before this one was killed.
+    /// Restores a job that was running when the previous station was killed.
     ///
     /// # Errors
     ///
-    /// Why not, in one line.
+    /// The reason of a failure, in one line.
     pub(crate) fn recover(&mut self) -> Result<(), String> {
         if let Some(text) = self.jobs.missing() {
             let now = self.now();
@@ -152,11 +153,11 @@ impl Driver {
         }
     }
 
-    /// Takes up the time slots that the station before this one had.
+    /// Restores the time slots of the previous station.
     ///
     /// # Errors
     ///
-    /// Why not, in one line: there are none then.
+    /// The reason of a failure, in one line; then there are none.
     pub(crate) fn recover_slots(&mut self) -> Result<(), String> {
         let slots = self.slots.read(now_ms());
         let now = self.now();
@@ -167,7 +168,7 @@ impl Driver {
         taken.map_err(|why| format!("the time slots of before do not hold any more: {why}"))
     }
 
-    /// Takes up the stops that held when the station before this one ended.
+    /// Restores the stops that held when the previous station ended.
     pub(crate) fn recover_stop(&mut self) {
         if let Some(Content { stop, fleet }) = self.stop.as_ref().map(KeptStop::read) {
             let now = self.now();
@@ -175,7 +176,7 @@ impl Driver {
         }
     }
 
-    /// Keeps the stops for a station that comes after this one, or that none holds any more.
+    /// Saves the stops for the next station.
     fn keep_stops(&mut self) {
         let kept = self.supervisor.poll_kept_stops();
         if let (Some(file), Some((stop, fleet))) = (&self.stop, kept) {
@@ -184,13 +185,13 @@ impl Driver {
         }
     }
 
-    /// Keeps the time slots for a station that comes after this one.
+    /// Saves the time slots for the next station.
     fn keep_slots(&mut self) {
         let slots = self.slots.keep(&self.supervisor.slots(), now_ms());
         self.write_file(slots.map(Some), "the time slots cannot be kept");
     }
 
-    /// Has a file written, if there is something new. `problem` says what is lost if that fails.
+    /// Writes a file if there is new content. `problem` states what is lost if that fails.
     fn write_file(&mut self, new: io::Result<Option<NewText>>, problem: &'static str) {
         let written = match new {
             Ok(None) => Ok(()),
@@ -203,12 +204,12 @@ impl Driver {
         }
     }
 
-    /// Runs until the station is told to end: then the laser goes off, and what is under way gets a
-    /// moment to come to its end. It begins with what is known of the arm already.
+    /// Runs until the station is asked to end: then the laser goes off, and in-flight commands get
+    /// a moment to finish. `first` is the first result of connecting.
     ///
     /// # Errors
     ///
-    /// What failed that the arm depends on, in one line.
+    /// The failure of something that the arm depends on, in one line.
     pub(crate) async fn run(mut self, first: Option<Connecting>) -> Result<(), String> {
         self.recording
             .tools(Duration::ZERO, self.supervisor.policy());
@@ -222,7 +223,7 @@ impl Driver {
                 break;
             }
             let event = self.next_event().await;
-            // What came meanwhile may be old: the arm comes first.
+            // Input that has arrived may be old: serve the arm first.
             self.send_heartbeat();
             match event {
                 DriverEvent::Message(Some(message)) => self.handle(message),
@@ -245,8 +246,8 @@ impl Driver {
         Box::pin(self.part()).await
     }
 
-    /// Lets the watchdog know that this loop goes round. One that stood still for longer than the
-    /// watchdog has patience acts as after a fault.
+    /// Tells the watchdog that this loop is running. After a stall longer than the watchdog's
+    /// patience, acts as after a fault.
     fn send_heartbeat(&mut self) {
         if let Some(silent) = self.heartbeats.send_due() {
             let now = self.now();
@@ -260,7 +261,7 @@ impl Driver {
         }
     }
 
-    /// What time it is for the supervisor: an own virtual arm may live faster than everybody else.
+    /// Returns the supervisor's time: the virtual arm's clock may run faster than real time.
     fn now(&self) -> Duration {
         match &self.link {
             Some(link) if self.source.is_virtual() => link.now(),
@@ -268,7 +269,7 @@ impl Driver {
         }
     }
 
-    /// Until when to listen, by the arm's time, and then by everybody's.
+    /// Returns until when to wait, in the arm's time and in real time.
     fn wakeups(&self) -> (Duration, Instant) {
         let within = self.heartbeats.due_in().unwrap_or(LOOK_AT_LEAST);
         let latest = Instant::now() + within.min(LOOK_AT_LEAST);
@@ -284,8 +285,8 @@ impl Driver {
         let (until, wakeup) = self.wakeups();
         let link = self.link.as_mut();
         tokio::select! {
-            // A stop is a message, so messages come first. They starve nobody: each client waits for its answer
-            // before it says more, or is slowed down where it need not.
+            // Messages come first, because a stop is a message. They starve nothing: each client
+            // waits for its answer before it sends more, or is rate-limited.
             biased;
             message = self.channels.messages.recv() => DriverEvent::Message(message),
             written = self.written.recv() => DriverEvent::Written(written),
@@ -295,14 +296,14 @@ impl Driver {
         }
     }
 
-    /// Does what the supervisor wants: packets first.
+    /// Carries out the supervisor's outputs, packets first.
     fn drain_outputs(&mut self) {
         self.send();
         self.relay();
         self.write_journal();
         while let Some((client, answer)) = self.supervisor.poll_answer() {
             if let Some(reply) = self.waiting.remove(&client) {
-                // Whoever asked may have left.
+                // The requester may have left.
                 let _ = reply.send(answer);
             }
         }
@@ -318,14 +319,14 @@ impl Driver {
         }
     }
 
-    /// Hands all that is to be kept to the journal.
+    /// Hands all effects to the journal.
     fn write_journal(&mut self) {
         while let Some(effect) = self.supervisor.poll_effect() {
             self.write(effect);
         }
     }
 
-    /// Packets leave before anything else is done, answers and recording included.
+    /// Sends packets before anything else, including answers and recording.
     fn send(&mut self) {
         self.send_heartbeat();
         while let Some(packet) = self.supervisor.poll_bytes() {
@@ -342,7 +343,7 @@ impl Driver {
         }
     }
 
-    /// Passes the statuses on to raw programs, as permits, and to those who look at all packets.
+    /// Passes statuses on to raw programs, as permits, and packets to their subscribers.
     fn relay(&mut self) {
         while let Some(status) = self.supervisor.poll_status() {
             let bytes = Packet::from(status.emit()).to_bytes();
@@ -418,7 +419,7 @@ impl Driver {
                 reply,
             } => {
                 let changed = self.set_policy(now, client, &policy);
-                // Whoever asked may have left.
+                // The requester may have left.
                 let _ = reply.send(changed);
             }
             Message::JobPath { job, reply } => self.jobs.clone().path(job, reply),
@@ -429,7 +430,7 @@ impl Driver {
             }
             Message::FleetStop { origin, by, reply } => {
                 self.drop_held_start();
-                // A clock of before 1970 counts from the last stop on.
+                // With a clock before 1970, the count continues from the last stop.
                 let now_ms = u64::try_from(now_ms()).unwrap_or_default();
                 let stopped = self.supervisor.handle_fleet_stop(now, &origin, by, now_ms);
                 self.send();
@@ -469,7 +470,7 @@ impl Driver {
         Ok(())
     }
 
-    /// Takes how the arm differs from the drawing of it, and keeps that for this arm.
+    /// Sets the calibration and saves it for this arm.
     fn calibrate(
         &mut self,
         now: Duration,
@@ -498,7 +499,7 @@ impl Driver {
         Ok(calibrations)
     }
 
-    /// Something that the arm depends on is no more: the station ends.
+    /// Ends the station, because something that the arm depends on has failed.
     fn fail(&mut self, text: String) {
         tracing::error!("the station ends: {text}");
         self.connecting = None;
@@ -529,14 +530,14 @@ impl Driver {
                 self.keep_slots();
             }
             match answer {
-                // Whoever asked may have left.
+                // The requester may have left.
                 Some(answer) => drop(reply.send(answer)),
                 None => drop(self.waiting.insert(client, reply)),
             }
         }
     }
 
-    /// Passes on what is about jobs that the arm is not at; gives back all else.
+    /// Handles requests about jobs other than the current one; returns all others.
     fn ask_jobs(
         &mut self,
         client: ClientId,
@@ -576,12 +577,12 @@ impl Driver {
         None
     }
 
-    /// Whether the arm is at this job.
+    /// Returns whether this is the current job.
     fn is_at(&self, job: u64) -> bool {
         self.supervisor.job().is_some_and(|it| it.job == job)
     }
 
-    /// Starts a job, or holds that while the job comes to rest.
+    /// Starts a job, or defers that while the job comes to rest.
     fn start_job(&mut self, held: HeldStart) {
         match self.startable(held.start.job) {
             Err(Refusal::StillMoving { .. })
@@ -592,7 +593,7 @@ impl Driver {
             Err(refusal) => drop(held.start.reply.send(Err(refusal))),
             Ok(model) => {
                 let own = self.own.clone();
-                // The journal has to know that it is paused, which may have come just now.
+                // The journal must know that the job is paused, which may have just happened.
                 self.write_journal();
                 self.jobs.clone().plan(held.start, model, own);
             }
@@ -600,7 +601,7 @@ impl Driver {
     }
 
     fn try_held_start(&mut self) {
-        // Whoever asked may have left.
+        // The requester may have left.
         if let Some(held) = self
             .held_start
             .take()
@@ -610,7 +611,7 @@ impl Driver {
         }
     }
 
-    /// Whoever pauses, cancels or stops does not want it to go on behind that.
+    /// Drops a deferred start: after pause, cancel or stop the job must not start.
     fn withdraw_start(&mut self, request: &Request) {
         let rests = matches!(
             request,
@@ -679,7 +680,7 @@ impl Driver {
         self.address = Some(address);
     }
 
-    /// Keeps which dialect the arm speaks, once that is known.
+    /// Saves the arm's dialect once it is known.
     fn remember(&mut self, notice: &Notice) {
         let (News::DialectKnown { dialect }, Some(address)) = (&notice.news, &self.address) else {
             return;
@@ -692,7 +693,7 @@ impl Driver {
         self.write_file(new, "the dialect of the arm cannot be kept");
     }
 
-    /// Looks for the arm, in a task of its own.
+    /// Searches for the arm in a task.
     fn connect(&mut self) {
         if self.ending.is_none() {
             self.connecting = Some(self.source.connect(&Handle::current()));
@@ -722,7 +723,8 @@ impl Driver {
         self.supervisor.handle_written(now, &effect, outcome);
     }
 
-    /// The station ends: no more of the job, laser off; what is under way gets a moment.
+    /// Ends the station: no more commands of the job, laser off; in-flight commands get a moment to
+    /// finish.
     fn end(&mut self) {
         if self.ending.is_none() {
             self.ending = Some(Instant::now() + PATIENCE);
@@ -741,7 +743,7 @@ impl Driver {
     async fn part(mut self) -> Result<(), String> {
         self.drain_outputs();
         if let Some(link) = &mut self.link {
-            // A link that is broken takes nothing any more.
+            // A broken link accepts nothing.
             let _ = link.flush().await;
         }
         self.heartbeats.stop();
@@ -771,15 +773,15 @@ async fn listen(connecting: Option<&mut mpsc::Receiver<Connecting>>) -> Option<C
     }
 }
 
-/// Milliseconds since 1970-01-01T00:00:00Z.
+/// Returns the milliseconds since 1970-01-01T00:00:00Z.
 fn now_ms() -> i64 {
     jiff::Timestamp::now().as_millisecond()
 }
 
-/// Without anything to do the supervisor is still looked at so often.
+/// The supervisor is checked at least this often.
 const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
-/// So long the arm may take to come to rest when the station ends.
+/// The time the arm may take to come to rest when the station ends.
 const PATIENCE: Duration = Duration::from_secs(3);
-/// So long a job that is started may come to rest before: longer than it takes to see how far the
-/// job of a killed station got.
+/// The time a job may take to come to rest before a deferred start: longer than it takes to locate
+/// the job of a killed station.
 const HOLD_START: Duration = Duration::from_secs(30);

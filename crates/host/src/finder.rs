@@ -1,4 +1,4 @@
-//! Finds the arm: listens on serial ports until one of them tells where an arm is.
+//! The finder: listens on serial ports until it receives an arm's status.
 
 mod candidate;
 mod failed_attempts;
@@ -22,24 +22,24 @@ pub use probe_failures::{NothingFound, ProbeFailure};
 pub use reconnect::Reconnect;
 pub use search::{Search, WhereFound};
 
-/// Finds the arm.
+/// Searches for the arm.
 ///
-/// A port is opened and listened to for five seconds (a stock arm starts anew when its port is
-/// opened, and says nothing for two); the arm is where a valid status comes from, one whose position
-/// agrees with its angles. Nothing is written to a port by the finder but laser off: to an arm that
-/// was found, and at once where a person has named the port or the arm was found before.
+/// It opens a port and listens for five seconds (a stock arm restarts when its port is opened, and
+/// sends nothing for two). An arm is found when a valid status arrives, one whose position agrees
+/// with its angles. The finder writes nothing to a port except laser off: to an arm that was found,
+/// and immediately if the port was named or had the arm before.
 ///
-/// Which ports are tried: those that the [`Search`] names, and no others; or else
+/// The ports tried are those named in the [`Search`] and no others; if none is named:
 ///
-/// 1. the port where the arm was found last: the same USB chip, wherever it is plugged in now;
+/// 1. the port where the arm was last found: the same USB chip, wherever it is plugged in now;
 /// 2. ports of the USB chips that arms were built with: Arduino Mega (2341:0010, 2341:0042), CH340
 ///    (1a86:7523), FTDI (0403:6001), CP2102 (10c4:ea60);
 /// 3. the other USB serial ports.
 ///
-/// All of them at 9600 baud, then all of them at each other speed that the search tells. Ports that
-/// are not USB (`/dev/ttyS0`, Bluetooth) are tried only when named: what is behind them is not an arm,
-/// and opening may disturb it. For the same reason a port that was found to be something else is left
-/// alone for a minute, or until it is plugged in again, unless it is named or is the arm's.
+/// All are tried at 9600 baud, then all at each other speed in the search. Ports that are not USB
+/// (`/dev/ttyS0`, Bluetooth) are tried only when named: other devices may be attached, and opening
+/// the port may disturb them. For the same reason a port without an arm is not tried again for a
+/// minute, or until it is plugged in again, unless it is named or is the arm's.
 #[derive(Debug)]
 pub struct Finder {
     search: Search,
@@ -47,40 +47,40 @@ pub struct Finder {
     started: Instant,
 }
 
-/// An arm, with its port open.
+/// A connected arm.
 #[derive(Debug)]
 pub struct Found {
-    /// Where it is reached.
+    /// Its address.
     pub address: Address,
-    /// The open port: to open it once more would reset the arm.
+    /// The open port: opening it again would reset the arm.
     pub link: Link,
-    /// What was received so far, the last 4096 bytes of it.
+    /// The bytes received, at most the last 4096.
     pub bytes: Vec<u8>,
 }
 
-/// What the finder does.
+/// The finder's progress.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FinderNews {
-    /// It listens to a port.
+    /// Listening to a port.
     Listening {
-        /// Which one.
+        /// The port.
         address: Address,
-        /// What is plugged in there, where the system tells.
+        /// The attached device, if the system reports it.
         device: Option<String>,
     },
-    /// There is no arm to be heard.
+    /// No arm at a port.
     Failed {
-        /// Where.
+        /// The port.
         address: Address,
-        /// Why not.
+        /// The reason.
         why: String,
-        /// What to do about it.
+        /// How to fix it.
         hint: Option<String>,
     },
 }
 
 impl Finder {
-    /// A finder that has not looked yet.
+    /// Creates a finder.
     #[must_use]
     pub fn new(search: Search) -> Self {
         Self {
@@ -90,13 +90,13 @@ impl Finder {
         }
     }
 
-    /// Where an arm was found last, to be remembered for the next start.
+    /// Returns where an arm was last found, to save for the next start.
     #[must_use]
     pub const fn last(&self) -> Option<&WhereFound> {
         self.search.last.as_ref()
     }
 
-    /// Tries each port once and tells of it; the first arm that is found is it.
+    /// Tries each port once, reporting each; returns the first arm found.
     ///
     /// # Errors
     ///
@@ -109,7 +109,7 @@ impl Finder {
         let listed = tokio::task::spawn_blocking(dobot_session::ports).await;
         match listed.map_err(io::Error::other).flatten() {
             Ok(ports) => self.find_among(&ports, tell).await,
-            // The ports that are named can be tried all the same.
+            // The named ports can still be tried.
             Err(error) => {
                 let found = self.find_among(&[], tell).await;
                 found.map_err(|nothing| nothing.without_list(&error))
@@ -172,8 +172,8 @@ impl Finder {
     }
 }
 
-/// Opens a port and listens until an arm is heard. Where it is known to be an arm, its laser is
-/// switched off before it says anything; where it shows to be one, in that moment.
+/// Opens a port and listens for an arm. A known arm's laser is switched off before anything is
+/// received, otherwise when the first status arrives.
 async fn listen(candidate: &Candidate) -> Result<Found, ProbeFailure> {
     let address = &candidate.address;
     let mut link = Link::open(address).await?;
@@ -204,10 +204,10 @@ async fn listen(candidate: &Candidate) -> Result<Found, ProbeFailure> {
     Err(listening.failure())
 }
 
-/// Laser off: whatever the arm was told before, and whoever told it.
+/// Sends laser off, whatever the arm was sent before.
 pub(crate) async fn darken(link: &mut Link) {
     link.send(&LASER_OFF.emit(&Dialect::SPECIFICATION).to_bytes());
-    // A link that is broken says so to whoever listens next.
+    // Reading a broken link reports the error.
     let _ = link.flush().await;
 }
 

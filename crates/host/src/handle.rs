@@ -1,4 +1,4 @@
-//! How the rest of the station talks to the one who owns the arm.
+//! The channels between the station's tasks and the driver.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
@@ -16,7 +16,7 @@ use tokio::sync::{broadcast, mpsc, oneshot, watch};
 
 use dobot_supervisor::{Refusal, StartedJob, StoppedBy};
 
-/// How the rest of the station talks to the task that owns the arm; clones share it.
+/// The station's access to the driver; clones share it.
 #[derive(Clone, Debug)]
 pub struct StationHandle {
     pub(crate) messages: mpsc::Sender<Message>,
@@ -29,10 +29,11 @@ pub struct StationHandle {
     pub(crate) rules: Arc<RwLock<Arc<Rules>>>,
 }
 
-/// The driver's side of all [`StationHandle`]s: receives their messages and publishes states, notices and packets.
+/// The driver's side of all [`StationHandle`]s: receives their messages and publishes states,
+/// notices and packets.
 #[derive(Debug)]
 pub struct DriverChannels {
-    /// What clients ask.
+    /// Messages from handles and clients.
     pub messages: mpsc::Receiver<Message>,
     states: watch::Sender<Arc<Snapshot>>,
     every: broadcast::Sender<Arc<Snapshot>>,
@@ -46,30 +47,31 @@ pub struct DriverChannels {
 /// A packet that has passed between the station and the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PassedPacket {
-    /// When, since the station started.
+    /// The time since the station started.
     pub at: Duration,
     /// Whether it went to the arm; otherwise it is a status.
     pub to_arm: bool,
     /// The packet.
     pub bytes: [u8; 42],
-    /// Below which height of the tool a pen draws then, in millimetres and the arm's own words; `None` where no job lifts
-    /// one.
+    /// The tool height below which a pen draws at that time, in millimetres and raw coordinates;
+    /// `None` if no job lifts a pen.
     pub pen_below_mm: Option<f64>,
 }
 
-/// What holds until the policy or the arm is changed.
+/// The rules in force until policy or calibration change.
 #[derive(Clone, Debug)]
 pub struct Rules {
     /// The policy.
     pub policy: Policy,
-    /// How long a jog button stays pressed without being said again, in seconds.
+    /// The dead-man time: how long a jog button stays pressed without a repeated request, in
+    /// seconds.
     pub dead_man_s: f64,
-    /// How the arm differs from the drawing of it.
+    /// The calibrations of the arm.
     pub calibrations: Calibrations,
 }
 
 impl Rules {
-    /// The rules of a policy.
+    /// Returns the rules of a policy.
     #[must_use]
     pub fn of(policy: &Policy) -> Self {
         Self {
@@ -80,20 +82,20 @@ impl Rules {
     }
 }
 
-/// A state, and its JSON, written once for all who watch.
+/// A state with its JSON, serialized once for all observers.
 #[derive(Debug)]
 pub struct Snapshot {
     state: State,
-    /// `{"state":...}`, as it goes out to those who watch, in UTF-8.
+    /// `{"state":...}` in UTF-8, as sent to observers.
     message: Bytes,
 }
 
 impl Snapshot {
-    /// Writes the JSON of a state.
+    /// Serializes a state.
     ///
     /// # Panics
     ///
-    /// Never: a state is made of structures with text keys, which JSON can always hold.
+    /// Never: a state consists of structures with string keys, which JSON can always represent.
     #[must_use]
     pub fn new(state: State) -> Self {
         let json = serde_json::to_string(&state).expect("structures with text keys are JSON");
@@ -103,20 +105,20 @@ impl Snapshot {
         }
     }
 
-    /// The state.
+    /// Returns the state.
     #[must_use]
     pub const fn state(&self) -> &State {
         &self.state
     }
 
-    /// The state as JSON; a clone shares its bytes.
+    /// Returns the state as JSON; clones share the bytes.
     #[must_use]
     pub fn json(&self) -> Bytes {
         let end = self.message.len() - AFTER.len();
         self.message.slice(BEFORE.len()..end)
     }
 
-    /// The message to those who watch, `{"state":...}` in UTF-8; a clone shares its bytes.
+    /// Returns the message to observers, `{"state":...}` in UTF-8; clones share the bytes.
     #[must_use]
     pub fn message(&self) -> Bytes {
         self.message.clone()
@@ -126,7 +128,7 @@ impl Snapshot {
 const BEFORE: &str = "{\"state\":";
 const AFTER: &str = "}";
 
-/// A client of the station; it leaves when this is dropped, and its lease ends with it.
+/// A client of the station; when this is dropped, it disconnects and its lease ends.
 #[derive(Debug)]
 pub struct Client {
     id: ClientId,
@@ -135,34 +137,34 @@ pub struct Client {
     handle: StationHandle,
 }
 
-/// What reaches the driver.
+/// A message to the driver.
 #[derive(Debug)]
 pub enum Message {
-    /// A client came.
+    /// A client connects.
     Came {
-        /// What it calls itself.
+        /// The name.
         name: String,
-        /// By which name time slots know it.
+        /// The person it counts as for time slots.
         person: String,
-        /// What it may do.
+        /// The role.
         role: Role,
-        /// Its number.
+        /// The client's number.
         reply: oneshot::Sender<ClientId>,
     },
-    /// A client left.
+    /// A client disconnects.
     Left(ClientId),
-    /// A client asks for something.
+    /// A request of a client.
     Asked {
-        /// Who.
+        /// The client.
         client: ClientId,
-        /// What for.
+        /// The request.
         request: Request,
         /// The answer.
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     },
-    /// A raw program sent a packet.
+    /// A packet of a raw program.
     Raw {
-        /// Who.
+        /// The client.
         client: ClientId,
         /// The packet.
         packet: Packet,
@@ -171,129 +173,130 @@ pub enum Message {
     },
     /// A job that a client wants to start has been planned.
     Planned {
-        /// Who.
+        /// The client.
         client: ClientId,
         /// The job.
         started: Box<StartedJob>,
         /// The answer.
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     },
-    /// Somebody wants to know all jobs: the oldest first, unless queued ones were moved.
+    /// List all jobs: oldest first, unless queued ones were moved.
     Jobs(oneshot::Sender<Result<Vec<JobView>, Refusal>>),
-    /// A client wants another policy to hold.
+    /// Replace the policy.
     Policy {
-        /// Who.
+        /// The client.
         client: ClientId,
         /// The policy.
         policy: Box<Policy>,
-        /// Whether it holds.
+        /// Whether it was accepted.
         reply: oneshot::Sender<Result<(), Refusal>>,
     },
-    /// Somebody wants to know the way of a job.
+    /// Return the path of a job.
     JobPath {
-        /// Its number.
+        /// The job number.
         job: u64,
         /// The answer.
         reply: oneshot::Sender<Result<JobPath, Refusal>>,
     },
-    /// Another station offers a job, or asks what has become of its offer.
+    /// A request of another station about a job offer.
     Offer {
-        /// Under which key.
+        /// The key of the offer.
         key: String,
-        /// What it wants.
+        /// The request.
         ask: OfferAsk,
         /// The answer.
         reply: oneshot::Sender<Result<OfferAnswer, Refusal>>,
     },
-    /// Somebody stops the whole fleet at this station.
+    /// Stop the whole fleet from this station.
     FleetStop {
-        /// The number that this station goes by in its fleet.
+        /// The id of this station in its fleet.
         origin: String,
-        /// Who, and why.
+        /// Who stops it, and why.
         by: StoppedBy,
-        /// The stop, of which the others are to be told, and how this arm stops.
+        /// The stop to send to the other stations, and how this arm stops.
         reply: oneshot::Sender<(FleetWideStop, Reply)>,
     },
-    /// Another station tells which stops of the fleet it knows of.
+    /// The fleet-wide stops known to another station.
     FleetStops {
         /// The stops.
         stops: Vec<FleetWideStop>,
-        /// Those that are known here now, and how this arm stops if a stop holds it.
+        /// The stops known here, and how this arm stops if a stop holds it.
         reply: oneshot::Sender<(Vec<FleetWideStop>, Option<Reply>)>,
     },
-    /// Somebody lets the whole fleet move again.
+    /// Reset all fleet-wide stops.
     FleetReset {
-        /// Who.
+        /// Who resets them.
         by: String,
-        /// The stops, of which the others are to be told.
+        /// The stops to send to the other stations.
         reply: oneshot::Sender<Vec<FleetWideStop>>,
     },
-    /// A client behaves badly, in one line: those who watch are to know.
+    /// Report a fault to observers, in one line.
     Trouble(String),
-    /// Something that the arm depends on failed, in one line: end, and say so.
+    /// End the station, because something that the arm depends on failed (in one line).
     Failed(String),
-    /// End: laser off, and no more.
+    /// End the station: laser off, and nothing more is sent.
     End,
 }
 
-/// What another station wants, which offers a job under a key. What is answered to an offer holds for good.
+/// A request of another station about a job offer with a key. The answer to an offer is final.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OfferAsk {
-    /// That the job is queued, if the arm has no other that is not over.
+    /// Queue the job, unless the arm has another unfinished one.
     Take {
         /// The job.
         job: Box<NewJob>,
-        /// The calibration of the arm that its places are meant for, where it was not planned for this one.
+        /// The calibration that its positions are meant for, unless it was planned for this arm.
         made_for: Option<Calibration>,
     },
-    /// That it is refused: this station cannot do it, or not now.
+    /// Refuse the offer: this station cannot take it, or not now.
     Refuse {
-        /// Why.
+        /// The reason.
         reason: String,
-        /// Whether it may be taken later, when it is offered anew.
+        /// Whether it may be accepted later, when offered again.
         busy: bool,
     },
-    /// That no job comes of it, and that the one that has come of it ends if it has not begun.
+    /// Withdraw the offer: no job may result from it; one that exists is removed if it has not
+    /// started.
     Withdraw {
-        /// What the other station is called.
+        /// The name of the other station.
         by: String,
     },
-    /// To know what has become of it.
+    /// Return what has become of the offer.
     Look,
 }
 
-/// What is answered to an offer.
+/// The answer to an offer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OfferAnswer {
-    /// It was taken: the job as it is now.
+    /// Accepted: the job in its current state.
     Taken(Box<JobView>),
-    /// It was refused: no job comes of it any more.
+    /// Refused: no job will result from it.
     Refused {
-        /// Why.
+        /// The reason.
         reason: String,
-        /// Whether it may be taken later, when it is offered anew.
+        /// Whether it may be accepted later, when offered again.
         busy: bool,
     },
-    /// Nothing was offered under this key.
+    /// No offer has this key.
     Unknown,
 }
 
 impl DriverChannels {
-    /// Tells a new state.
+    /// Publishes a state.
     pub fn publish_state(&self, state: State) {
         let snapshot = Arc::new(Snapshot::new(state));
         self.states.send_replace(snapshot.clone());
-        // Nobody may be watching.
+        // There may be no observers.
         let _ = self.every.send(snapshot);
     }
 
-    /// Changes what holds.
+    /// Changes the rules.
     pub fn change_rules(&self, change: impl FnOnce(&mut Rules)) {
         let mut shared = self.rules.write().unwrap_or_else(PoisonError::into_inner);
         change(Arc::make_mut(&mut shared));
     }
 
-    /// Tells what happened.
+    /// Publishes a notice.
     pub fn publish_notice(&self, notice: Notice) {
         let notice = Arc::new(notice);
         let mut recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
@@ -302,46 +305,46 @@ impl DriverChannels {
         }
         recent.push_back(notice.clone());
         drop(recent);
-        // Nobody may be watching.
+        // There may be no observers.
         let _ = self.notices.send(notice);
     }
 
-    /// Passes on a status packet of the arm to raw programs.
+    /// Passes a status packet on to raw programs.
     pub fn pass_on(&self, packet: [u8; 42]) {
         // There may be no raw program.
         let _ = self.packets.send(packet);
     }
 
-    /// Tells that a packet has passed between the station and the arm.
+    /// Publishes a packet that passed between the station and the arm.
     pub fn publish_packet(&self, packet: PassedPacket) {
-        // Mostly nobody listens; then it costs nothing.
+        // Usually there is no subscriber; then it costs nothing.
         let _ = self.passed.send(packet);
     }
 }
 
-/// How many messages may wait for the driver.
+/// The maximum number of messages waiting for the driver.
 const MESSAGES: usize = 1024;
-/// How many notices a client may lag behind before it loses some.
+/// The number of notices that a client may lag behind before it loses some.
 const NOTICES: usize = 1024;
-/// How many packets a raw program may lag behind before it loses some.
+/// The number of packets that a raw program may lag behind before it loses some.
 const PACKETS: usize = 256;
-/// How many packets both ways one who listens may lag behind before he loses some.
+/// The number of packets in both directions that a subscriber may lag behind before it loses some.
 const PASSED: usize = 1024;
-/// How many notices are kept for those who ask later.
+/// The number of recent notices kept.
 const RECENT: usize = 200;
 
 impl StationHandle {
-    /// How many states a client may lag behind before it loses some: at a thousand times the speed of time 12,500 come
-    /// in a second.
+    /// The number of states that a client may lag behind before it loses some: at a thousand times
+    /// real time there are 12,500 per second.
     pub const STATES: usize = 2048;
 
-    /// A handle, and its other end for the driver of the arm.
+    /// Creates a handle and the driver's channels.
     #[must_use]
     pub fn new(first: State, rules: Rules) -> (Self, DriverChannels) {
         Self::with_packets(first, rules, PACKETS)
     }
 
-    /// The same, where a raw program may lag so many packets behind before it loses some.
+    /// Creates a handle whose raw programs may lag this many packets behind before they lose some.
     #[must_use]
     pub fn with_packets(first: State, rules: Rules, kept: usize) -> (Self, DriverChannels) {
         let (asking, messages) = mpsc::channel(MESSAGES);
@@ -369,7 +372,7 @@ impl StationHandle {
         (handle, channels)
     }
 
-    /// Makes a client known under a name, with what it may do.
+    /// Connects a client with a name and a role.
     ///
     /// # Errors
     ///
@@ -378,7 +381,7 @@ impl StationHandle {
         self.client_of(name, role, name).await
     }
 
-    /// Makes a client known under a name, with what it may do, and by which name time slots know it.
+    /// Connects a client with a name, a role and the person it counts as for time slots.
     ///
     /// # Errors
     ///
@@ -401,66 +404,68 @@ impl StationHandle {
         })
     }
 
-    /// What holds until the policy is changed.
+    /// Returns the current rules.
     #[must_use]
     pub fn rules(&self) -> Arc<Rules> {
         let rules = self.rules.read().unwrap_or_else(PoisonError::into_inner);
         rules.clone()
     }
 
-    /// What the station knows now.
+    /// Returns the current state.
     #[must_use]
     pub fn state(&self) -> Arc<Snapshot> {
         self.states.borrow().clone()
     }
 
-    /// The state, whenever it changes: with each status of the arm, and with each event. Who looks
-    /// late sees the newest one only.
+    /// Returns a receiver of the latest state, which changes with each status of the arm and each
+    /// event. A slow receiver sees the newest one only.
     #[must_use]
     pub fn states(&self) -> watch::Receiver<Arc<Snapshot>> {
         self.states.clone()
     }
 
-    /// Every single state from now on.
+    /// Subscribes to every state.
     #[must_use]
     pub fn every_state(&self) -> broadcast::Receiver<Arc<Snapshot>> {
         self.every.subscribe()
     }
 
-    /// What happened lately, the oldest first.
+    /// Returns the recent notices, oldest first.
     #[must_use]
     pub fn recent(&self) -> Vec<Arc<Notice>> {
         let recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
         recent.iter().cloned().collect()
     }
 
-    /// All jobs: the oldest first, unless queued ones were moved.
+    /// Returns all jobs: oldest first, unless queued ones were moved.
     ///
     /// # Errors
     ///
-    /// [`Refusal::Ending`], [`Refusal::Journal`] where the journal cannot be read.
+    /// [`Refusal::Ending`], [`Refusal::Journal`] if the journal cannot be read.
     pub async fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
         let (reply, answer) = oneshot::channel();
         self.send(Message::Jobs(reply)).await?;
         answer.await.map_err(|_| Refusal::Ending)?
     }
 
-    /// The way of a job, once through its commands, as it was planned.
+    /// Returns the planned path of a job, once through its commands.
     ///
     /// # Errors
     ///
-    /// [`Refusal::NoSuchJob`], [`Refusal::Ending`], [`Refusal::Journal`] where the journal cannot be read.
+    /// [`Refusal::NoSuchJob`], [`Refusal::Ending`], [`Refusal::Journal`] if the journal cannot be
+    /// read.
     pub async fn job_path(&self, job: u64) -> Result<JobPath, Refusal> {
         let (reply, answer) = oneshot::channel();
         self.send(Message::JobPath { job, reply }).await?;
         answer.await.map_err(|_| Refusal::Ending)?
     }
 
-    /// Another station offers a job under a key, or asks what has become of its offer.
+    /// Handles another station's request about a job offer.
     ///
     /// # Errors
     ///
-    /// [`Refusal::Ending`], [`Refusal::Journal`]; then nothing is answered, and it can be asked again.
+    /// [`Refusal::Ending`], [`Refusal::Journal`]; then there is no answer, and the request may be
+    /// repeated.
     pub async fn offer(&self, key: &str, ask: OfferAsk) -> Result<OfferAnswer, Refusal> {
         let (reply, answer) = oneshot::channel();
         let key = key.to_owned();
@@ -468,8 +473,8 @@ impl StationHandle {
         answer.await.map_err(|_| Refusal::Ending)?
     }
 
-    /// Stops the whole fleet, as far as this station does that: its own arm. The others are to be told of the stop that is
-    /// returned. `origin` is the number that this station goes by in its fleet.
+    /// Stops this station's arm for a fleet-wide stop. Returns the stop to send to the other
+    /// stations. `origin` is the id of this station in its fleet.
     ///
     /// # Errors
     ///
@@ -485,8 +490,8 @@ impl StationHandle {
         answer.await.map_err(|_| Refusal::Ending)
     }
 
-    /// Takes which stops of the fleet another station knows of. Gives those that are known here then, and how this arm stops
-    /// where a stop holds it.
+    /// Adopts the fleet-wide stops that another station knows. Returns the stops known here, and
+    /// how this arm stops if a stop holds it.
     ///
     /// # Errors
     ///
@@ -500,8 +505,8 @@ impl StationHandle {
         answer.await.map_err(|_| Refusal::Ending)
     }
 
-    /// Lets the whole fleet move again, as far as this station does that. The others are to be told of the stops that are
-    /// returned.
+    /// Resets the fleet-wide stops at this station. Returns the stops to send to the other
+    /// stations.
     ///
     /// # Errors
     ///
@@ -513,30 +518,30 @@ impl StationHandle {
         answer.await.map_err(|_| Refusal::Ending)
     }
 
-    /// Lets those who watch know that a client behaves badly.
+    /// Reports a fault to observers.
     pub async fn report_trouble(&self, text: String) {
-        // Without a driver nobody is there to know.
+        // Without a driver there are no observers.
         let _ = self.send(Message::Trouble(text)).await;
     }
 
-    /// The same, at once; where very much waits for the driver already, this is left out.
+    /// Reports a fault without waiting; it is dropped if the driver's queue is full.
     pub fn try_report_trouble(&self, text: String) {
         let _ = self.messages.try_send(Message::Trouble(text));
     }
 
-    /// What happens, from now on.
+    /// Subscribes to notices.
     #[must_use]
     pub fn notices(&self) -> broadcast::Receiver<Arc<Notice>> {
         self.notices.subscribe()
     }
 
-    /// The status packets of the arm, from now on, for raw programs: each one is a permit.
+    /// Subscribes to the status packets of the arm, for raw programs: each one is a permit.
     #[must_use]
     pub fn packets(&self) -> broadcast::Receiver<[u8; 42]> {
         self.packets.subscribe()
     }
 
-    /// Every packet between the station and the arm, both ways, from now on.
+    /// Subscribes to every packet between the station and the arm, in both directions.
     #[must_use]
     pub fn passed(&self) -> broadcast::Receiver<PassedPacket> {
         self.passed.subscribe()
@@ -560,41 +565,42 @@ impl StationHandle {
 }
 
 impl Client {
-    /// Its number.
+    /// Returns the client's number.
     #[must_use]
     pub const fn id(&self) -> ClientId {
         self.id
     }
 
-    /// What it may do.
+    /// Returns the client's role.
     #[must_use]
     pub const fn role(&self) -> Role {
         self.role
     }
 
-    /// By which name time slots know it.
+    /// Returns the person it counts as for time slots.
     #[must_use]
     pub fn person(&self) -> &str {
         &self.person
     }
 
-    /// The station.
+    /// Returns the handle of the station.
     #[must_use]
     pub const fn handle(&self) -> &StationHandle {
         &self.handle
     }
 
-    /// Asks for something.
+    /// Sends a request.
     ///
     /// # Errors
     ///
-    /// [`Refusal`]; nothing has changed then.
+    /// [`Refusal`]; nothing has changed.
     pub async fn request(&self, request: Request) -> Result<Reply, Refusal> {
         let answer = self.ask(request).await?;
         answer.await.map_err(|_| Refusal::Ending)?
     }
 
-    /// Hands over a request; its answer comes later, and the next one may be handed over before. It never comes from a station that ends.
+    /// Sends a request without waiting for the answer, so that the next one can be sent before. No
+    /// answer comes from a station that ends.
     ///
     /// # Errors
     ///
@@ -615,11 +621,11 @@ impl Client {
         Ok(answer)
     }
 
-    /// Puts another policy in place of the one that holds.
+    /// Replaces the policy.
     ///
     /// # Errors
     ///
-    /// [`Refusal`]; the old one holds on then.
+    /// [`Refusal`]; the old policy stays.
     pub async fn set_policy(&self, policy: Policy) -> Result<(), Refusal> {
         let (reply, answer) = oneshot::channel();
         let client = self.id;
@@ -633,12 +639,12 @@ impl Client {
         answer.await.map_err(|_| Refusal::Ending)?
     }
 
-    /// Passes on a packet of a raw program, which speaks the arm's own protocol. The first one
-    /// takes the lease if nobody has it.
+    /// Sends a packet of a raw program, which uses the arm's own protocol. The first one takes the
+    /// lease if it is free.
     ///
     /// # Errors
     ///
-    /// [`Refusal`]; the packet is not sent then.
+    /// [`Refusal`]; the packet is not sent.
     pub async fn raw(&self, packet: Packet) -> Result<(), Refusal> {
         let (reply, answer) = oneshot::channel();
         let client = self.id;
@@ -657,7 +663,7 @@ impl Drop for Client {
     fn drop(&mut self) {
         let (messages, left) = (self.handle.messages.clone(), Message::Left(self.id));
         if let Err(mpsc::error::TrySendError::Full(left)) = messages.try_send(left) {
-            // The driver has much to do; it must hear of this all the same.
+            // The driver is busy, but must still be notified.
             if let Ok(runtime) = tokio::runtime::Handle::try_current() {
                 runtime.spawn(async move { messages.send(left).await });
             }

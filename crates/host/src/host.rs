@@ -1,4 +1,4 @@
-//! The rules for one arm, at work: the driver of its port with all that he needs.
+//! The host: the driver of one arm with everything it needs.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -25,28 +25,27 @@ use crate::recording::{self, Recording};
 use crate::service_manager::ServiceManager;
 use crate::watchdog::{HeartbeatSender, take_note};
 
-/// By which rules an arm is used, and where what has to be remembered is kept.
+/// The policy for an arm and the places of its data.
 #[derive(Debug)]
 pub struct Setup {
-    /// The rules.
+    /// The policy.
     pub policy: Policy,
-    /// What the arm understands. When absent, it is what was found out about this arm before; a
-    /// virtual arm speaks as its personality does, and any other one is undecided.
+    /// The dialect. If absent, the one known for this arm; a virtual arm speaks its personality's
+    /// dialect, and any other one is undecided.
     pub dialect: Option<Dialect>,
-    /// Where the jobs are kept, and what the watchdog did.
+    /// The folders of the jobs and of the watchdog's note.
     pub folders: Folders,
-    /// Where recordings are kept, and what is known of each arm: the same for all arms of a person.
+    /// The folders of recordings and known arms, shared by all arms of a user.
     pub common: Folders,
-    /// Where a stop is kept, so that it holds at the next start too, if it is.
+    /// The file of the stop, so that it still holds at the next start; optional.
     pub stop: Option<PathBuf>,
-    /// The program that guards the arm when it is started as `PROGRAM watchdog --note FILE`, if one
-    /// does.
+    /// The watchdog program, started as `PROGRAM watchdog --note FILE`; optional.
     pub watchdog: Option<PathBuf>,
-    /// Who keeps the program running, where that wants to know that the arm's thread is at work.
+    /// The service manager that monitors the arm thread, if any.
     pub service_manager: Option<ServiceManager>,
 }
 
-/// The rules for one arm, at work in a thread of their own.
+/// The running supervisor of one arm, in its own thread.
 #[derive(Debug)]
 pub struct Host {
     handle: StationHandle,
@@ -56,16 +55,16 @@ pub struct Host {
     of_watchdog: Vec<String>,
 }
 
-/// Why the rules are not at work.
+/// Why the host could not be started.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum HostError {
-    /// A folder cannot be made.
+    /// A folder cannot be created.
     #[error("cannot make the folder {folder}")]
     Folder {
         /// The folder.
         folder: String,
-        /// Why.
+        /// The operating system's error.
         #[source]
         source: std::io::Error,
     },
@@ -75,17 +74,17 @@ pub enum HostError {
     /// The operating system has no thread left.
     #[error("no thread can be started for the disk")]
     Thread(#[source] std::io::Error),
-    /// What is known of arms cannot be read.
+    /// The file of known arms cannot be read.
     #[error(transparent)]
     KnownArms(#[from] KnownArmsError),
 }
 
 impl Host {
-    /// Sets the rules to work at an arm that is dark; a job that was interrupted is taken up.
+    /// Starts the supervisor for an arm whose laser is off; restores an interrupted job.
     ///
     /// # Errors
     ///
-    /// [`HostError`]; nothing is left running then.
+    /// [`HostError`]; nothing keeps running.
     pub fn start(prepared_arm: PreparedArm, setup: Setup) -> Result<Self, HostError> {
         make_folder(&setup.folders)?;
         let arms = KnownArms::read(&setup.common.arms())?;
@@ -128,41 +127,41 @@ impl Host {
         })
     }
 
-    /// How to talk to it.
+    /// Returns the handle.
     #[must_use]
     pub const fn handle(&self) -> &StationHandle {
         &self.handle
     }
 
-    /// The own virtual arm, if the arm is that.
+    /// Returns the station's own virtual arm, if any.
     #[must_use]
     pub const fn virtual_arm(&self) -> Option<&OwnVirtualArm> {
         self.virtual_arm.as_ref()
     }
 
-    /// What a person should know, a line each: why no arm was found, what cannot be recorded.
+    /// Returns lines to show to a person: why no arm was found, or what cannot be recorded.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// What a watchdog had to do since the arm was used last, a line each.
+    /// Returns the reports of watchdogs since the arm was last used, one per line.
     #[must_use]
     pub fn of_watchdog(&self) -> &[String] {
         &self.of_watchdog
     }
 
-    /// Lets something else run in the arm's thread: it ends with the rules.
+    /// Spawns a task on the arm thread; it ends with the host.
     pub fn spawn(&self, task: impl Future<Output = ()> + Send + 'static) {
         self.thread.spawn(task);
     }
 
-    /// Ends the station: laser off first, then what is under way comes to its end, then journal and recording
-    /// are closed.
+    /// Ends the station: laser off first, then in-flight commands finish, then journal and
+    /// recording are closed.
     ///
     /// # Errors
     ///
-    /// What failed that the arm depends on, in one line.
+    /// The failure of something that the arm depends on, in one line.
     pub async fn end(self) -> Result<(), String> {
         self.handle.end().await;
         self.thread.ended().await
@@ -182,7 +181,7 @@ fn supervisor(setup: &Setup, source: &Source) -> Supervisor {
     Supervisor::new(policy, setup.dialect.or(own))
 }
 
-/// A hand on a button is as fast as ever, however fast the arm lives.
+/// Scales the times of jogging, because a hand on a button does not get faster with the simulation.
 pub(crate) fn in_time_of_arm(policy: &Policy, speed: Speed) -> Policy {
     let mut policy = policy.clone();
     policy.jog.dead_man_s *= speed.times();

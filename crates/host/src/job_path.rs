@@ -1,4 +1,4 @@
-//! The way of a job, for those who look at it.
+//! The path of a job, for display.
 
 use dobot_api::JobPath;
 use dobot_journal::{Job, Journal};
@@ -8,7 +8,7 @@ use dobot_wire::Command;
 
 use crate::jobs::{find, journal_refusal, recovery_model};
 
-/// The way of a job, once through its commands, as it was planned, in true places.
+/// Returns the planned path of a job, once through its commands, in calibrated positions.
 pub(crate) fn path_of(journal: &Journal, job: u64) -> Result<JobPath, Refusal> {
     let job = find(journal, job)?;
     let commands = journal
@@ -43,7 +43,7 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
     Ok(path)
 }
 
-/// A pen draws where a vector leaves it nearer to the lowest place than to where it is lifted.
+/// A pen draws where a vector ends closer to the lowest position than to the lift height.
 fn mark_lowered(path: &mut JobPath, lift_mm: f64) {
     let heights = path.path_mm.iter().map(|it| it[2]);
     let below_mm = draws_below_mm(heights.fold(f64::MAX, f64::min), lift_mm);
@@ -55,7 +55,7 @@ fn mark_lowered(path: &mut JobPath, lift_mm: f64) {
     }
 }
 
-/// To a thousandth: nobody sees more, and it makes a long way shorter to send.
+/// Rounds to a thousandth: more is not visible, and it makes a long path shorter to send.
 fn rounded(number: f64) -> f64 {
     (number * 1000.0).round() / 1000.0
 }

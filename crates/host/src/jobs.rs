@@ -1,4 +1,4 @@
-//! The jobs on the disk: what was submitted, how far each is, what is to be gone on with.
+//! The jobs on the disk: submitted jobs, their progress and recovery.
 
 mod check;
 mod list;
@@ -22,8 +22,7 @@ pub(crate) use self::offers::answer;
 use crate::handle::{Message, OfferAnswer, OfferAsk};
 use crate::job_path::path_of;
 
-/// The jobs on the disk. Planning and writing take their time, so both happen outside of the task
-/// that owns the arm.
+/// The jobs on the disk. Planning and writing may be slow, so both happen outside the driver.
 #[derive(Clone, Debug)]
 pub(crate) struct Jobs {
     journal: Arc<Journal>,
@@ -31,31 +30,31 @@ pub(crate) struct Jobs {
     orders: mpsc::UnboundedSender<Order>,
 }
 
-/// A client wants a job to be started, or gone on with.
+/// A request to start or resume a job.
 #[derive(Debug)]
 pub(crate) struct JobStart {
     pub(crate) client: ClientId,
     pub(crate) job: u64,
-    /// It comes to rest behind the next step.
+    /// Whether it comes to rest after the next step.
     pub(crate) single_step: bool,
     pub(crate) reply: oneshot::Sender<Result<Reply, Refusal>>,
 }
 
-/// What came back from the disk.
+/// A completed or failed write.
 #[derive(Debug)]
 pub(crate) struct Written {
     pub(crate) effect: Effect,
-    /// Why it was not, in one line.
+    /// The error, in one line.
     pub(crate) outcome: Result<(), String>,
 }
 
-/// What is written in its turn.
+/// An order to the writer thread.
 #[derive(Debug)]
 enum Order {
     Write(Effect, mpsc::UnboundedSender<Written>),
-    /// All that was ordered before is written.
+    /// Reports that all earlier orders are written.
     Reached(oneshot::Sender<()>),
-    /// The last one: the station ends, and the arm is at rest or not.
+    /// The last order: the station ends, with the arm at rest or not.
     End {
         at_rest: bool,
         done: oneshot::Sender<()>,
@@ -63,7 +62,7 @@ enum Order {
 }
 
 impl Jobs {
-    /// The jobs of a journal. The driver of the arm is told when they cannot be written any more.
+    /// Opens the jobs of a journal. The driver is notified if they can no longer be written.
     pub(crate) fn new(
         journal: Journal,
         policy: Arc<Policy>,
@@ -80,12 +79,12 @@ impl Jobs {
         }
     }
 
-    /// Plans by another policy from now on.
+    /// Uses another policy for planning from now on.
     pub(crate) fn set_policy(&mut self, policy: &Policy) {
         self.policy = Arc::new(policy.clone());
     }
 
-    /// What is missing of the jobs because the journal was damaged, and what to do, in one line.
+    /// Returns what is missing because the journal was damaged and what to do, in one line.
     pub(crate) fn missing(&self) -> Option<String> {
         let missing = self.journal.missing_writes();
         (missing > 0).then(|| {
@@ -96,25 +95,25 @@ impl Jobs {
         })
     }
 
-    /// The job that was at work when the station ended without saying so.
+    /// Returns the job that was running when the station ended unexpectedly.
     pub(crate) fn interrupted(&self) -> Result<Option<Job>, JournalError> {
         let jobs = self.journal.jobs()?;
         Ok(jobs.into_iter().find(|it| it.state == JobState::Running))
     }
 
-    /// Looks at a job again, and gives what the supervisor needs of it.
+    /// Checks a job again and returns it for the supervisor.
     pub(crate) fn started_job(&self, job: &Job, model: Model) -> Result<StartedJob, Refusal> {
         look_again(&self.journal, &self.policy, job, model)
     }
 
-    /// Gives up a job that cannot even be looked at again.
+    /// Fails a job that cannot even be checked again.
     pub(crate) fn give_up(&self, job: &Job, why: &str) {
         let reason = why.to_owned();
         // If the journal cannot be written either, the next start tries again.
         let _ = self.journal.set_state(job.id, &JobState::Failed { reason });
     }
 
-    /// Plans and keeps a new job.
+    /// Plans and stores a new job.
     pub(crate) fn submit(
         self,
         job: NewJob,
@@ -126,7 +125,7 @@ impl Jobs {
         self.answer(reply, move |jobs| jobs.keep(job, key, model, now_ms));
     }
 
-    /// Plans and keeps what a job does, as a new one.
+    /// Plans and stores a copy of a job.
     pub(crate) fn queue_again(
         self,
         job: u64,
@@ -140,7 +139,7 @@ impl Jobs {
         });
     }
 
-    /// Answers another station that offers a job, or asks what has become of its offer.
+    /// Answers another station's request about a job offer.
     pub(crate) fn answer_offer(
         self,
         key: String,
@@ -152,13 +151,13 @@ impl Jobs {
         self.answer(reply, move |jobs| {
             jobs.catch_up();
             let answered = answer(&jobs.journal, &jobs.policy, &key, ask, model, now_ms);
-            // The history may be longer than wanted until the next time.
+            // The history may exceed its limit until the next time.
             let _ = jobs.journal.keep_last(HISTORY);
             answered
         });
     }
 
-    /// Puts a queued job before another one, or behind all others.
+    /// Moves a queued job before another one, or to the end.
     pub(crate) fn move_before(
         self,
         job: u64,
@@ -172,7 +171,7 @@ impl Jobs {
         });
     }
 
-    /// Forgets a job that the arm is not at.
+    /// Removes a job that is not the current one.
     pub(crate) fn forget(self, job: u64, reply: oneshot::Sender<Result<Reply, Refusal>>) {
         self.answer(reply, move |jobs| {
             jobs.catch_up();
@@ -180,7 +179,7 @@ impl Jobs {
         });
     }
 
-    /// Plans a job that is to be started, and hands it to the driver of the arm.
+    /// Plans a job to start and sends it to the driver.
     pub(crate) fn plan(self, start: JobStart, model: Model, driver: mpsc::Sender<Message>) {
         let JobStart {
             client,
@@ -190,7 +189,7 @@ impl Jobs {
         } = start;
         tokio::task::spawn_blocking(move || match self.startable(job, model) {
             Err(refusal) => {
-                // Whoever asked may have left.
+                // The requester may have left.
                 let _ = reply.send(Err(refusal));
             }
             Ok(started) => {
@@ -208,7 +207,7 @@ impl Jobs {
         });
     }
 
-    /// Ends a job that the arm is not at.
+    /// Ends a job that is not the current one.
     pub(crate) fn cancel(
         self,
         job: u64,
@@ -222,8 +221,8 @@ impl Jobs {
         });
     }
 
-    /// All jobs in their order; that of the supervisor as it is now, and of all others what was told
-    /// of them last.
+    /// Returns all jobs in order; the supervisor's current job as it is now, all others as last
+    /// stored.
     pub(crate) fn list(
         self,
         current: Option<JobView>,
@@ -235,34 +234,34 @@ impl Jobs {
         });
     }
 
-    /// The way of a job.
+    /// Returns the path of a job.
     pub(crate) fn path(self, job: u64, reply: oneshot::Sender<Result<JobPath, Refusal>>) {
         self.answer(reply, move |jobs| path_of(&jobs.journal, job));
     }
 
-    /// Writes what the supervisor wants to be kept, in order.
+    /// Writes an effect of the supervisor, in order.
     pub(crate) fn write(&self, effect: Effect, written: mpsc::UnboundedSender<Written>) {
         // The writer ends only after this sender.
         let _ = self.orders.send(Order::Write(effect, written));
     }
 
-    /// Waits until all is written; a station that ends with its arm at rest ends well.
+    /// Waits until all is written and notes whether the arm is at rest.
     pub(crate) async fn end(&self, at_rest: bool) {
         let (done, waiting) = oneshot::channel();
         if self.orders.send(Order::End { at_rest, done }).is_ok() {
-            // The writer is there until it has answered.
+            // The writer exists until it has answered.
             let _ = waiting.await;
         }
     }
 
-    /// Does what may take long beside everything else, and answers with what comes of it.
+    /// Does slow work in a background thread and answers with its result.
     fn answer<T: Send + 'static>(
         self,
         reply: oneshot::Sender<Result<T, Refusal>>,
         work: impl FnOnce(&Self) -> Result<T, Refusal> + Send + 'static,
     ) {
         tokio::task::spawn_blocking(move || {
-            // Whoever asked may have left.
+            // The requester may have left.
             let _ = reply.send(work(&self));
         });
     }
@@ -275,12 +274,12 @@ impl Jobs {
         now_ms: i64,
     ) -> Result<Reply, Refusal> {
         let id = submit(&self.journal, &self.policy, job, key, model, now_ms)?;
-        // The history may be longer than wanted until the next time.
+        // The history may exceed its limit until the next time.
         let _ = self.journal.keep_last(HISTORY);
         self.kept(id.0)
     }
 
-    /// The job as the journal has it.
+    /// Returns the job from the journal.
     fn kept(&self, job: u64) -> Result<Reply, Refusal> {
         let job = find(&self.journal, job)?;
         Ok(Reply::Job { job: view(&job) })
@@ -291,17 +290,17 @@ impl Jobs {
         startable(&self.journal, &self.policy, job, model)
     }
 
-    /// Waits until the journal knows what the supervisor has told: that a job is paused, say.
+    /// Waits until the journal has all earlier effects, such as a pause.
     fn catch_up(&self) {
         let (done, reached) = oneshot::channel();
         if self.orders.send(Order::Reached(done)).is_ok() {
-            // A writer that has ended has written all.
+            // A writer that has ended has written everything.
             let _ = reached.blocking_recv();
         }
     }
 }
 
-/// Ends a job that the arm is not at.
+/// Ends a job that is not the current one.
 pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), Refusal> {
     let job = find(journal, job)?;
     if job.state.is_over() {
@@ -317,7 +316,7 @@ pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), R
         .map_err(|error| journal_refusal(&error))
 }
 
-/// Whether a job came to rest last where a person has to do something.
+/// Returns whether a job last came to rest at a pause for a person.
 fn waits_for_person(job: &Job) -> bool {
     let last = job.behind.pauses.checked_sub(1);
     let pause = last.and_then(|it| job.pauses.get(it));
@@ -325,7 +324,7 @@ fn waits_for_person(job: &Job) -> bool {
         && pause.is_some_and(|it| it.before == job.window.completed)
 }
 
-/// A job as the journal has it.
+/// Converts a job of the journal to its view.
 pub(crate) fn view(job: &Job) -> JobView {
     JobView {
         job: job.id.0,
@@ -346,8 +345,8 @@ pub(crate) fn view(job: &Job) -> JobView {
     }
 }
 
-/// Plans a new job from its first command to its last, and keeps it; gives its number, or that of the one that was asked
-/// for with the same key.
+/// Plans a new job completely and stores it; returns its number, or that of the earlier job with
+/// the same key.
 pub(crate) fn submit(
     journal: &Journal,
     policy: &Policy,
@@ -362,7 +361,7 @@ pub(crate) fn submit(
         .map_err(|error| journal_refusal(&error))
 }
 
-/// Plans a new job from its first command to its last.
+/// Plans a new job completely.
 fn planned(
     policy: &Policy,
     mut job: NewJob,
@@ -398,7 +397,7 @@ fn planned(
     })
 }
 
-/// Looks at a job that is to be started or gone on with.
+/// Checks a job that is to start or resume.
 pub(crate) fn startable(
     journal: &Journal,
     policy: &Policy,
@@ -417,7 +416,7 @@ pub(crate) fn startable(
     look_again(journal, policy, &job, model)
 }
 
-/// Whether the commands of a job are meant for the arm as it is now.
+/// Checks that the commands of a job were made for the arm as it is now.
 fn check_made_for(job: &Job, model: &Model) -> Result<(), Refusal> {
     if job.dialect != model.dialect {
         return Err(Refusal::CannotResume(format!(
@@ -440,7 +439,7 @@ pub(crate) fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {
     }
 }
 
-/// Looks at a job again: what the supervisor needs of it.
+/// Checks a job again and returns it for the supervisor.
 pub(crate) fn look_again(
     journal: &Journal,
     policy: &Policy,
@@ -463,15 +462,15 @@ pub(crate) fn look_again(
     Ok(StartedJob::new(job, plan))
 }
 
-/// The model from which an interrupted job is looked at again: its first target says where it
-/// begins, so any place does.
+/// Returns the model for checking an interrupted job: its first target sets the start, so any
+/// position works.
 pub(crate) fn recovery_model(job: &Job) -> Model {
     let somewhere = Joints::new(0.0, 45.0, 45.0, 0.0);
     let place = ArmPlace::at_joints(somewhere, Tool::SuctionCup);
     Model::standing(job.dialect, place).calibrated(job.calibration)
 }
 
-/// Writes the journal; a panic there is the end of the station.
+/// Runs the journal writer; a panic in it ends the station.
 fn watch(driver: &mpsc::Sender<Message>, writing: impl FnOnce()) {
     if catch_unwind(AssertUnwindSafe(writing)).is_err() {
         let text = "the thread that writes the journal panicked".to_owned();
@@ -480,22 +479,22 @@ fn watch(driver: &mpsc::Sender<Message>, writing: impl FnOnce()) {
     }
 }
 
-/// Writes in a thread of its own: the disk takes its time.
+/// Writes in a thread of its own, because disks are slow.
 fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
     while let Some(order) = orders.blocking_recv() {
         match order {
             Order::Write(effect, written) => {
                 let outcome = write(journal, &effect).map_err(|error| error.to_string());
-                // A driver that has ended wants to know nothing more.
+                // A driver that has ended needs no confirmation.
                 let _ = written.send(Written { effect, outcome });
             }
             Order::Reached(done) => {
-                // Whoever asked may have left.
+                // The requester may have left.
                 let _ = done.send(());
             }
             Order::End { at_rest, done } => {
                 if at_rest {
-                    // A journal that cannot be written says so at the next start.
+                    // A journal that cannot be written reports that at the next start.
                     let _ = journal.note_clean_shutdown();
                 }
                 let _ = done.send(());
@@ -505,7 +504,7 @@ fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
     }
 }
 
-/// Writes what the supervisor wants to be kept.
+/// Writes an effect of the supervisor.
 pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalError> {
     match effect {
         Effect::Give {
@@ -528,7 +527,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             window,
             behind,
         } => {
-            // One that does not run was given nothing: how far it is has not changed.
+            // A job that does not run was given nothing: its progress has not changed.
             if let Some(window) = window
                 && journal.job(JobId(*job))?.state == JobState::Running
             {
@@ -551,7 +550,7 @@ pub(crate) fn journal_refusal(error: &JournalError) -> Refusal {
     }
 }
 
-/// Whether a sender can call a request so.
+/// Checks that a text is a valid idempotency key.
 fn check_key(key: &str) -> Result<(), Refusal> {
     let characters = key.chars().count();
     if (1..=LONGEST_KEY).contains(&characters) && key.chars().all(dobot_supervisor::is_plain) {
@@ -562,10 +561,10 @@ fn check_key(key: &str) -> Result<(), Refusal> {
     )))
 }
 
-/// How many characters a key may have.
+/// The maximum number of characters of a key.
 const LONGEST_KEY: usize = 64;
 
-/// So many jobs that are over are kept.
+/// The number of finished jobs kept.
 const HISTORY: usize = 100;
 
 #[cfg(test)]

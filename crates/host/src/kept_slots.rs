@@ -1,4 +1,4 @@
-//! The time slots of the arm, through crashes of the station.
+//! The file of time slots, which survives crashes of the station.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::known_arms::{NewText, read_file};
 
-/// The file with the time slots. It has their times by the computer's clock: nothing else goes on while no station runs.
+/// The file of time slots, with times by the computer's clock, the only one that runs while no
+/// station does.
 #[derive(Debug)]
 pub(crate) struct KeptSlots(PathBuf);
 
@@ -25,7 +26,7 @@ struct KeptSlot {
     student: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     group: Option<String>,
-    /// In milliseconds since 1970-01-01T00:00:00Z, and below.
+    /// In milliseconds since 1970-01-01T00:00:00Z, as below.
     starts_ms: i64,
     ends_ms: i64,
 }
@@ -35,11 +36,11 @@ impl KeptSlots {
         Self(file.to_owned())
     }
 
-    /// Those that are not over, from now on.
+    /// Returns the current and upcoming slots, relative to now.
     ///
     /// # Errors
     ///
-    /// Why not, in one line.
+    /// The reason of a failure, in one line.
     pub(crate) fn read(&self, now_ms: i64) -> Result<Vec<TimeSlot>, String> {
         let told = |why: String| format!("{}: {why}", self.0.display());
         let Some(text) = read_file(&self.0).map_err(|error| told(error.to_string()))? else {
@@ -51,7 +52,7 @@ impl KeptSlots {
         Ok(slots.filter(|it| it.ends_in_s >= LEFT_S).collect())
     }
 
-    /// The file with these in place of those before.
+    /// Returns the file content for these slots.
     pub(crate) fn keep(&self, slots: &[TimeSlot], now_ms: i64) -> io::Result<NewText> {
         let slot = slots.iter().map(|it| KeptSlot::of(it, now_ms)).collect();
         NewText::of(&self.0, &Content { slot })
@@ -88,7 +89,7 @@ impl KeptSlot {
     }
 }
 
-/// What is left of a slot is worth nothing below that, in seconds.
+/// A remainder of a slot below this is dropped, in seconds.
 const LEFT_S: f64 = 1.0;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The stop that holds the arm, and those of the fleet, through restarts of the station.
+//! The file of stops, which survives restarts of the station.
 
 use std::io;
 use std::path::PathBuf;
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::known_arms::{NewText, read_file};
 
-/// The file with the stop and those of the fleet; it is empty where there are none.
+/// The file of the arm's stop and the fleet-wide stops; empty if there are none.
 #[derive(Debug)]
 pub(crate) struct KeptStop(PathBuf);
 
@@ -26,7 +26,8 @@ impl KeptStop {
         Self(file)
     }
 
-    /// What held when the station ended. A file that cannot be read counts as a stop: somebody has to look.
+    /// Returns the stops that held when the station ended. An unreadable file counts as a stop: a
+    /// person has to look.
     pub(crate) fn read(&self) -> Content {
         let text = read_file(&self.0).map_err(|error| error.to_string());
         let content = text.and_then(|text| {
@@ -46,7 +47,7 @@ impl KeptStop {
         content.unwrap_or_else(unreadable)
     }
 
-    /// The file for what holds now.
+    /// Returns the file content for the current stops.
     pub(crate) fn keep(&self, content: &Content) -> io::Result<NewText> {
         NewText::of(&self.0, content)
     }

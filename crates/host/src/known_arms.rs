@@ -1,4 +1,4 @@
-//! What is known of each arm that was met: which dialect it speaks, and how that was found.
+//! The known arms: the dialect of each, how it was detected, and the calibration.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,26 +9,26 @@ use dobot_api::Calibrations;
 use dobot_wire::{Dialect, Finding};
 use serde::{Deserialize, Serialize};
 
-/// What is known of each arm, in a file that a person can read and change.
+/// The known arms, in a file that a person can read and edit.
 #[derive(Debug)]
 pub(crate) struct KnownArms {
     file: PathBuf,
     known: BTreeMap<String, KnownArm>,
 }
 
-/// What is known of one arm.
+/// A known arm.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct KnownArm {
     #[serde(default)]
     dialect: Option<Dialect>,
-    /// How that was found, in words; empty where a person has said it.
+    /// The evidence for the dialect, in words; empty if a person has set it.
     #[serde(default)]
     evidence: Vec<String>,
     #[serde(flatten)]
     calibrations: Calibrations,
 }
 
-/// The new text of a file, still to be written.
+/// New content of a file, to be written.
 #[derive(Debug)]
 #[must_use]
 pub(crate) struct NewText {
@@ -44,7 +44,7 @@ impl NewText {
         })
     }
 
-    /// Writes the file first beside the old one, so that a crash leaves one of the two whole.
+    /// Writes a temporary file first, so that a crash leaves one complete file.
     pub(crate) fn write(&self) -> io::Result<()> {
         let beside = self.file.with_extension("new");
         fs::write(&beside, &self.text)?;
@@ -52,7 +52,7 @@ impl NewText {
     }
 }
 
-/// Why the file of the arms is of no use.
+/// Why the file of known arms cannot be used.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum KnownArmsError {
@@ -61,16 +61,16 @@ pub enum KnownArmsError {
     Read {
         /// The file.
         file: String,
-        /// Why.
+        /// The operating system's error.
         #[source]
         source: io::Error,
     },
-    /// It does not say what it should.
+    /// Its content is invalid.
     #[error("{file} is not what is known of arms: {why}")]
     Content {
         /// The file.
         file: String,
-        /// What is wrong with it.
+        /// The reason.
         why: String,
     },
 }
@@ -94,18 +94,18 @@ impl KnownArms {
         })
     }
 
-    /// The dialect of the arm at an address, if that is known.
+    /// Returns the dialect of the arm at an address, if known.
     pub(crate) fn dialect(&self, address: &str) -> Option<Dialect> {
         self.known.get(address).and_then(|it| it.dialect)
     }
 
-    /// How the arm at an address differs from the drawing of it, as far as that is known.
+    /// Returns the calibrations of the arm at an address.
     pub(crate) fn calibrations(&self, address: &str) -> Calibrations {
         let known = self.known.get(address);
         known.map_or_else(Calibrations::default, |it| it.calibrations.clone())
     }
 
-    /// Takes what an arm speaks, and how that was found, if it was.
+    /// Records the dialect of an arm, and how it was detected, if it was.
     pub(crate) fn keep(
         &mut self,
         address: &str,
@@ -119,7 +119,7 @@ impl KnownArms {
         })
     }
 
-    /// Takes how an arm differs from the drawing of it.
+    /// Records the calibration of an arm.
     pub(crate) fn calibrate(
         &mut self,
         address: &str,
@@ -144,7 +144,7 @@ impl KnownArms {
     }
 }
 
-/// A file of text, if there is one.
+/// Reads a text file, if it exists.
 pub(crate) fn read_file(file: &Path) -> io::Result<Option<String>> {
     match fs::read_to_string(file) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),

@@ -1,8 +1,10 @@
-//! Drives the supervisor of an arm: port, finder, watchdog process, journal thread, recordings and clients.
+//! Runs the supervisor of an arm: port, finder, watchdog process, journal thread, recordings and
+//! clients.
 //!
-//! A [`StationClient`] sends requests to a supervisor, wherever it runs: in a station, in this process for an arm at an
-//! address, or in virtual time. A [`StationHandle`] is the same for a station's own tasks: it leads to the one task that owns the
-//! port. A [`VirtualStation`] runs a supervisor in virtual time, with a virtual arm:
+//! A [`StationClient`] sends requests to a supervisor, wherever it runs: in a station, in this
+//! process for an arm at an address, or in virtual time. Within a station, tasks use a
+//! [`StationHandle`], which leads to the task that owns the port. A [`VirtualStation`] runs a
+//! supervisor in virtual time, with a virtual arm:
 //!
 //! ```
 //! use std::time::Duration;

@@ -1,4 +1,4 @@
-//! Work that may take many seconds, in threads that give way to the arm.
+//! Long work in threads of lower priority than the arm thread.
 
 use std::any::Any;
 use std::cell::Cell;
@@ -14,12 +14,13 @@ pub enum LongWorkError {
     /// It panicked: the source location and the message, in one line.
     #[error("{0}")]
     Panicked(String),
-    /// The program ends.
+    /// The program is ending.
     #[error("the program is ending")]
     Ending,
 }
 
-/// Does work that may take long, such as planning a drawing or reading a file, in a thread that gives way to the arm.
+/// Runs long work, such as planning a drawing or reading a file, in a thread of lower priority than
+/// the arm thread.
 ///
 /// # Errors
 ///
@@ -35,7 +36,7 @@ pub async fn run_long<T: Send + 'static>(
     Ok(*done.downcast().expect("it is what the work gave"))
 }
 
-/// One type for all work, because the runtime is compiled again for each type of task.
+/// One type for all work, because the runtime is compiled once for each type of task.
 type Work = Box<dyn FnOnce() -> Box<dyn Any + Send> + Send>;
 
 async fn run(work: Work) -> Result<Box<dyn Any + Send>, LongWorkError> {
@@ -48,21 +49,22 @@ async fn run(work: Work) -> Result<Box<dyn Any + Send>, LongWorkError> {
         .map_err(LongWorkError::Panicked)
 }
 
-/// Runs some work. If it panics, the error is the source location and the message in one line.
+/// Runs work. If it panics, the error is the source location and the message, in one line.
 fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     remember();
-    // Whatever the work has changed is dropped with it.
+    // Anything the work has changed is dropped with it.
     catch_unwind(AssertUnwindSafe(work)).map_err(|_| LAST.take())
 }
 
-/// Makes each thread keep its last panic; the previous hook still reports it. Only a hook gets the location.
+/// Records the last panic of each thread; the previous hook still reports it. Only a hook gets the
+/// location.
 fn remember() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let before = take_hook();
         set_hook(Box::new(move |panic| {
             let line = panic.to_string().replace('\n', " ");
-            // A thread that ends has nobody left to ask for it.
+            // A thread that is ending needs no record.
             let _ = LAST.try_with(|last| last.set(line));
             before(panic);
         }));

@@ -1,4 +1,4 @@
-//! For which arm something is planned, and by which rules.
+//! The arm and the rules that something is planned for.
 
 use std::sync::Arc;
 
@@ -10,21 +10,21 @@ use dobot_wire::{Dialect, Status};
 
 use crate::Rules;
 
-/// For which arm something is planned, as it stands, and by which rules.
+/// The arm, as it stands, and the rules that something is planned for.
 #[derive(Clone, Debug)]
 pub struct PlannedFor {
-    /// By which rules.
+    /// The rules.
     pub rules: Arc<Rules>,
-    /// What the arm speaks, if that is known.
+    /// The dialect, if known.
     pub dialect: Option<Dialect>,
-    /// What it says itself; nothing before it has said anything.
+    /// The raw status; `None` before the first one.
     pub status: Option<Status>,
-    /// How it differs from what it says.
+    /// The calibration.
     pub calibration: Option<CalibrationFile>,
 }
 
 impl PlannedFor {
-    /// The arm in a state.
+    /// Returns the arm in a state.
     #[must_use]
     pub fn of(rules: Arc<Rules>, state: &State) -> Self {
         let told = state.calibrated.is_some_and(|it| it.zeros_told);
@@ -38,7 +38,7 @@ impl PlannedFor {
         }
     }
 
-    /// Any arm, as drawn.
+    /// Returns any arm that matches the drawing.
     #[must_use]
     pub fn any(rules: Arc<Rules>, dialect: Option<Dialect>) -> Self {
         Self {
@@ -49,13 +49,13 @@ impl PlannedFor {
         }
     }
 
-    /// The dialect; while nobody knows it, that of the document.
+    /// Returns the dialect; if unknown, that of the specification.
     #[must_use]
     pub fn dialect(&self) -> Dialect {
         self.dialect.unwrap_or(Dialect::SPECIFICATION)
     }
 
-    /// What is wrong with it.
+    /// Returns the calibration for the kinematics.
     #[must_use]
     pub fn arm(&self) -> Calibration {
         let known = &self.calibration;
@@ -64,7 +64,7 @@ impl PlannedFor {
             .map_or(Calibration::NONE, CalibrationFile::arm)
     }
 
-    /// Why the rules do not let the arm do a job from where it stands, if they do not.
+    /// Returns why the rules refuse a job from where the arm stands, if they do.
     #[must_use]
     pub fn refuses(&self, job: &NewJob) -> Option<Refusal> {
         let commands = job.commands.clone();
@@ -73,7 +73,7 @@ impl PlannedFor {
         JobPlan::new(policy, self.model(), commands, &[], job.lift_mm, 0, &plain).err()
     }
 
-    /// The arm where it stands, as it is when it has just been switched on.
+    /// Returns the model of the arm where it stands, as just after power-up.
     #[must_use]
     pub fn model(&self) -> Model {
         let status = self.status.unwrap_or(Status::AT_ZERO);

@@ -1,4 +1,4 @@
-//! How long a program takes, by doing it on the twin.
+//! Prediction of a program's duration by running it on the twin.
 
 use std::time::Duration;
 
@@ -12,22 +12,22 @@ use dobot_supervisor::Refusal;
 use crate::VirtualStation;
 use crate::jobs::journal_refusal;
 
-/// How long a program takes on the twin, from when it was started.
+/// The duration of a program on the twin, from its start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prediction {
-    /// When each command is seen to be over, in seconds, up to the end of the first cycle, waiting for people
-    /// left out.
+    /// When each command is over, in seconds, up to the end of the first cycle, without waits for a
+    /// person.
     pub until_s: Vec<f64>,
-    /// How long a cycle takes that follows another one, in seconds; `None` where nothing is done again.
+    /// The duration of a repeated cycle, in seconds; `None` if nothing repeats.
     pub cycle_s: Option<f64>,
 }
 
-/// Does a program on the twin in virtual time, under the rules that hold in a station, until it has done its cycle
-/// twice. Persons who are waited for are there at once.
+/// Runs a program on the twin in virtual time, under the rules of a station, until it has done its
+/// cycle twice. Pauses for a person are confirmed immediately.
 ///
 /// # Errors
 ///
-/// [`Refusal`] with what is wrong with the job; and where the twin does not come to its end.
+/// [`Refusal`] with what is wrong with the job, or if the twin does not finish it.
 pub fn predict(
     job: &NewJob,
     policy: &Policy,
@@ -63,13 +63,13 @@ pub fn predict(
     })
 }
 
-/// A program that is done on the twin.
+/// A program running on the twin.
 struct DryRun {
     station: VirtualStation,
     client: ClientId,
     job: u64,
     started: Duration,
-    /// How long people were waited for.
+    /// The time spent waiting for a person.
     waited: Duration,
 }
 
@@ -98,7 +98,7 @@ impl DryRun {
         })
     }
 
-    /// When each command was over, those of later cycles too.
+    /// Returns when each command was over, including those of later cycles.
     fn finish(&mut self, job: &NewJob) -> Result<Vec<Duration>, Refusal> {
         let mut until: Vec<Duration> = Vec::new();
         while let Some((completed, _)) = self.station.supervisor().job_progress() {
@@ -146,7 +146,8 @@ impl DryRun {
             .map_err(|error| journal_refusal(&error))
     }
 
-    /// The arm rests, and a person says at once that it may go on; how long it rested does not count.
+    /// Confirms a pause while the arm is at rest and resumes the job; the time at rest does not
+    /// count.
     fn go_on(&mut self, job: &NewJob, until: Duration) -> Result<(), Refusal> {
         let state = self.state()?;
         if !job
@@ -167,7 +168,7 @@ impl DryRun {
     }
 }
 
-/// Whether the job is paused, and the journal knows it: the arm is at rest.
+/// Returns whether the job is paused and the journal has that: the arm is at rest.
 fn rests(station: &VirtualStation, job: u64) -> bool {
     let progress = station.supervisor().job_progress();
     let is_paused = |it: JobPhase| it == JobPhase::Paused;
@@ -175,9 +176,9 @@ fn rests(station: &VirtualStation, job: u64) -> bool {
         && station.job(job).is_ok_and(|it| is_paused(it.state.phase()))
 }
 
-/// A cycle that follows another one takes as long as all later ones.
+/// The second cycle takes as long as all later ones.
 const CYCLES: u64 = 3;
-/// Until the twin has told where it is, and its journal is written.
+/// The time for the twin's first status and its journal.
 const SETTLED: Duration = Duration::from_secs(1);
-/// No command takes longer, its pause included.
+/// No command takes longer, including its pause.
 const LONGEST: Duration = Duration::from_secs(2 * 86_400);

@@ -1,4 +1,4 @@
-//! Before anything else is there, the arm is dark.
+//! An arm whose laser is switched off before anything else starts.
 
 use std::io;
 use std::path::Path;
@@ -17,39 +17,38 @@ use crate::connect::{Connecting, Source};
 use crate::finder::{Finder, Found, Search, darken};
 use crate::watchdog::{PanicStop, wait_for_watchdog};
 
-/// Which arm is wanted.
+/// The arm to use.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WantedArm {
-    /// Where it is. When absent, it is the first arm that is found, or a virtual one when there is
-    /// none.
+    /// The address. If absent, the first arm that is found, otherwise a virtual one.
     pub address: Option<Address>,
-    /// How a virtual arm behaves.
+    /// The personality of a virtual arm.
     pub personality: Personality,
-    /// How fast time passes for a virtual arm.
+    /// The simulation speed of a virtual arm.
     pub speed: Speed,
 }
 
-/// An arm whose rules are about to be set to work. Its laser was switched off, whatever becomes of
-/// that: a power cut is what damages a journal, and what leaves a laser on.
+/// An arm before its supervisor starts. Its laser was switched off, whatever happens next: a power
+/// cut may damage a journal and leave a laser on.
 #[derive(Debug)]
 pub struct PreparedArm {
     pub(crate) thread: ArmThread,
     pub(crate) panic_stop: Arc<PanicStop>,
     pub(crate) source: Source,
-    /// The arm, or why it is not there.
+    /// The arm, or why it is missing.
     pub(crate) first: Option<Connecting>,
-    /// What a person should know, a line each.
+    /// Lines to show to a person.
     pub(crate) notes: Vec<String>,
 }
 
 impl PreparedArm {
-    /// Opens the port that is named, or looks for one with an arm, and switches the laser off there.
-    /// Without an arm there is a virtual one. It waits until the watchdog of a program that was killed
-    /// just now has let go of the port.
+    /// Opens the named port, or searches for one with an arm, and switches the laser off. If there
+    /// is no arm, uses a virtual one. Waits until the watchdog of a program that was just killed
+    /// has released the port.
     ///
     /// # Errors
     ///
-    /// What the operating system says that has no thread left for the arm.
+    /// The operating system's error if no thread can be started for the arm.
     ///
     /// # Panics
     ///
@@ -65,11 +64,11 @@ impl PreparedArm {
         Ok(prepared)
     }
 
-    /// Opens the port of an arm, and switches its laser off.
+    /// Opens the port of an arm and switches its laser off.
     ///
     /// # Errors
     ///
-    /// Where the port cannot be opened, or the system has no thread left for the arm.
+    /// If the port cannot be opened, or no thread can be started for the arm.
     pub(crate) async fn open(address: &Address) -> Result<Self, OpenArmError> {
         let mut link = Link::open(address).await?;
         darken(&mut link).await;
@@ -83,7 +82,7 @@ impl PreparedArm {
         Ok(prepared)
     }
 
-    /// Where the arm is, as far as that is known.
+    /// Returns the address of the arm, if known.
     #[must_use]
     pub fn address(&self) -> Option<Address> {
         match self.source {
@@ -103,8 +102,8 @@ impl PreparedArm {
         })
     }
 
-    /// Opens the port that is named. An arm that runs is heard at once; the station goes on to wait
-    /// for any other.
+    /// Opens the named port. A running arm is received immediately; the station keeps waiting for
+    /// any other.
     async fn open_named(&mut self) {
         let mut news = self.source.connect(self.thread.runtime());
         self.first = match tokio::time::timeout(SOON, news.recv()).await {
@@ -113,7 +112,7 @@ impl PreparedArm {
         };
     }
 
-    /// Looks for an arm; without one there is a virtual arm.
+    /// Searches for an arm; without one, uses a virtual arm.
     async fn search(&mut self, arm: &WantedArm) {
         let mut news = self.source.connect(self.thread.runtime());
         match news.recv().await {
@@ -125,7 +124,7 @@ impl PreparedArm {
         }
     }
 
-    /// A virtual arm that lives as long as the station.
+    /// Uses a virtual arm that lives as long as the station.
     fn use_virtual(&mut self, wanted: &WantedArm) {
         let controller = Controller::power_up(PowerUp::new(wanted.personality));
         let scene = Scene::parse(DESK).expect("the desk is a scene");
@@ -138,7 +137,7 @@ impl PreparedArm {
     }
 }
 
-/// A port that is named, or any.
+/// Returns the source for a named port, or any.
 fn port(address: Option<&Address>) -> Source {
     let finder = Finder::new(Search {
         named: address.into_iter().cloned().collect(),
@@ -147,10 +146,10 @@ fn port(address: Option<&Address>) -> Source {
     Source::Port(Arc::new(Mutex::new(finder)))
 }
 
-/// An arm that runs tells its state within that time, over TCP too.
+/// A running arm sends a status within this time, also over TCP.
 const SOON: Duration = Duration::from_millis(500);
 
-/// What is around a virtual arm until somebody puts it elsewhere: a sheet of paper under its pen.
+/// The initial surroundings of a virtual arm: a sheet of paper under its pen.
 const DESK: &str = "
 [paper]
 x_mm = [140, 280]

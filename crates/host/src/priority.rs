@@ -1,20 +1,21 @@
-//! How a thread competes for the processor: the one that has the arm before all that can wait.
+//! Thread priorities: the arm thread comes before everything that can wait.
 //!
-//! Linux gives each thread a niceness of its own; elsewhere nothing changes. What the system does not allow, such as a
-//! niceness below 0 without `LimitNICE` or `CAP_SYS_NICE`, is left as it is.
+//! Linux has a nice value per thread; elsewhere nothing changes. What the system does not permit,
+//! such as a negative nice value without `LimitNICE` or `CAP_SYS_NICE`, is left unchanged.
 
-/// The thread that has the arm: late by 0.3 s, it has to assume that nobody watched the arm.
+/// The arm thread: if it is 0.3 s late, it has to assume that the arm was unattended.
 pub(crate) fn of_arm() {
     set(-10);
 }
 
-/// Threads that check jobs and read and write the journal. They give way to the arm, but not by far: the journal lets one
-/// of them in at a time, and the arm waits for it between two windows of a job.
+/// Threads that check jobs and access the journal. They yield to the arm, but only slightly: the
+/// journal admits one of them at a time, and the arm waits for it between two windows of a job.
 pub(crate) fn of_jobs() {
     set(5);
 }
 
-/// Threads that plan drawings and read files, for many seconds at times. The calling thread stays so.
+/// Threads that plan drawings and read files, sometimes for many seconds. The calling thread keeps
+/// this priority.
 pub(crate) fn of_planning() {
     set(10);
 }

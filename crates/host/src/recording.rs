@@ -1,4 +1,4 @@
-//! What the station records: everything on the wire, states and notices.
+//! The recording of a station: all packets, states and notices.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -14,18 +14,18 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
-/// What the station records; without a recorder nothing.
+/// The recording of a station; without a recorder it does nothing.
 #[derive(Debug)]
 pub(crate) struct Recording {
     recorder: Option<Recorder>,
     about: About,
     states: Arc<Topic>,
     notices: Arc<Topic>,
-    /// Below which height a pen draws, as it was recorded last.
+    /// The last recorded height below which a pen draws.
     pen_below_mm: Option<f64>,
-    /// The state that was recorded last, and when.
+    /// The last recorded state and its time.
     told: Option<(Duration, State)>,
-    /// What was wrong with the recorder when it was asked last.
+    /// The last reported problem of the recorder.
     problem: Option<String>,
 }
 
@@ -45,7 +45,7 @@ impl Recording {
         }
     }
 
-    /// Records a packet to the arm, and below which height of the tool a pen draws meanwhile.
+    /// Records a packet to the arm, and the tool height below which a pen draws then.
     pub(crate) fn sent(&mut self, at: Duration, bytes: &[u8], pen_below_mm: Option<f64>) {
         if pen_below_mm != self.pen_below_mm {
             self.pen_below_mm = pen_below_mm;
@@ -60,11 +60,11 @@ impl Recording {
         self.record(at, || Record::FromArm(bytes.to_vec()));
     }
 
-    /// Records a state that says something new; one in which only the arm's status, clocks and figures
-    /// of the link changed, every ten seconds.
+    /// Records a state if it has changed; if only the arm's status, clocks or link figures differ,
+    /// every ten seconds.
     pub(crate) fn state(&mut self, at: Duration, state: &State) {
         if state.dialect != self.about.dialect {
-            // It was found, or a person told it, after the link came up.
+            // It was detected or set after the link came up.
             self.about.dialect = state.dialect;
             let about = Box::new(self.about.clone());
             self.record(at, || Record::About(about));
@@ -87,7 +87,7 @@ impl Recording {
         }
     }
 
-    /// Records how long the tools are by the policy that holds from now on.
+    /// Records the tool lengths of a new policy.
     pub(crate) fn tools(&self, at: Duration, policy: &Policy) {
         self.record(at, || Record::Tools(tools_of(policy)));
     }
@@ -96,7 +96,7 @@ impl Recording {
         self.json(at, &self.notices, notice);
     }
 
-    /// Takes which arm it is from now on, and what it speaks, if that is known.
+    /// Sets the arm and its dialect, if known.
     pub(crate) fn link(&mut self, at: Duration, address: &Address, dialect: Option<Dialect>) {
         self.about.address = address.to_string();
         self.about.dialect = dialect;
@@ -104,7 +104,7 @@ impl Recording {
         self.record(at, || Record::About(about));
     }
 
-    /// What went wrong with recording, or went right again, since this was asked last.
+    /// Returns a new problem of the recorder, or its end.
     pub(crate) fn poll_trouble(&mut self) -> Option<String> {
         let problem = self.recorder.as_ref()?.health().trouble;
         if problem == self.problem {
@@ -117,10 +117,10 @@ impl Recording {
         })
     }
 
-    /// Writes what is left.
+    /// Writes the rest.
     pub(crate) fn end(self) {
         if let Some(recorder) = self.recorder {
-            // Nobody is left who could be told how it went.
+            // There is no one left to report the result to.
             let _ = recorder.finish();
         }
     }
@@ -139,8 +139,8 @@ impl Recording {
     }
 }
 
-/// What a state says beside the arm's status, which is recorded as it came, clocks and figures of the
-/// link.
+/// Returns a state without the arm's status (which is recorded as received), clocks and link
+/// figures.
 fn essence(state: &State) -> State {
     let mut state = state.clone();
     state.at_s = 0.0;
@@ -164,9 +164,9 @@ fn essence(state: &State) -> State {
     state
 }
 
-/// Starts a recording, or says why there is none.
+/// Starts a recording, or returns why it cannot.
 pub(crate) fn start(folders: &Folders) -> (Option<Recorder>, Option<String>) {
-    // What hinders it hinders the recorder too, which says so.
+    // The recorder fails for the same reason and reports it.
     let _ = make_private(&folders.recordings());
     let recorder = Recorder::start(
         folders.recordings(),
@@ -180,7 +180,7 @@ pub(crate) fn start(folders: &Folders) -> (Option<Recorder>, Option<String>) {
     }
 }
 
-/// What is known of every recording.
+/// Returns the description of every recording.
 fn about() -> About {
     About {
         program: concat!("dobot ", env!("CARGO_PKG_VERSION")).into(),
@@ -188,7 +188,8 @@ fn about() -> About {
     }
 }
 
-/// The tools that may hang at an arm, as long as a policy says; none that no model could have.
+/// Returns the tools that the arm may have, with the policy's lengths; without those that no model
+/// could have.
 #[must_use]
 pub fn tools_of(policy: &Policy) -> Vec<MountedTool> {
     let mounted = |tool: Tool| {
@@ -199,19 +200,19 @@ pub fn tools_of(policy: &Policy) -> Vec<MountedTool> {
     tools.filter_map(mounted).collect()
 }
 
-/// Where the states of a station are recorded, and told live.
+/// Returns the topic on which a station's states are recorded and published.
 #[must_use]
 pub fn state_topic() -> Arc<Topic> {
     topic::<State>("/station/state", "dobot.State")
 }
 
-/// Where the notices of a station are recorded, and told live.
+/// Returns the topic on which a station's notices are recorded and published.
 #[must_use]
 pub fn notice_topic() -> Arc<Topic> {
     topic::<Notice>("/station/notices", "dobot.Notice")
 }
 
-/// The topic of one of our types. Programs that show recordings do not follow references.
+/// Returns the topic of a type. Viewers of recordings do not follow references.
 fn topic<T: JsonSchema>(name: &str, schema_name: &str) -> Arc<Topic> {
     let mut settings = SchemaSettings::draft2020_12();
     settings.inline_subschemas = true;
@@ -234,14 +235,14 @@ const REST: Status = Status {
     gripper_deg: 0.0,
 };
 
-/// How often a state is recorded that says nothing new.
+/// The interval of recording states without news.
 const STATE_PERIOD: Duration = Duration::from_secs(10);
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A state of an arm at rest: clock and figures run on.
+    /// A state of an arm at rest: clock and figures advance.
     fn state(at_s: f64) -> State {
         let mut state = State {
             at_s,
@@ -252,7 +253,7 @@ mod tests {
         state
     }
 
-    /// How many states of those are recorded, one each 80 ms.
+    /// Returns the number of these states that are recorded, at one per 80 ms.
     fn recorded(states: impl IntoIterator<Item = State>) -> usize {
         let folder = tempfile::tempdir().expect("there is room");
         let start = jiff::Timestamp::UNIX_EPOCH;

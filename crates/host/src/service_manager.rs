@@ -1,13 +1,14 @@
-//! What the system that keeps a service running is told (the protocol of `sd_notify`, systemd).
+//! Notifications to the service manager (the `sd_notify` protocol of systemd).
 //!
-//! The crate `sd-notify` sends on a blocking socket, for which the arm would wait, and knows no abstract names (`@...`).
+//! The crate `sd-notify` uses a blocking socket, which could delay the arm, and does not support
+//! abstract names (`@...`).
 
 use std::time::Duration;
 
 #[cfg(unix)]
 use std::os::unix::net::{SocketAddr, UnixDatagram};
 
-/// The system that keeps this program running as a service, if one does: systemd, by the environment
+/// The service manager that runs this program, if any: systemd, found through the environment
 /// variables `NOTIFY_SOCKET` and `WATCHDOG_USEC`.
 #[derive(Debug, Default)]
 pub struct ServiceManager {
@@ -16,19 +17,20 @@ pub struct ServiceManager {
     watchdog: Option<Duration>,
 }
 
-/// What it is told.
+/// A notification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notification {
-    /// The station is there.
+    /// The station has started.
     Ready,
-    /// The thread that has the arm is at work.
+    /// The arm thread is running.
     Alive,
-    /// The station ends.
+    /// The station is ending.
     Stopping,
 }
 
 impl ServiceManager {
-    /// The one that the environment names; nobody where it names none.
+    /// Returns the service manager named by the environment; without one, notifications are
+    /// dropped.
     #[must_use]
     pub fn of_environment() -> Self {
         let number = |name| std::env::var(name).ok()?.parse::<u64>().ok();
@@ -43,23 +45,22 @@ impl ServiceManager {
         }
     }
 
-    /// How often it wants to hear that the station is alive, if it does: four times as often as it
-    /// would lose patience.
+    /// Returns the interval of alive notifications, if required: a quarter of its timeout.
     #[must_use]
     pub(crate) fn period(&self) -> Option<Duration> {
         self.watchdog.map(|it| it / 4)
     }
 
-    /// Tells it.
+    /// Sends a notification.
     #[cfg(unix)]
     pub fn tell(&self, notification: Notification) {
         if let Some((socket, address)) = &self.socket {
-            // One that is gone misses nothing.
+            // It may be gone.
             let _ = socket.send_to_addr(notification.text(), address);
         }
     }
 
-    /// There is none on this system.
+    /// This system has none.
     #[cfg(not(unix))]
     pub fn tell(&self, _: Notification) {}
 }
@@ -82,12 +83,12 @@ fn connect(name: &str) -> Option<(UnixDatagram, SocketAddr)> {
         None => SocketAddr::from_pathname(name).ok()?,
     };
     let socket = UnixDatagram::unbound().ok()?;
-    // The arm never waits for it.
+    // The arm must never wait for it.
     socket.set_nonblocking(true).ok()?;
     Some((socket, address))
 }
 
-/// A name that is no file.
+/// An abstract name.
 #[cfg(target_os = "linux")]
 fn hidden(name: &str) -> Option<SocketAddr> {
     use std::os::linux::net::SocketAddrExt;

@@ -1,34 +1,35 @@
-//! Where a person wants the arm to go.
+//! Targets given by a person.
 
 use std::str::FromStr;
 
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
 
-/// Where the arm is to go. What is left out stays as the arm is.
+/// A target for the arm. Omitted parts keep their state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Target {
-    /// The place.
+    /// The position.
     pub place: TargetPlace,
-    /// The servo's angle, in degrees; a rotation that is given comes before it.
+    /// The servo angle, in degrees; takes precedence over a rotation.
     pub servo_deg: Option<f32>,
-    /// The way there.
+    /// The path type.
     pub mode: MovingMode,
-    /// Whether the pump runs, once there.
+    /// Whether the pump runs after arrival.
     pub suction: Option<bool>,
-    /// The gripper's angle, once there, -90 to 90 degrees.
+    /// The gripper angle after arrival, -90 to 90 degrees.
     pub gripper_deg: Option<f32>,
-    /// How long to wait there, 0 to 655 seconds.
+    /// The pause after arrival, 0 to 655 seconds.
     pub pause_s: f32,
 }
 
-/// A place, as a person says it.
+/// A target position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TargetPlace {
     /// A point in the base frame.
     Point {
         /// x forward, y left, z up from the pivot of the rear arm, in millimetres.
         mm: [f32; 3],
-        /// How the tool is turned relative to the base frame, in degrees; without it the servo stays.
+        /// The rotation of the tool relative to the base frame, in degrees; without it the servo
+        /// keeps its angle.
         rotation_deg: Option<f32>,
     },
     /// The angles of base, rear arm and forearm, in degrees.
@@ -36,7 +37,7 @@ pub enum TargetPlace {
 }
 
 impl Target {
-    /// The command that leads there, for an arm that tells this status.
+    /// Returns the command to the target, for an arm with this status.
     ///
     /// ```
     /// use dobot_host::{Target, TargetPlace};
@@ -95,7 +96,7 @@ impl Target {
     }
 }
 
-/// The way to a target by its name: `jump`, `movl` or `movj`.
+/// A path type by its name: `jump`, `movl` or `movj`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PathName(pub MovingMode);
 
@@ -112,7 +113,7 @@ impl FromStr for PathName {
     }
 }
 
-/// No way to a target has this name.
+/// The error returned for an unknown path type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("allowed are jump (lift, across, down), movl (straight) and movj (all joints at once)")]
 pub struct UnknownPath;

@@ -1,4 +1,4 @@
-//! A supervisor and a virtual arm, in virtual time: what would happen.
+//! A supervisor and a virtual arm in virtual time.
 
 use std::time::Duration;
 
@@ -19,11 +19,11 @@ use crate::jobs;
 use crate::watchdog::GAP;
 use crate::{OfferAnswer, OfferAsk};
 
-/// A supervisor and a virtual arm, in virtual time, with a real journal: for tests of everything that
-/// can go wrong, thousands of times faster than it would.
+/// A supervisor and a virtual arm in virtual time, with a real journal: for tests of everything
+/// that can go wrong, thousands of times faster than real time.
 ///
-/// The arm goes on whatever becomes of the supervisor: [`VirtualStation::crash`] takes the supervisor away in the
-/// middle of whatever it does, and puts a new one in its place, as after a SIGKILL.
+/// The arm continues whatever happens to the supervisor: [`VirtualStation::crash`] replaces the
+/// supervisor at any moment, as after a SIGKILL.
 #[derive(Debug)]
 pub struct VirtualStation {
     supervisor: Supervisor,
@@ -33,49 +33,49 @@ pub struct VirtualStation {
     power_up: PowerUp,
     calibrations: Calibrations,
     plugged: bool,
-    /// The arm's port is gone by itself.
+    /// Whether the arm's port has disappeared by itself.
     port_gone: bool,
     now: Duration,
-    /// When the supervisor that is there now was started.
+    /// When the current supervisor was started.
     started: Duration,
-    /// When the journal has written what it was asked for.
+    /// When each requested write reaches the disk.
     disk: Vec<(Duration, Effect)>,
-    /// How long the journal takes to write.
+    /// The duration of a disk write.
     disk_takes: Duration,
-    /// How often the computer looks at its port and its clock; always, if that is 0.
+    /// The interval at which the computer checks port and clock; 0 for always.
     looks_every: Duration,
-    /// When it does so next.
+    /// When it checks next.
     looks: Duration,
     notices: Vec<Notice>,
     packets: Vec<(Duration, [u8; 42])>,
-    /// The stops that are on the disk: the one of this arm, and those of the fleet.
+    /// The saved stops: this arm's own and the fleet-wide ones.
     stops: (Option<StoppedBy>, Vec<KeptFleetStop>),
 }
 
 impl VirtualStation {
-    /// A station that has just been started, with an arm that has just been switched on.
+    /// Creates a station that was just started, with an arm that was just switched on.
     ///
     /// # Panics
     ///
-    /// Never: a journal in memory can always be made.
+    /// Never: an in-memory journal can always be created.
     #[must_use]
     pub fn new(power_up: PowerUp, policy: Policy) -> Self {
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         Self::with_arm(arm, power_up, policy)
     }
 
-    /// The same with an arm of one's own: with faults, or in a world.
+    /// Creates a station with the given arm, for example one with faults or in a world.
     ///
     /// # Panics
     ///
-    /// Never: a journal in memory can always be made.
+    /// Never: an in-memory journal can always be created.
     #[must_use]
     pub fn with_arm(arm: VirtualArm, power_up: PowerUp, policy: Policy) -> Self {
         let journal = Journal::in_memory().expect("there is memory");
         Self::with_journal(arm, power_up, policy, journal)
     }
 
-    /// The same with a journal of one's own: on a disk that can be full.
+    /// Creates a station with the given journal, for example on a disk that can be full.
     #[must_use]
     pub fn with_journal(
         arm: VirtualArm,
@@ -106,8 +106,8 @@ impl VirtualStation {
         virtual_station
     }
 
-    /// From now on the computer has so much else to do that it looks at its port and its clock only
-    /// that often: statuses come in heaps, and what is due is done late.
+    /// Simulates a busy computer that checks port and clock only at this interval: statuses arrive
+    /// in batches, and everything due is late.
     pub const fn load(&mut self, looks_every: Duration) {
         self.looks_every = looks_every;
     }
@@ -117,7 +117,7 @@ impl VirtualStation {
         self.run_until(self.now + time, |_| false);
     }
 
-    /// Lets time pass until something is so, or until `latest`; says whether it is.
+    /// Lets time pass until a condition holds, or until `latest`; returns whether it holds.
     pub fn run_until(&mut self, latest: Duration, mut is_so: impl FnMut(&Self) -> bool) -> bool {
         self.settle();
         while !is_so(self) {
@@ -129,7 +129,7 @@ impl VirtualStation {
         true
     }
 
-    /// One moment further, at the most to `latest`.
+    /// Advances by one step, at most to `latest`.
     pub fn step(&mut self, latest: Duration) {
         self.now = self.next_step().min(latest);
         self.arm.handle_time(self.now);
@@ -147,7 +147,7 @@ impl VirtualStation {
         self.arm.poll_wakeup().min(supervisor).min(disk).max(soon)
     }
 
-    /// Pulls the cable.
+    /// Unplugs the cable.
     pub fn unplug(&mut self) {
         self.plugged = false;
         let why = Some("the cable was pulled".to_owned());
@@ -156,10 +156,10 @@ impl VirtualStation {
         self.settle();
     }
 
-    /// Puts the cable back.
+    /// Plugs the cable in.
     pub fn plug(&mut self) {
         self.plugged = true;
-        // What the arm said meanwhile nobody heard.
+        // What the arm sent meanwhile is lost.
         self.arm.poll_bytes(&mut Vec::new());
         self.arm.handle_open(self.now);
         let now = self.supervisor_now();
@@ -167,11 +167,11 @@ impl VirtualStation {
         self.settle();
     }
 
-    /// The station is killed in this very moment, and started again after a while; the arm goes on.
+    /// Kills the station at this moment and restarts it after a while; the arm continues.
     ///
     /// # Errors
     ///
-    /// [`Refusal`] where the interrupted job cannot be read again.
+    /// [`Refusal`] if the interrupted job cannot be read again.
     pub fn crash(&mut self, away: Duration) -> Result<(), Refusal> {
         self.disk.clear();
         self.now += away;
@@ -187,8 +187,8 @@ impl VirtualStation {
         Ok(())
     }
 
-    /// The station does nothing more, and its watchdog sends these packets, each a gap after the one before: for a
-    /// station that is then killed by [`VirtualStation::crash`].
+    /// Freezes the station while its watchdog sends these packets with gaps: for a station that is
+    /// then killed by [`VirtualStation::crash`].
     pub fn guard(&mut self, packets: &[Packet]) {
         for packet in packets {
             self.now += GAP;
@@ -199,32 +199,33 @@ impl VirtualStation {
         }
     }
 
-    /// The pose is not to be trusted until a person confirms it, as when the port of a real arm is opened.
+    /// Marks the pose as not trusted until a person confirms it, as when the port of a real arm is
+    /// opened.
     pub fn distrust(&mut self, reason: &str) {
         self.supervisor.distrust(reason);
     }
 
-    /// A client that may do everything.
+    /// Connects a client with the highest role.
     pub fn client(&mut self, name: &str) -> ClientId {
         self.client_as(name, Role::Admin)
     }
 
-    /// A client of a role.
+    /// Connects a client with a role.
     pub fn client_as(&mut self, name: &str, role: Role) -> ClientId {
         self.client_of(name, role, name)
     }
 
-    /// A client of a role whom time slots know by the name of a person.
+    /// Connects a client with a role and a person for time slots.
     pub fn client_of(&mut self, name: &str, role: Role, person: &str) -> ClientId {
         let now = self.supervisor_now();
         self.supervisor.handle_client(now, name, role, person)
     }
 
-    /// Puts another policy in place of the one that holds.
+    /// Replaces the policy.
     ///
     /// # Errors
     ///
-    /// [`Refusal`]; the old one holds on then.
+    /// [`Refusal`]; the old policy stays.
     pub fn set_policy(&mut self, client: ClientId, policy: Policy) -> Result<(), Refusal> {
         let now = self.supervisor_now();
         self.supervisor.handle_policy(now, client, policy.clone())?;
@@ -233,14 +234,14 @@ impl VirtualStation {
         Ok(())
     }
 
-    /// A client leaves, or is lost.
+    /// Disconnects a client.
     pub fn leave(&mut self, client: ClientId) {
         let now = self.supervisor_now();
         self.supervisor.handle_left(now, client);
         self.settle();
     }
 
-    /// A client asks for something; what takes its time is waited for.
+    /// Handles a client's request, waiting for a delayed answer.
     ///
     /// # Errors
     ///
@@ -263,7 +264,7 @@ impl VirtualStation {
                     let job = self.submit_as(&job, key)?;
                     return self.kept(job);
                 }
-                // The virtual arm stays as it is: its faults say what it is like.
+                // The virtual arm does not change: its faults define its geometry.
                 Request::Calibrate { calibration } => {
                     let calibrations = self.calibrations.clone();
                     let calibrations = calibrations.replaced_by(calibration.map(|it| *it));
@@ -301,8 +302,8 @@ impl VirtualStation {
         answer.unwrap_or(Ok(Reply::Done))
     }
 
-    /// Somebody stops the whole fleet at this station, which goes by the number `origin`. The others are to be told of the
-    /// stop that is returned.
+    /// Stops the whole fleet from this station, which has the id `origin`. Returns the stop to send
+    /// to the other stations.
     pub fn stop_fleet(&mut self, origin: &str, by: StoppedBy) -> FleetWideStop {
         let now = self.supervisor_now();
         let now_ms = u64::try_from(self.now.as_millis()).unwrap_or_default();
@@ -311,7 +312,7 @@ impl VirtualStation {
         stop
     }
 
-    /// Another station tells which stops of the fleet it knows of; gives those that are known here then.
+    /// Adopts the stops known to another station; returns those known here.
     pub fn adopt_fleet_stops(&mut self, stops: &[FleetWideStop]) -> Vec<FleetWideStop> {
         let now = self.supervisor_now();
         self.supervisor.handle_fleet_stops(now, stops);
@@ -319,7 +320,7 @@ impl VirtualStation {
         self.supervisor.state().fleet_stops
     }
 
-    /// Somebody lets the whole fleet move again. The others are to be told of the stops that are returned.
+    /// Resets all fleet-wide stops. Returns the stops to send to the other stations.
     pub fn reset_fleet(&mut self, by: &str) -> Vec<FleetWideStop> {
         let now = self.supervisor_now();
         let stops = self.supervisor.handle_fleet_reset(now, by);
@@ -327,7 +328,7 @@ impl VirtualStation {
         stops
     }
 
-    /// A program that speaks the arm's own protocol sends a packet.
+    /// Handles a packet of a raw program.
     ///
     /// # Errors
     ///
@@ -339,7 +340,7 @@ impl VirtualStation {
         taken
     }
 
-    /// Puts a job into the journal.
+    /// Queues a job in the journal.
     ///
     /// # Errors
     ///
@@ -348,11 +349,11 @@ impl VirtualStation {
         self.submit_as(job, None)
     }
 
-    /// Another station offers a job under a key, or asks what has become of its offer.
+    /// Handles another station's request about a job offer.
     ///
     /// # Errors
     ///
-    /// [`Refusal`] where the journal cannot be written; nothing is answered then.
+    /// [`Refusal`] if the journal cannot be written; then there is no answer.
     pub fn offer(&mut self, key: &str, ask: OfferAsk) -> Result<OfferAnswer, Refusal> {
         self.catch_up();
         let model = self.supervisor.planning_model();
@@ -365,7 +366,7 @@ impl VirtualStation {
         Ok(id.0)
     }
 
-    /// Starts a job, or goes on with it; a person has done what it waits for.
+    /// Starts or resumes a job, confirming its pause.
     ///
     /// # Errors
     ///
@@ -400,27 +401,27 @@ impl VirtualStation {
         reply
     }
 
-    /// All jobs: the oldest first, unless queued ones were moved.
+    /// Returns all jobs: oldest first, unless queued ones were moved.
     ///
     /// # Errors
     ///
-    /// [`Refusal`] where the journal cannot be read.
+    /// [`Refusal`] if the journal cannot be read.
     pub fn jobs(&mut self) -> Result<Vec<JobView>, Refusal> {
         self.catch_up();
         jobs::list(&self.journal, self.supervisor.job().as_ref())
     }
 
-    /// Lets the laser burn without having been armed: that of a virtual arm harms nobody.
+    /// Lets the laser burn without being armed; for virtual arms only.
     pub fn free_laser(&mut self) {
         self.supervisor.free_laser();
     }
 
-    /// Whether the arm has told anything since this was asked last.
+    /// Returns whether the arm has sent a status since the last call.
     pub fn poll_status(&mut self) -> bool {
         std::iter::from_fn(|| self.supervisor.poll_status()).count() > 0
     }
 
-    /// What became of a job, by the journal.
+    /// Returns a job from the journal.
     ///
     /// # Errors
     ///
@@ -429,7 +430,7 @@ impl VirtualStation {
         self.journal.job(JobId(job))
     }
 
-    /// The way of a job, once through its commands, as it was planned.
+    /// Returns the planned path of a job, once through its commands.
     ///
     /// # Errors
     ///
@@ -438,25 +439,25 @@ impl VirtualStation {
         path_of(&self.journal, job)
     }
 
-    /// How the arm differs from the drawing of it, as far as somebody has said so.
+    /// Returns the calibrations.
     #[must_use]
     pub const fn calibrations(&self) -> &Calibrations {
         &self.calibrations
     }
 
-    /// The supervisor, to look at.
+    /// Returns the supervisor.
     #[must_use]
     pub const fn supervisor(&self) -> &Supervisor {
         &self.supervisor
     }
 
-    /// The arm, to look at.
+    /// Returns the arm.
     #[must_use]
     pub const fn arm(&self) -> &VirtualArm {
         &self.arm
     }
 
-    /// The station stands still for a while; the arm goes on, and what it says waits.
+    /// Stalls the station for a while; the arm continues, and its bytes wait.
     pub fn stall(&mut self, silent: Duration) {
         self.now += silent;
         self.arm.handle_time(self.now);
@@ -465,7 +466,7 @@ impl VirtualStation {
         self.settle();
     }
 
-    /// A watchdog watches over the arm again, or why none does.
+    /// Sets whether a watchdog guards the arm, or why none does.
     pub fn set_watchdog(&mut self, gone: Option<&str>) {
         let now = self.supervisor_now();
         self.supervisor
@@ -473,36 +474,36 @@ impl VirtualStation {
         self.settle();
     }
 
-    /// The station is killed, and nobody starts it again: what is left is the arm.
+    /// Kills the station for good and returns the arm.
     #[must_use]
     pub fn into_arm(self) -> VirtualArm {
         self.arm
     }
 
-    /// The arm, to do something to it.
+    /// Returns the arm mutably.
     pub const fn arm_mut(&mut self) -> &mut VirtualArm {
         &mut self.arm
     }
 
-    /// The time since the arm was switched on.
+    /// Returns the time since the arm was switched on.
     #[must_use]
     pub const fn now(&self) -> Duration {
         self.now
     }
 
-    /// What all watchers were told.
+    /// Returns all notices published.
     #[must_use]
     pub fn notices(&self) -> &[Notice] {
         &self.notices
     }
 
-    /// Every packet that was put on the wire, and when.
+    /// Returns every packet put on the wire, with its time.
     #[must_use]
     pub fn packets(&self) -> &[(Duration, [u8; 42])] {
         &self.packets
     }
 
-    /// A port that is gone by itself is opened again as soon as it is back.
+    /// Opens a port that had disappeared as soon as it is back.
     fn follow_port(&mut self) {
         if self.plugged && !self.arm.has_port() {
             self.port_gone = true;
@@ -513,13 +514,13 @@ impl VirtualStation {
         }
     }
 
-    /// Waits until the journal knows what the supervisor has told: that a job is paused, say.
+    /// Waits until the journal has all earlier effects, such as a pause.
     fn catch_up(&mut self) {
         let latest = self.now + PATIENCE;
         self.run_until(latest, |it| it.disk.is_empty());
     }
 
-    /// Whether the arm is at this job.
+    /// Returns whether this is the current job.
     fn is_at(&self, job: u64) -> bool {
         self.supervisor.job().is_some_and(|it| it.job == job)
     }
@@ -557,7 +558,7 @@ impl VirtualStation {
         jobs::look_again(&self.journal, &self.policy, &job, model)
     }
 
-    /// Carries bytes and writes to the disk until nobody wants anything more in this moment.
+    /// Transfers bytes and completes writes until nothing is left to do at this moment.
     fn settle(&mut self) {
         if self.now < self.looks {
             return;

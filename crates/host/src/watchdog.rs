@@ -1,4 +1,4 @@
-//! What is said to the arm when the station says nothing any more.
+//! The watchdog: stops the arm when the station goes silent.
 
 #[cfg(unix)]
 mod child;
@@ -25,16 +25,16 @@ pub(crate) use panic_stop::PanicStop;
 #[cfg(unix)]
 pub use process::guard;
 
-/// The watchdog of an arm, as an engine: it owns no port, no process and no clock.
+/// The watchdog of an arm, as an engine: it owns no port, process or clock.
 ///
-/// The station tells it [`Heartbeat`]s, ten in a second and more. When the station ends without a
+/// The station sends it [`Heartbeat`]s, at least ten per second. If the station ends without a
 /// goodbye, or is silent for [`PATIENCE`](Self::PATIENCE), the watchdog switches the laser off and
-/// lets go of the button that is held: at least three times, with the gap between two packets that a
-/// stock arm wants (note N26). While the station lives it says nothing.
+/// releases the held button: at least three times, with the gap between packets that a stock arm
+/// needs (note N26). While the station lives it sends nothing.
 ///
-/// Where something burns laser off comes first, and a jog stops dead. Otherwise the button is let go
-/// first, and the arm runs down. Either way the release is of the same kind as the jog, for a stock
-/// arm would run another axis down with the other one (note N44).
+/// If something burns, laser off comes first, and a jog stops abruptly. Otherwise the release comes
+/// first, and the arm slows down. Either way the release is of the same kind as the jog, because a
+/// release of the other kind makes a stock arm slow down another axis (note N44).
 ///
 /// ```
 /// use std::time::Duration;
@@ -52,17 +52,17 @@ pub use process::guard;
 pub struct Watchdog {
     now: Duration,
     hazards: Hazards,
-    /// When the last heartbeat came.
+    /// When the last heartbeat arrived.
     last_heartbeat: Duration,
     phase: WatchdogPhase,
 }
 
-/// Why the watchdog speaks.
+/// Why the watchdog acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Silence {
     /// The station ended without a goodbye: it was killed, or panicked.
     Ended,
-    /// The station stands still.
+    /// The station hangs.
     Stalled,
 }
 
@@ -70,31 +70,31 @@ pub enum Silence {
 enum WatchdogPhase {
     Watching,
     Speaking(Speech),
-    /// All is said to the arm of a station that stands still.
+    /// Everything has been sent to the arm of a hanging station.
     Spoken(Silence),
     Over,
 }
 
-/// What is being said.
+/// The packets being sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Speech {
     why: Silence,
     started: Duration,
     /// When the next packet is due.
     next: Duration,
-    /// Packets of this round said already.
+    /// The packets of this round already sent.
     said: usize,
-    /// Rounds said already.
+    /// The completed rounds.
     rounds: u32,
-    /// The arm was heard since the last round, so it has room for another one.
+    /// Whether the arm was heard since the last round, so it has room for another.
     heard: bool,
 }
 
 impl Watchdog {
-    /// So long the station may be silent.
+    /// The longest allowed silence of the station.
     pub const PATIENCE: Duration = Duration::from_millis(300);
 
-    /// A watchdog of a station that lives.
+    /// Creates the watchdog of a running station.
     #[must_use]
     pub fn new(now: Duration) -> Self {
         Self {
@@ -105,7 +105,7 @@ impl Watchdog {
         }
     }
 
-    /// Takes what the station says. One that stood still and is back speaks for itself.
+    /// Handles a heartbeat. A station that hung and is back acts for itself.
     pub fn handle_heartbeat(&mut self, now: Duration, heartbeat: Heartbeat) {
         self.now = now;
         match heartbeat {
@@ -119,19 +119,19 @@ impl Watchdog {
         }
     }
 
-    /// Takes that the station is gone; after a goodbye that is well.
+    /// Handles the end of the station, which is fine after a goodbye.
     pub fn handle_end(&mut self, now: Duration) {
         self.now = now;
         match &mut self.phase {
             WatchdogPhase::Watching => self.speak(Silence::Ended),
             WatchdogPhase::Speaking(speech) => speech.why = Silence::Ended,
-            // The arm was told, and nothing came from the station since.
+            // The arm was stopped, and nothing came from the station since.
             WatchdogPhase::Spoken(_) => self.phase = WatchdogPhase::Over,
             WatchdogPhase::Over => {}
         }
     }
 
-    /// Takes that the arm says something: it has room for a packet.
+    /// Handles bytes from the arm: it has room for a packet.
     pub fn handle_heard(&mut self, now: Duration) {
         self.handle_time(now);
         if let WatchdogPhase::Speaking(speech) = &mut self.phase {
@@ -139,7 +139,7 @@ impl Watchdog {
         }
     }
 
-    /// Takes the passing of time.
+    /// Advances the time.
     pub fn handle_time(&mut self, now: Duration) {
         self.now = now;
         if self.phase == WatchdogPhase::Watching && now >= self.last_heartbeat + Self::PATIENCE {
@@ -147,7 +147,7 @@ impl Watchdog {
         }
     }
 
-    /// The packet to send now, if there is one.
+    /// Returns the packet to send now, if any.
     pub fn poll_bytes(&mut self) -> Option<Packet> {
         let WatchdogPhase::Speaking(speech) = self.phase else {
             return None;
@@ -161,7 +161,7 @@ impl Watchdog {
         packet
     }
 
-    /// When [`Watchdog::handle_time`] wants to be called next.
+    /// Returns when to call [`Watchdog::handle_time`] next.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         match &self.phase {
@@ -171,7 +171,7 @@ impl Watchdog {
         }
     }
 
-    /// Why it speaks, or has spoken to the arm of a station that is still silent.
+    /// Returns why it acts, or has acted for a station that is still silent.
     #[must_use]
     pub const fn silence(&self) -> Option<Silence> {
         match &self.phase {
@@ -181,26 +181,26 @@ impl Watchdog {
         }
     }
 
-    /// What the arm was told last that must not outlive the station.
+    /// Returns the commands last sent to the arm that must not outlive the station.
     #[must_use]
     pub const fn hazards(&self) -> Hazards {
         self.hazards
     }
 
-    /// When the last heartbeat came.
+    /// Returns when the last heartbeat arrived.
     #[must_use]
     pub const fn last_heartbeat(&self) -> Duration {
         self.last_heartbeat
     }
 
-    /// Whether there is nothing more to do for it.
+    /// Returns whether there is nothing more to do.
     #[must_use]
     pub const fn is_over(&self) -> bool {
         matches!(self.phase, WatchdogPhase::Over)
     }
 
     fn speak(&mut self, why: Silence) {
-        // What the station said last may still be on the line, unless it was silent for long.
+        // The station's last packet may still be on the line, unless it was silent for long.
         let free = self.last_heartbeat + GAP;
         self.phase = WatchdogPhase::Speaking(Speech {
             why,
@@ -214,8 +214,8 @@ impl Watchdog {
 }
 
 impl Speech {
-    /// A round waits for the arm to be heard: with a full queue it is silent, and would lose what
-    /// comes. One that is silent for long is told all the same.
+    /// A round waits until the arm is heard: with a full queue it is silent and would lose packets.
+    /// An arm that is silent for long gets them anyway.
     fn due(&self) -> Duration {
         if self.said > 0 || self.heard {
             self.next
@@ -250,13 +250,13 @@ impl Speech {
     }
 }
 
-/// More than a packet takes on the line, and the 8 ms that a stock arm wants between two (note N26).
+/// Longer than a packet on the line plus the 8 ms that a stock arm needs between two (note N26).
 pub(crate) const GAP: Duration = dobot_wire::PACKET_GAP;
-/// Two statuses may show that it was heard.
+/// Long enough for two statuses to show the effect.
 const AGAIN: Duration = Duration::from_millis(200);
-/// An arm that was not heard for so long is told again all the same.
+/// An arm not heard for this long gets the next round anyway.
 const UNHEARD: Duration = Duration::from_millis(500);
 /// A packet may get lost; three hardly ever do.
 const ROUNDS: u32 = 3;
-/// An arm that is silent for so long is not helped by more of the same.
+/// More packets do not help an arm that is silent for this long.
 const LONGEST: Duration = Duration::from_secs(4);

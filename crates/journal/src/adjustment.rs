@@ -1,15 +1,14 @@
-//! What a person changes on a job while it runs.
+//! Adjustments of a job by a person while it runs.
 
 use serde::{Deserialize, Serialize};
 
-/// What a person has changed on a job while it runs.
+/// The adjustments of a job by a person while it runs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Adjustment {
-    /// How fast its vectors are drawn, in percent of what was planned.
+    /// The speed of its vectors, in percent of the plan.
     pub speed_percent: f64,
-    /// How far above the plan it is drawn: the last change before the commands that are done, and
-    /// all behind it.
+    /// Its height changes: the last one before the completed commands, and all later ones.
     pub heights: Vec<HeightChange>,
 }
 
@@ -22,7 +21,7 @@ impl Default for Adjustment {
     }
 }
 
-/// From where on a job is drawn at another height than planned.
+/// A change of height from a command on.
 ///
 /// ```text
 ///   z above the plan
@@ -35,10 +34,10 @@ impl Default for Adjustment {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HeightChange {
-    /// The first command that is changed.
+    /// The first changed command.
     pub from: usize,
-    /// How far above the plan that command begins, in millimetres.
+    /// The height above the plan at the start of that command, in millimetres.
     pub begin_mm: f64,
-    /// How far above the plan is wanted, in millimetres.
+    /// The wanted height above the plan, in millimetres.
     pub offset_mm: f64,
 }

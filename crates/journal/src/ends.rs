@@ -1,4 +1,4 @@
-//! Where an arm may rest that was given commands nobody saw the end of.
+//! The possible rest positions of an arm given commands whose end was not seen.
 
 use std::fmt;
 
@@ -8,13 +8,13 @@ use dobot_wire::{Command, WriteVector};
 
 use crate::prelude::is_setting;
 
-/// How far an arm has come in a job.
+/// The progress of an arm in a job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Located {
-    /// The command to go on with, counted from 0: all before it are done, or are to be sent again
-    /// without a motion.
+    /// The command to continue with, counted from 0: all before it are done, or are to be sent
+    /// again without a motion.
     pub next: usize,
-    /// Whether the pen was lifted behind the last command: it has to be lowered first.
+    /// Whether the pen was lifted after the last command: it has to be lowered first.
     pub lifted: bool,
 }
 
@@ -25,25 +25,25 @@ impl fmt::Display for Located {
     }
 }
 
-/// A place where the arm may rest.
+/// A possible rest position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// How far the arm has come when it rests there.
+    /// The progress if the arm rests there.
     pub located: Located,
-    /// The place.
+    /// The position.
     pub position: Position,
 }
 
 impl End {
-    /// Whether both can be told from each other by where the arm rests, or need not.
+    /// Returns whether both can be distinguished by where the arm rests, or need not be.
     pub(crate) fn is_told_from(&self, other: &Self, commands: &[Command]) -> bool {
         self.located == other.located
             || self.distance_mm(other.position) >= SPACING_MM
             || self.is_the_same_as(other, commands)
     }
 
-    /// Whether it makes no difference which of both it is: a pen that was lifted from the lower end
-    /// of a lift (or of a lowering) rests at its upper end, and may go on from there.
+    /// Returns whether it makes no difference which of the two it is: a pen lifted from the lower
+    /// end of a lift (or a lowering) rests at its upper end, and can continue from there.
     pub(crate) fn is_the_same_as(&self, other: &Self, commands: &[Command]) -> bool {
         let [first, last] = order(self.located.next, other.located.next);
         let mut way = commands[first..last].iter().filter(|it| !is_setting(it));
@@ -76,19 +76,19 @@ impl fmt::Display for End {
     }
 }
 
-/// Follows commands from end to end.
+/// Walks through commands from end to end.
 pub(crate) struct Walk<'a> {
     commands: &'a [Command],
     lift_mm: Option<f64>,
     model: Model,
-    /// The next command to look at.
+    /// The next command.
     index: usize,
-    /// The last end at which the arm is told from the ends before it.
+    /// The last end that is distinguishable from the ends before it.
     last: End,
 }
 
 impl<'a> Walk<'a> {
-    /// Begins where command `completed` begins.
+    /// Starts where command `completed` starts.
     pub(crate) fn new(
         commands: &'a [Command],
         completed: usize,
@@ -111,13 +111,13 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The place at which the first command begins, and the same with the pen lifted.
+    /// Returns the position where the first command starts, also with the pen lifted.
     pub(crate) fn start(&self) -> impl Iterator<Item = End> + use<> {
         self.with_lifted(self.last)
     }
 
-    /// Where the next command ends, and the same with the pen lifted; `None` behind the last
-    /// command whose end can be told.
+    /// Returns where the next command ends, also with the pen lifted; `None` after the last command
+    /// whose end is known.
     pub(crate) fn step(&mut self) -> Option<impl Iterator<Item = End> + use<>> {
         let command = self.commands.get(self.index)?;
         let trajectory = self.model.trajectory(command).ok()?;
@@ -129,7 +129,7 @@ impl<'a> Walk<'a> {
             self.last.located.next = self.index;
             self.last.position = position;
         }
-        // Another tool is another place, even where nothing moves.
+        // A different tool means a different position, even without motion.
         let located = self.last.located;
         Some(self.with_lifted(End { located, position }))
     }
@@ -144,7 +144,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// A target is a place: to go there again is to stay there.
+/// A target is absolute: sending it again at the target has no effect.
 const fn is_target(command: &Command) -> bool {
     matches!(command, Command::MoveTo(_) | Command::MoveJoints(_))
 }
@@ -157,6 +157,6 @@ const fn order(a: usize, b: usize) -> [usize; 2] {
     if a < b { [a, b] } else { [b, a] }
 }
 
-/// Ends nearer to each other than this are not told apart, in millimetres. The status of an arm at
-/// rest repeats to a ten-thousandth; the rest is for what the model leaves out.
+/// Ends closer than this are not distinguishable, in millimetres. The status of an arm at rest
+/// repeats to a ten-thousandth; the margin is for what the model omits.
 pub const SPACING_MM: f64 = 0.02;

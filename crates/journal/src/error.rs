@@ -1,4 +1,4 @@
-//! Why the journal could not do what it was asked.
+//! Errors of the journal.
 
 use std::io;
 
@@ -7,27 +7,28 @@ use dobot_wire::ParseError;
 
 use crate::JobId;
 
-/// Why the journal could not do what it was asked. Jobs that it holds stay as they are.
+/// The error returned when the journal cannot do what was requested. Its jobs are unchanged.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum JournalError {
-    /// There is no room left. What was there before is intact, and the journal works again as soon
-    /// as there is room.
+    /// The storage is full. Earlier content is intact, and the journal works again as soon as there
+    /// is room.
     #[error("no room is left for the journal {file} ({source}); free some and try again")]
     Full {
         /// The file.
         file: String,
-        /// What the system says.
+        /// The operating system's error.
         source: io::Error,
     },
 
-    /// The storage failed. Whether the change is there, [`Journal::jobs`](crate::Journal::jobs)
-    /// tells once the storage works again; it is never half there.
+    /// The storage failed. Whether the change was made shows in
+    /// [`Journal::jobs`](crate::Journal::jobs) once the storage works again; it is never made in
+    /// part.
     #[error("the storage of the journal {file} failed: {source}")]
     Io {
         /// The file.
         file: String,
-        /// What the system says.
+        /// The operating system's error.
         source: io::Error,
     },
 
@@ -38,12 +39,12 @@ pub enum JournalError {
         file: String,
     },
 
-    /// The file is something else. Nothing in it was changed.
+    /// The file is not a journal. Nothing in it was changed.
     #[error("{file} is not a journal of jobs ({found}); move it away or use another file")]
     Foreign {
         /// The file.
         file: String,
-        /// What it is instead.
+        /// The kind of content found.
         found: String,
     },
 
@@ -55,13 +56,13 @@ pub enum JournalError {
     Newer {
         /// The file.
         file: String,
-        /// Its format.
+        /// The format.
         found: u64,
         /// The newest format that this version knows.
         known: u64,
     },
 
-    /// What it holds makes no sense.
+    /// The content is invalid.
     #[error(
         "the journal {file} is damaged ({found}); restore a copy, or move it away to begin with \
          an empty one"
@@ -69,7 +70,7 @@ pub enum JournalError {
     Damaged {
         /// The file.
         file: String,
-        /// What was found.
+        /// The problem found.
         found: String,
     },
 
@@ -77,42 +78,42 @@ pub enum JournalError {
     #[error("there is no job {0}; it may have been removed")]
     NoSuchJob(JobId),
 
-    /// A command is none that an arm with the job's dialect understands.
+    /// A command is not valid for an arm with the job's dialect.
     #[error("command {index} of the job cannot be sent: {source}")]
     NotSendable {
-        /// Which one, counted from 0.
+        /// The index of the command, from 0.
         index: usize,
-        /// Why.
+        /// The reason.
         source: ParseError,
     },
 
-    /// A command would not come out of the journal as it was put in.
+    /// A command would not be read back as it was written.
     #[error(
         "command {index} of the job reads differently once it is a packet; take numbers that a \
          packet holds exactly"
     )]
     NotExact {
-        /// Which one, counted from 0.
+        /// The index of the command, from 0.
         index: usize,
     },
 
-    /// The lift of a job is not a length above 0.
+    /// The lift of a job is not above 0.
     #[error("the lift of the job is {0} mm; a finite length above 0 is allowed")]
     Lift(f32),
 
-    /// A pause does not stand before a command behind that of the pause before.
+    /// A pause is not before a command after that of the previous pause.
     #[error(
         "pause {index} of the job stands before command {before}; {least} to {most} are allowed",
         most = commands.saturating_sub(1)
     )]
     Pause {
-        /// Which one, counted from 0.
+        /// The index of the pause, from 0.
         index: usize,
-        /// Where it stands.
+        /// The command it is placed before.
         before: usize,
-        /// Where it may stand at the earliest.
+        /// The earliest command allowed.
         least: usize,
-        /// How many commands the job has.
+        /// The number of commands of the job.
         commands: usize,
     },
 
@@ -120,16 +121,16 @@ pub enum JournalError {
     #[error("the program of the job makes no sense: {0}")]
     Program(String),
 
-    /// A number of the job is none that can be written.
+    /// A number of the job cannot be written.
     #[error("{name} of the job is {found}; a finite number is allowed")]
     Number {
-        /// Which number.
+        /// The name of the number.
         name: &'static str,
-        /// What was found.
+        /// The value found.
         found: f64,
     },
 
-    /// A window leaves the job, or goes back behind what is done.
+    /// A window is outside the job, or begins before what is done.
     #[error(
         "commands {completed}..{upto} cannot be given: job {job} has {commands} commands, of \
          which {done} are done"
@@ -137,26 +138,26 @@ pub enum JournalError {
     Window {
         /// The job.
         job: JobId,
-        /// Where the window begins.
+        /// The start of the window.
         completed: usize,
-        /// Where it ends.
+        /// The end of the window.
         upto: usize,
-        /// How many commands are known to be done.
+        /// The number of commands known to be done.
         done: usize,
-        /// How many commands the job has.
+        /// The number of commands of the job.
         commands: usize,
     },
 
-    /// The place at which a window begins holds what no status can hold.
+    /// The start position of a window contains values that no status can contain.
     #[error("the place where the window of job {job} begins makes no sense: {source}")]
     Start {
         /// The job.
         job: JobId,
-        /// Why.
+        /// The reason.
         source: ParseError,
     },
 
-    /// Commands of a job were to be given that does not run.
+    /// A window was extended for a job that is not running.
     #[error("job {job} is {state}; only a running one is given commands")]
     NotRunning {
         /// The job.
@@ -165,7 +166,7 @@ pub enum JournalError {
         state: JobState,
     },
 
-    /// Another job was asked for with the same key.
+    /// The idempotency key was already used for another job.
     #[error("job {job}, another one, was asked for with the key {key:?}; each request has its own")]
     KeyReused {
         /// The key.
@@ -174,7 +175,7 @@ pub enum JournalError {
         job: JobId,
     },
 
-    /// A job that has begun and is not over was to be removed.
+    /// A started job that is not over cannot be removed.
     #[error("job {job} is {state}; stop it before it is removed")]
     Unfinished {
         /// The job.

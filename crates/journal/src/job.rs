@@ -1,4 +1,4 @@
-//! A job: a drawing or a program, with what becomes of it.
+//! Jobs: drawings and programs with their state.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Adjustment, Window};
 
-/// The number of a job in its journal. It is never used again, not even after the job is removed.
+/// The number of a job in its journal. It is never used again, even after the job is removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct JobId(pub u64);
 
@@ -19,74 +19,75 @@ impl fmt::Display for JobId {
     }
 }
 
-/// A job to be put into the journal: planned, for the dialect of one arm.
+/// A planned job to be added to the journal, for the dialect of one arm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedJob {
-    /// What people call it.
+    /// The title.
     pub title: String,
-    /// What it is made from.
+    /// The kind of job.
     pub kind: JobKind,
-    /// How the arm reads its packets.
+    /// The dialect of the arm.
     pub dialect: Dialect,
-    /// The calibration of the arm for which its places are meant.
+    /// The calibration that its positions are meant for.
     pub calibration: Calibration,
-    /// How far the pen is lifted where the job is interrupted, above 0, in millimetres; `None`
-    /// where it is not lifted.
+    /// The height by which the pen is lifted when the job is interrupted, above 0, in millimetres;
+    /// `None` if it is not lifted.
     pub lift_mm: Option<f32>,
-    /// When it was made: milliseconds since 1970-01-01T00:00:00Z.
+    /// When it was created, in milliseconds since 1970-01-01T00:00:00Z.
     pub created_ms: i64,
-    /// How long it should take, in seconds, where that is known.
+    /// The planned duration in seconds, if known.
     pub planned_s: Option<f64>,
-    /// What the arm is to do, in order.
+    /// The commands, in order.
     pub commands: Vec<Command>,
-    /// Where it waits for a person, in order.
+    /// The pauses for a person, in order.
     pub pauses: Vec<JobPause>,
-    /// How it goes through its commands.
+    /// The steps and cycles.
     pub program: JobProgram,
-    /// What the sender calls the request for it, where that may be sent again: its answer may be lost on the way.
+    /// The idempotency key of its request, which may be repeated because its answer can be lost.
     pub key: Option<String>,
 }
 
 /// A job in the journal, without its commands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Job {
-    /// Its number.
+    /// The job number.
     pub id: JobId,
-    /// What people call it.
+    /// The title.
     pub title: String,
-    /// What it is made from.
+    /// The kind of job.
     pub kind: JobKind,
-    /// How the arm reads its packets.
+    /// The dialect of the arm.
     pub dialect: Dialect,
-    /// The calibration of the arm for which its places are meant.
+    /// The calibration that its positions are meant for.
     pub calibration: Calibration,
-    /// How far the pen is lifted where the job is interrupted, above 0, in millimetres; `None`
-    /// where it is not lifted.
+    /// The height by which the pen is lifted when the job is interrupted, above 0, in millimetres;
+    /// `None` if it is not lifted.
     pub lift_mm: Option<f32>,
-    /// When it was made: milliseconds since 1970-01-01T00:00:00Z.
+    /// When it was created, in milliseconds since 1970-01-01T00:00:00Z.
     pub created_ms: i64,
-    /// How long it should take, in seconds, where that is known.
+    /// The planned duration in seconds, if known.
     pub planned_s: Option<f64>,
-    /// How many commands it has.
+    /// The number of commands.
     pub commands: usize,
-    /// Where it waits for a person, in order.
+    /// The pauses for a person, in order.
     pub pauses: Vec<JobPause>,
-    /// How it goes through its commands.
+    /// The steps and cycles.
     pub program: JobProgram,
-    /// What a person has changed while it runs.
+    /// The adjustments by a person.
     pub adjustment: Adjustment,
-    /// What became of it.
+    /// The state.
     pub state: JobState,
-    /// What it has behind it, besides commands.
+    /// The history apart from commands.
     pub behind: Behind,
-    /// How far it has come.
+    /// The progress.
     pub window: Window,
-    /// What the sender calls the request for it, where that may be sent again.
+    /// The idempotency key of its request.
     pub key: Option<String>,
 }
 
 impl Job {
-    /// Whether a request for a job asked for this one: as far as can be told without the commands.
+    /// Returns whether a request for `asked` is the one that created this job, as far as visible
+    /// without its commands.
     #[must_use]
     pub fn is_as(&self, asked: &PlannedJob) -> bool {
         self.title == asked.title
@@ -95,13 +96,13 @@ impl Job {
     }
 }
 
-/// What a job has behind it, besides commands.
+/// The history of a job apart from commands.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Behind {
-    /// At how many of its [pause](JobPause)s it has waited, over all cycles.
+    /// The number of [pause](JobPause)s reached, over all cycles.
     pub pauses: usize,
-    /// How long it ran, without pauses, in seconds; `None` where a crash has left nobody who knows.
+    /// How long it ran, without pauses, in seconds; `None` if unknown after a crash.
     pub ran_s: Option<f64>,
 }
 

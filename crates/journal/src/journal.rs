@@ -16,13 +16,13 @@ use crate::store::{
 };
 use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
 
-/// Jobs that survive a crash and a power cut, in one file.
+/// A file of jobs that survives crashes and power cuts.
 ///
-/// What a method has acknowledged with `Ok` is on the disk, whole; what it has not is there as a
-/// whole or not at all. Each change waits for the disk: some milliseconds.
+/// A change acknowledged with `Ok` is completely on the disk; any other is there completely or not
+/// at all. Each change waits for the disk, which takes some milliseconds.
 ///
-/// After an error the next call opens the file anew, so the journal works again as soon as its
-/// storage does. Where the storage lets it read, jobs can still be read.
+/// After an error the next call reopens the file, so the journal works again as soon as its storage
+/// does. Jobs can still be read if the storage can.
 #[derive(Debug)]
 pub struct Journal {
     store: Mutex<Store>,
@@ -31,71 +31,71 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Opens the journal in a file, or makes it where there is none; its folder must exist.
+    /// Opens the journal in a file, or creates it; its folder must exist.
     ///
-    /// A journal that a crash has left behind is repaired. From now on it counts as not clean,
-    /// until [`Journal::note_clean_shutdown`].
+    /// A journal left by a crash is repaired. It then counts as not clean until
+    /// [`Journal::note_clean_shutdown`].
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where the file is something else, damaged, or open in another program;
-    /// nothing in it is changed then.
+    /// [`JournalError`] if the file is not a journal, is damaged, or is open in another program; it
+    /// is not changed.
     pub fn open(path: &Path) -> Result<Self, JournalError> {
         Self::with_store(Store::open(path)?)
     }
 
-    /// A journal that is forgotten with the program.
+    /// Creates a journal in memory.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where there is no memory for it.
+    /// [`JournalError`] if there is no memory for it.
     pub fn in_memory() -> Result<Self, JournalError> {
         Self::with_store(Store::in_memory()?)
     }
 
-    /// A journal on other storage than a file: what disks do wrong can be tried with it.
+    /// Creates a journal on other storage than a file, for example to simulate disk failures.
     ///
-    /// `storage` hands the storage out, and again after it has failed.
+    /// `storage` returns the storage, and again after a failure.
     ///
     /// # Errors
     ///
-    /// As [`Journal::open`].
+    /// Same as [`Journal::open`].
     pub fn with_backend<B: StorageBackend>(
         storage: impl Fn() -> B + Send + Sync + 'static,
     ) -> Result<Self, JournalError> {
         Self::with_store(Store::with_backend(storage)?)
     }
 
-    /// Whether the program that had it open before has called [`Journal::note_clean_shutdown`] as
-    /// its last word. A new journal is clean.
+    /// Returns whether the program that had it open before ended with
+    /// [`Journal::note_clean_shutdown`]. A new journal is clean.
     #[must_use]
     pub const fn was_clean(&self) -> bool {
         self.was_clean
     }
 
-    /// How many of its last writes are missing, because the newest part of the file was damaged and what was before it is
-    /// in force: the last queued jobs may be gone, or how far a job came. It is told until
-    /// [`Journal::note_clean_shutdown`].
+    /// Returns the number of last writes that are missing because the newest part of the file was
+    /// damaged and the previous one is used: the last queued jobs or the progress of a job may be
+    /// lost. The number is kept until [`Journal::note_clean_shutdown`].
     #[must_use]
     pub const fn missing_writes(&self) -> u64 {
         self.missing_writes
     }
 
-    /// Says that nothing is left to be put right: the arm rests, the laser is off.
+    /// Notes a clean end: the arm is at rest and the laser is off.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where the storage fails.
+    /// [`JournalError`] if the storage fails.
     pub fn note_clean_shutdown(&self) -> Result<(), JournalError> {
         self.store().write(|change| note_clean(change, true))
     }
 
-    /// Takes a job, which is queued. Where the journal has one that was asked for with the same key, it is that one.
+    /// Adds a queued job. If a job with the same key exists, returns that one.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where a command or the lift makes no sense, another job was asked for with the same key, or the storage
-    /// fails.
+    /// [`JournalError`] if a command or the lift is invalid, the key was used for a different job,
+    /// or the storage fails.
     pub fn submit(&self, job: &PlannedJob) -> Result<JobId, JournalError> {
         let rows = NewRows::of(job)?;
         let mut store = self.store();
@@ -110,16 +110,16 @@ impl Journal {
         Ok(JobId(id))
     }
 
-    /// All jobs: the oldest first, unless they were [arranged](Journal::arrange) otherwise.
+    /// Returns all jobs: oldest first, unless they were [arranged](Journal::arrange) otherwise.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where the storage fails or a row makes no sense.
+    /// [`JournalError`] if the storage fails or a row is invalid.
     pub fn jobs(&self) -> Result<Vec<Job>, JournalError> {
         self.store().jobs()
     }
 
-    /// One job.
+    /// Returns a job.
     ///
     /// # Errors
     ///
@@ -128,7 +128,7 @@ impl Journal {
         self.store().job(id)
     }
 
-    /// What a job is to do.
+    /// Returns the commands of a job.
     ///
     /// # Errors
     ///
@@ -147,7 +147,7 @@ impl Journal {
         commands.map_err(|found| store.damaged(found))
     }
 
-    /// How far a job has come.
+    /// Returns the progress of a job.
     ///
     /// # Errors
     ///
@@ -156,13 +156,13 @@ impl Journal {
         self.job(id).map(|job| job.window)
     }
 
-    /// Allows commands to be given to the arm: **only after this returned `Ok` may a command
+    /// Permits commands to be given to the arm: **only after this returned `Ok` may a command
     /// before `window.upto` be sent.** The job must be [`JobState::Running`].
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where the job does not run, the window leaves it or goes back behind what
-    /// is done, or the storage fails. Nothing may be sent then that was not given before.
+    /// [`JournalError`] if the job is not running, the window is outside it or begins before what
+    /// is done, or the storage fails. Then no further commands may be sent.
     pub fn extend_window(&self, id: JobId, window: &Window) -> Result<(), JournalError> {
         let start = rows::start_bytes(id, window.start.as_ref())?;
         let mut store = self.store();
@@ -178,17 +178,17 @@ impl Journal {
         })
     }
 
-    /// Says what became of a job.
+    /// Sets the state of a job.
     ///
     /// # Errors
     ///
-    /// [`JournalError::NoSuchJob`], [`JournalError::NotRunning`] where one that is over was to run, or the storage
-    /// fails.
+    /// [`JournalError::NoSuchJob`], [`JournalError::NotRunning`] if a job that is over was to run,
+    /// or the storage fails.
     pub fn set_state(&self, id: JobId, state: &JobState) -> Result<(), JournalError> {
         self.change(id, |row| row.go_on(id, state))
     }
 
-    /// The same, together with what the job has behind it.
+    /// Sets the state of a job together with its history.
     ///
     /// # Errors
     ///
@@ -207,8 +207,8 @@ impl Journal {
         })
     }
 
-    /// Keeps what a person has changed on a job. **Only after this returned `Ok` may a command be
-    /// sent that is changed by it**: where the arm rests after a crash depends on it.
+    /// Stores the adjustment of a job. **Only after this returned `Ok` may a command changed by it
+    /// be sent**: where the arm rests after a crash depends on it.
     ///
     /// # Errors
     ///
@@ -241,8 +241,8 @@ impl Journal {
         })
     }
 
-    /// Puts jobs in another order among each other: the first one gets the first of the places in the list that
-    /// they have now, and so on. All others stay where they are.
+    /// Reorders jobs among each other: the first one gets the first of their current places in the
+    /// list, and so on. All others keep their places.
     ///
     /// # Errors
     ///
@@ -264,7 +264,7 @@ impl Journal {
         })
     }
 
-    /// Forgets a job that is over, or that has not begun.
+    /// Removes a job that is over or has not started.
     ///
     /// # Errors
     ///
@@ -278,12 +278,12 @@ impl Journal {
         store.write(|change| forget(change, &[id]))
     }
 
-    /// Forgets the oldest jobs that are over until `most` of them are left, and tells how many it
-    /// forgot. Jobs that are not over stay.
+    /// Removes the oldest finished jobs until `most` of them are left, and returns the number
+    /// removed. Unfinished jobs stay.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where the storage fails.
+    /// [`JournalError`] if the storage fails.
     pub fn keep_last(&self, most: usize) -> Result<usize, JournalError> {
         let mut store = self.store();
         let jobs = store.jobs()?;
@@ -308,7 +308,7 @@ impl Journal {
         }
         let missing = store.read(|look| fact(look, MISSING_FACT))? + store.missing_writes()?;
         store.write(|change| {
-            // Jobs of the formats before are read as they are; what is written is of this one.
+            // Jobs of earlier formats are read as they are; new ones are written in this format.
             let mut facts = change.open_table(FACTS)?;
             facts.insert(FORMAT_FACT, FORMAT)?;
             facts.insert(MISSING_FACT, missing)?;
@@ -326,7 +326,7 @@ impl Journal {
         })
     }
 
-    /// A panic in the middle leaves nothing half: what is not committed is not there.
+    /// A panic cannot leave a partial change: what is not committed does not exist.
     pub(crate) fn store(&self) -> MutexGuard<'_, Store> {
         self.store.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -369,7 +369,7 @@ impl Store {
     }
 }
 
-/// What is known of jobs, but for their commands.
+/// The tables of jobs, without their commands.
 struct JobTables {
     rows: ReadOnlyTable<u64, &'static [u8]>,
     steps: ReadOnlyTable<u64, &'static [u8]>,
@@ -387,7 +387,7 @@ impl JobTables {
         })
     }
 
-    /// All jobs by their places in the list.
+    /// Returns all jobs in list order.
     fn in_order(&self) -> Result<Vec<JobId>, redb::Error> {
         let placed = self.rows.iter()?.map(|entry| {
             let job = entry?.0.value();
@@ -398,7 +398,7 @@ impl JobTables {
         Ok(placed.into_iter().map(|(_, job)| JobId(job)).collect())
     }
 
-    /// A job, or what of it makes no sense.
+    /// Returns a job, or what is invalid about it.
     fn job(&self, id: JobId) -> Result<Option<Result<Job, String>>, redb::Error> {
         let Some(row) = self.rows.get(id.0)? else {
             return Ok(None);
@@ -435,7 +435,7 @@ fn check_window(id: JobId, row: &JobRow, done: usize, window: &Window) -> Result
     })
 }
 
-/// JSON has no words for other numbers.
+/// JSON cannot represent other numbers.
 pub(crate) fn finite(
     name: &'static str,
     numbers: impl IntoIterator<Item = f64>,
@@ -446,7 +446,7 @@ pub(crate) fn finite(
     }
 }
 
-/// The place of a job in the list; that of one that was never moved is its number.
+/// Returns the place of a job in the list; for a job that was never moved, its number.
 fn place(table: &impl ReadableTable<u64, u64>, job: u64) -> Result<u64, redb::Error> {
     Ok(table.get(job)?.map_or(job, |place| place.value()))
 }
@@ -479,7 +479,7 @@ fn forget(change: &WriteTransaction, jobs: &[JobId]) -> Result<(), redb::Error> 
     Ok(())
 }
 
-/// The job that was asked for with the same key.
+/// Returns the job that was requested with the same key.
 fn asked_before(jobs: &[Job], asked: &PlannedJob) -> Result<Option<JobId>, JournalError> {
     let Some(key) = &asked.key else {
         return Ok(None);

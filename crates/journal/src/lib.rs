@@ -1,11 +1,11 @@
-//! The journal of jobs: what has to survive a crash and a power cut.
+//! The journal of jobs, which survives crashes and power cuts.
 //!
-//! A job is a drawing or a program: commands for the arm, with what becomes of them. The protocol
-//! has no acknowledgement, so the journal writes down what *may* have been done before it is done:
-//! no command may be sent before [`Journal::extend_window`] has put it into the job's [`Window`] for good.
-//! After a crash the commands of the window are the doubtful ones, and [`locate`] tells by where the
-//! arm rests which of them were done. That it can is cared for by [`window_end`]: no two commands of
-//! a window end at one place.
+//! A job is a drawing or a program: commands for the arm, and their outcome. The protocol has no
+//! acknowledgement, so the journal records what *may* have been done before it is done: no command
+//! may be sent before [`Journal::extend_window`] has put it into the job's [`Window`] on the disk.
+//! After a crash the commands of the window are in doubt, and [`locate`] finds out by where the arm
+//! rests which of them were done. [`window_end`] makes that possible: no two commands of a window
+//! end at the same position.
 //!
 //! ```
 //! use dobot_api::{JobKind, JobProgram, JobState};

@@ -1,4 +1,4 @@
-//! A job on its way into the journal.
+//! New jobs as rows.
 
 use redb::{ReadableTable, WriteTransaction};
 
@@ -15,7 +15,7 @@ pub(crate) struct NewRows {
 }
 
 impl NewRows {
-    /// The rows of a new job, which is queued.
+    /// Returns the rows of a new queued job.
     pub(crate) fn of(job: &PlannedJob) -> Result<Self, JournalError> {
         finite("the planned time", job.planned_s)?;
         Ok(Self {
@@ -25,7 +25,7 @@ impl NewRows {
         })
     }
 
-    /// Puts them into the journal; gives the job's number.
+    /// Inserts them into the journal; returns the job's number.
     pub(crate) fn insert(&self, change: &WriteTransaction) -> Result<u64, redb::Error> {
         let mut facts = change.open_table(FACTS)?;
         let id = facts.get(NEXT_JOB_FACT)?.map_or(0, |id| id.value());

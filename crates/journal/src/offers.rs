@@ -1,8 +1,8 @@
-//! Jobs that another station offers: what was answered holds for good.
+//! Job offers of other stations: answers are final.
 //!
-//! An offer has a key of its own. Once the journal has an answer under a key, everyone who asks again gets the same
-//! one, whatever was lost or killed in between. So a job that was refused here can be offered elsewhere, even where a
-//! request for it is still on its way.
+//! Each offer has a key. Once the journal has an answer for a key, every repeated request gets the
+//! same one, whatever was lost or killed in between. So a job refused here can be offered
+//! elsewhere, even if a request for it is still in transit.
 
 use dobot_api::JobState;
 use redb::{ReadableTable, WriteTransaction};
@@ -13,38 +13,40 @@ use crate::rows::JobRow;
 use crate::store::{JOBS, OFFERS, REFUSALS, REFUSED_FACT, Store};
 use crate::{JobId, Journal, JournalError, PlannedJob};
 
-/// What was answered to an offer.
+/// The answer to an offer.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Offered {
-    /// It was taken.
+    /// It was accepted.
     Taken {
         /// The job's number.
         job: u64,
-        /// What had become of it when the job itself was forgotten; `None` while the journal has it.
+        /// Its final state when the job itself was removed; `None` while the journal has the job.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         left: Option<JobState>,
     },
-    /// It was refused: no job comes of it any more.
+    /// It was refused: no job will result from it.
     Refused {
-        /// Why.
+        /// The reason.
         reason: String,
-        /// Whether it may be taken later, when it is offered anew: it was other work, say, that stood in the way.
+        /// Whether it may be accepted later, when offered again: for example, other work was in the
+        /// way.
         busy: bool,
     },
 }
 
-/// So many refusals are kept, the latest ones. Who has got one does not ask again; they are kept for requests that are
-/// still on their way then, and those arrive within minutes.
+/// The number of latest refusals kept. A station that has got one does not ask again; they are kept
+/// for requests still in transit, which arrive within minutes.
 const REFUSALS_KEPT: u64 = 10_000;
 
 impl Journal {
-    /// Takes a job that is offered under a key, which is queued then; refuses it where any other job is not over. What
-    /// was answered before is answered again.
+    /// Accepts and queues a job offered with a key; refuses it if any other job is unfinished. A
+    /// repeated offer gets its earlier answer.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where a command or the lift makes no sense, or the storage fails; nothing is answered then.
+    /// [`JournalError`] if a command or the lift is invalid, or the storage fails; then there is no
+    /// answer.
     pub fn take(&self, key: &str, job: &PlannedJob) -> Result<Offered, JournalError> {
         let rows = NewRows::of(job)?;
         let mut store = self.store();
@@ -72,11 +74,11 @@ impl Journal {
         })
     }
 
-    /// Refuses what is offered under a key, whenever it comes; what was answered before is answered again.
+    /// Refuses the offer with a key, whenever it comes; a repeated offer gets its earlier answer.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where the storage fails; nothing is answered then.
+    /// [`JournalError`] if the storage fails; then there is no answer.
     pub fn refuse(&self, key: &str, reason: &str, busy: bool) -> Result<Offered, JournalError> {
         let mut store = self.store();
         match store.offered(key)? {
@@ -85,11 +87,12 @@ impl Journal {
         }
     }
 
-    /// Takes an offer back: it is refused whenever it comes, and a job that has come of it ends if it has not begun.
+    /// Withdraws an offer: it is refused whenever it comes, and a job that resulted from it ends if
+    /// it has not started.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where the storage fails.
+    /// [`JournalError`] if the storage fails.
     pub fn withdraw(&self, key: &str, reason: &str) -> Result<Offered, JournalError> {
         let answered = self.refuse(key, reason, false)?;
         if let Offered::Taken { job, left: None } = answered {
@@ -104,11 +107,11 @@ impl Journal {
         Ok(answered)
     }
 
-    /// What was answered to an offer, if anything was.
+    /// Returns the answer to an offer, if any.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where the storage fails.
+    /// [`JournalError`] if the storage fails.
     pub fn offered(&self, key: &str) -> Result<Option<Offered>, JournalError> {
         self.store().offered(key)
     }
@@ -145,13 +148,13 @@ impl Store {
     }
 }
 
-/// Keeps what has become of a job that is forgotten, for the station that offered it.
+/// Keeps the final state of a removed job for the station that offered it.
 pub(crate) fn keep_outcome(change: &WriteTransaction, job: JobId) -> Result<(), redb::Error> {
     let row = change
         .open_table(JOBS)?
         .get(job.0)?
         .map(|it| it.value().to_vec());
-    // A row that makes no sense tells nothing of what became of it.
+    // An invalid row does not show the outcome.
     let Some(row) = row.and_then(|it| JobRow::from_bytes(&it).ok()) else {
         return Ok(());
     };

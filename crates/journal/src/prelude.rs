@@ -1,4 +1,4 @@
-//! What an arm has to be told again that may have been reset.
+//! Settings to send again after a possible reset of the arm.
 
 use std::mem::{Discriminant, discriminant};
 
@@ -7,10 +7,10 @@ use dobot_wire::{Command, Configuration, Dialect};
 
 use crate::Window;
 
-/// The last settings of each kind among commands, in their order: to be sent again where the arm may have forgotten
-/// them.
+/// Returns the last setting of each kind among commands, in order: to be sent again if the arm may
+/// have lost them.
 ///
-/// The initial angles are none of them: they say where the arm was then, not where it is.
+/// Initial angles are not included: they state where the arm was then, not where it is.
 #[must_use]
 pub fn prelude<'a>(commands: impl IntoIterator<Item = &'a Command>) -> Vec<Command> {
     let mut kept: Vec<(Kind, Command)> = Vec::new();
@@ -23,8 +23,8 @@ pub fn prelude<'a>(commands: impl IntoIterator<Item = &'a Command>) -> Vec<Comma
     kept.into_iter().map(|(_, command)| command).collect()
 }
 
-/// The model of the arm as command `window.completed` finds it, where `before` are the commands before it; `None` where
-/// the window does not know its start.
+/// Returns the model of the arm before command `window.completed`, where `before` are the commands
+/// before it; `None` if the window's start is unknown.
 #[must_use]
 pub fn model_at<'a>(
     dialect: Dialect,
@@ -39,12 +39,12 @@ pub fn model_at<'a>(
     )
 }
 
-/// Whether a command only sets something that stays set and may be set again.
+/// Returns whether a command only sets something that persists and may be set again.
 pub(crate) fn is_setting(command: &Command) -> bool {
     kind(command).is_some()
 }
 
-/// What overwrites what.
+/// The kind of a setting: a later one of the same kind overwrites it.
 #[derive(Clone, Copy, PartialEq)]
 struct Kind(Discriminant<Command>, Option<Discriminant<Configuration>>);
 

@@ -1,4 +1,4 @@
-//! Which command was the last one done, told by where the arm rests.
+//! Recovery: finds the last completed command by where the arm rests.
 
 use dobot_arm::Position;
 use dobot_motion::Model;
@@ -7,19 +7,19 @@ use dobot_wire::Command;
 use crate::Window;
 use crate::ends::{End, Located, SPACING_MM, Walk};
 
-/// Tells how far an arm has come that rests at `rest`, once all that it had been given is over.
+/// Returns the progress of an arm that rests at `rest`, once everything it was given is over.
 ///
-/// `model` is the arm as command `window.completed` finds it ([`model_at`](crate::model_at)), and
-/// `lift_mm` how far the pen may have been lifted behind the last command. The arm may rest where
-/// the window begins, or where one of its commands ends; the nearest of these places counts if it is
-/// within [`NEAR_MM`] and three times nearer than the next one.
+/// `model` is the arm before command `window.completed` ([`model_at`](crate::model_at)), and
+/// `lift_mm` the height by which the pen may have been lifted after the last command. The arm may
+/// rest at the start of the window or at the end of one of its commands; the nearest of these
+/// positions counts if it is within [`NEAR_MM`] and three times closer than the next one.
 ///
-/// Commands without a motion leave no trace and are to be sent again; that changes nothing.
+/// Commands without motion leave no trace and are sent again, which has no effect.
 ///
 /// # Errors
 ///
-/// [`Unclear`] where no place is near enough, or two are. A window that [`window_end`] made is
-/// clear wherever it has more than one command.
+/// [`Unclear`] if no position is close enough, or two are. A window made by [`window_end`] is clear
+/// if it has more than one command.
 pub fn locate(
     commands: &[Command],
     window: &Window,
@@ -40,12 +40,12 @@ pub fn locate(
     judge(rest, nearest, others.copied().min_by(by_distance(rest)))
 }
 
-/// How far a window may reach that begins at `completed`, and holds `most` commands at most: up to
-/// the command before the first one that ends where another one may have ended too, or whose end
-/// cannot be told. One command is always allowed.
+/// Returns the end of a window that begins at `completed` and has at most `most` commands: the
+/// command before the first one whose end is unknown or coincides with another end. One command is
+/// always allowed.
 ///
-/// `model` is the arm as command `completed` finds it. What was given before stays given, even where
-/// this reaches less far.
+/// `model` is the arm before command `completed`. Commands given earlier stay given, even if this
+/// window is shorter.
 ///
 /// ```text
 ///    .--- 3 ---.
@@ -78,11 +78,11 @@ pub fn window_end(
     upto.max((completed + 1).min(last))
 }
 
-/// Why nobody can tell how far an arm has come.
+/// Why the progress of an arm cannot be determined.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unclear {
-    /// It rests where no command ends.
+    /// The arm rests where no command ends.
     #[error(
         "the arm rests {distance_mm:.3} mm from the nearest place where it may have stopped, \
          {nearest}; up to {NEAR_MM} mm is near enough: bring it there, or say how far it came"
@@ -90,11 +90,11 @@ pub enum Unclear {
     Nowhere {
         /// The nearest place.
         nearest: End,
-        /// How far away it is.
+        /// The distance to it.
         distance_mm: f64,
     },
 
-    /// It rests where two of them may have ended.
+    /// The arm rests where either of two commands may have ended.
     #[error(
         "the arm rests {nearest_mm:.3} mm from {nearest} and {second_mm:.3} mm from {second}, too \
          near to both to tell which: say which it is"
@@ -102,18 +102,18 @@ pub enum Unclear {
     Between {
         /// The nearest place.
         nearest: End,
-        /// How far away it is.
+        /// The distance to it.
         nearest_mm: f64,
         /// The next one.
         second: End,
-        /// How far away it is.
+        /// The distance to it.
         second_mm: f64,
     },
 }
 
 fn judge(rest: Position, nearest: End, second: Option<End>) -> Result<Located, Unclear> {
     let nearest_mm = nearest.distance_mm(rest);
-    // A place that is no number is near to nothing.
+    // A position that is not a number is close to nothing.
     if nearest_mm.is_nan() || nearest_mm > NEAR_MM {
         return Err(Unclear::Nowhere {
             nearest,
@@ -141,7 +141,7 @@ fn nearest<'a>(ends: impl Iterator<Item = &'a End>, rest: Position) -> End {
         .expect("a walk has a start at least")
 }
 
-/// Of two readings between which there is no difference, the one that lowers no pen.
+/// Of two equivalent ends, returns the one that lowers no pen.
 fn plainest(ends: &[End], nearest: End, commands: &[Command]) -> End {
     let same = ends
         .iter()
@@ -154,7 +154,7 @@ fn by_distance(rest: Position) -> impl Fn(&End, &End) -> std::cmp::Ordering {
     move |a, b| a.distance_mm(rest).total_cmp(&b.distance_mm(rest))
 }
 
-/// How near a place must be to the one at which the arm rests, in millimetres.
+/// The largest distance between a position and the one where the arm rests, in millimetres.
 pub const NEAR_MM: f64 = 0.5;
-/// How many times farther away the second nearest place must be.
+/// How many times farther away the second nearest position must be.
 const CLEARLY: f64 = 3.0;

@@ -1,4 +1,4 @@
-//! Jobs as rows of tables: what is written, and what is refused because it would not come back.
+//! Jobs as table rows, and checks that they can be read back.
 
 use dobot_api::{JobKind, JobPause, JobProgram, JobRepeat, JobState};
 use dobot_arm::Calibration;
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
 
-/// What the table of jobs holds, as JSON.
+/// A row of the table of jobs, as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct JobRow {
@@ -18,7 +18,7 @@ pub(crate) struct JobRow {
     created_ms: i64,
     commands: usize,
     pub(crate) state: JobState,
-    // Jobs of format 1 have none of these.
+    // Missing in format 1.
     #[serde(default)]
     planned_s: Option<f64>,
     #[serde(default)]
@@ -27,18 +27,18 @@ pub(crate) struct JobRow {
     pub(crate) adjustment: Adjustment,
     #[serde(default = "unknown")]
     pub(crate) behind: Behind,
-    // Nor those of format 2 this; its steps stand in a table of their own.
+    // Missing in format 2; the steps are in a table of their own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     repeat: Option<JobRepeat>,
-    // Nor those of format 3 this.
+    // Missing in format 3.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     calibration: Option<[f64; 10]>,
-    // Nor those of format 4 this.
+    // Missing in format 4.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) key: Option<String>,
 }
 
-/// A job that began before anybody counted.
+/// The history of a job that started before it was recorded.
 const fn unknown() -> Behind {
     Behind {
         pauses: 0,
@@ -47,7 +47,7 @@ const fn unknown() -> Behind {
 }
 
 impl JobRow {
-    /// The row of a new job, which is queued.
+    /// Builds the row of a new queued job.
     pub(crate) fn new(job: &PlannedJob) -> Result<Self, JournalError> {
         if let Some(lift_mm) = job
             .lift_mm
@@ -86,7 +86,8 @@ impl JobRow {
         serde_json::from_slice(bytes).map_err(|error| format!("a row of a job: {error}"))
     }
 
-    /// Puts it into another state. One that is over never runs again: whoever ended it may have told so already.
+    /// Changes the state. A job that is over never runs again: its end may have been reported
+    /// already.
     pub(crate) fn go_on(&mut self, job: JobId, state: &JobState) -> Result<(), JournalError> {
         if self.state.is_over() && *state == JobState::Running {
             let state = self.state.clone();
@@ -102,7 +103,7 @@ impl JobRow {
             .map_err(|error| format!("the dialect {:?}: {error}", self.dialect))
     }
 
-    /// How many commands are done in all.
+    /// Returns the total number of commands over all cycles.
     pub(crate) fn total(&self) -> usize {
         let total = self.program(Vec::new()).total(self.commands);
         total.unwrap_or(usize::MAX)
@@ -139,7 +140,7 @@ impl JobRow {
     }
 }
 
-/// Pauses stand in the order of their commands, and each at a command of its own.
+/// Checks that pauses are in the order of their commands, each at a different command.
 fn check_pauses(job: &PlannedJob) -> Result<(), JournalError> {
     let mut least = 0;
     for (index, pause) in job.pauses.iter().enumerate() {
@@ -156,7 +157,7 @@ fn check_pauses(job: &PlannedJob) -> Result<(), JournalError> {
     Ok(())
 }
 
-/// The packets of a job, one after the other: what the arm will get, bit by bit.
+/// Returns the packets of a job in sequence: what the arm will get, bit by bit.
 pub(crate) fn packets(job: &PlannedJob) -> Result<Vec<u8>, JournalError> {
     let mut bytes = Vec::with_capacity(job.commands.len() * PACKET_LEN);
     for (index, command) in job.commands.iter().enumerate() {
@@ -171,7 +172,7 @@ pub(crate) fn packets(job: &PlannedJob) -> Result<Vec<u8>, JournalError> {
     Ok(bytes)
 }
 
-/// The commands that [`packets`] wrote.
+/// Reads the commands written by [`packets`].
 pub(crate) fn commands(bytes: &[u8], row: &JobRow) -> Result<Vec<Command>, String> {
     let dialect = row.dialect()?;
     let (packets, rest) = bytes.as_chunks::<PACKET_LEN>();
@@ -189,13 +190,13 @@ pub(crate) fn commands(bytes: &[u8], row: &JobRow) -> Result<Vec<Command>, Strin
     packets.iter().enumerate().map(command).collect()
 }
 
-/// The first commands of a job's steps as bytes.
+/// Encodes the first commands of a job's steps.
 pub(crate) fn steps_bytes(program: &JobProgram) -> Vec<u8> {
     let bytes = |step: &usize| (*step as u64).to_le_bytes();
     program.steps.iter().flat_map(bytes).collect()
 }
 
-/// The steps that [`steps_bytes`] wrote.
+/// Decodes the steps written by [`steps_bytes`].
 pub(crate) fn steps(bytes: &[u8]) -> Result<Vec<usize>, String> {
     let (steps, rest) = bytes.as_chunks();
     if !rest.is_empty() {
@@ -205,7 +206,7 @@ pub(crate) fn steps(bytes: &[u8]) -> Result<Vec<usize>, String> {
     steps.iter().map(step).collect()
 }
 
-/// The place at which a window begins as bytes; empty where there is none.
+/// Encodes the start position of a window; empty if there is none.
 pub(crate) fn start_bytes(job: JobId, start: Option<&Status>) -> Result<Vec<u8>, JournalError> {
     let Some(status) = start else {
         return Ok(Vec::new());
@@ -215,7 +216,7 @@ pub(crate) fn start_bytes(job: JobId, start: Option<&Status>) -> Result<Vec<u8>,
     Ok(frame.to_bytes().to_vec())
 }
 
-/// The window that a row holds: where it begins, where it ends, and the packet of a status.
+/// Decodes the window of a row: start, end, and the packet of a status.
 pub(crate) fn window((completed, upto, start): (u64, u64, &[u8])) -> Result<Window, String> {
     Ok(Window {
         completed: index(completed)?,

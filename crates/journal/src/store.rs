@@ -1,4 +1,4 @@
-//! The file below the journal: opened, made, locked, and opened again after a failure.
+//! The file of the journal: creating, opening, locking, and reopening after a failure.
 
 use std::fmt;
 use std::fs::{self, File, OpenOptions};
@@ -14,18 +14,18 @@ use redb::{
 use crate::JournalError;
 use crate::write_count::WriteCount;
 
-/// A database that opens itself again after a failure, and knows its name for errors.
+/// A database that reopens itself after a failure and knows its name for errors.
 pub(crate) struct Store {
     /// `None` while the storage fails.
     database: Option<Database>,
     open_again: Box<dyn Fn() -> Result<Database, DatabaseError> + Send + Sync>,
     file: String,
-    /// How many writes it has had, noted where damage to it does not reach.
+    /// The number of writes, kept in a separate file that damage to the database does not reach.
     count: Option<WriteCount>,
 }
 
 impl Store {
-    /// Opens the file, or makes it where there is none. What lies there is never overwritten.
+    /// Opens the file, or creates it. An existing file is never overwritten.
     pub(crate) fn open(path: &Path) -> Result<Self, JournalError> {
         let file = path.display().to_string();
         if fs::metadata(path).is_ok_and(|it| it.len() == 0) {
@@ -37,7 +37,7 @@ impl Store {
             Err(DatabaseError::Storage(StorageError::Io(error)))
                 if error.kind() == ErrorKind::NotFound =>
             {
-                // The journal of before was moved away; this one has had no writes.
+                // The previous journal was moved away; this one has no writes.
                 count.note(0);
                 create(path)
             }
@@ -52,7 +52,7 @@ impl Store {
         })
     }
 
-    /// Opens storage that is not a file; `storage` hands it out, again after a failure.
+    /// Opens storage that is not a file; `storage` returns it, again after a failure.
     pub(crate) fn with_backend<B: StorageBackend>(
         storage: impl Fn() -> B + Send + Sync + 'static,
     ) -> Result<Self, JournalError> {
@@ -68,12 +68,12 @@ impl Store {
         })
     }
 
-    /// Opens memory that nobody else knows.
+    /// Opens a private database in memory.
     pub(crate) fn in_memory() -> Result<Self, JournalError> {
         Self::with_backend(InMemoryBackend::new)
     }
 
-    /// Looks something up.
+    /// Reads.
     pub(crate) fn read<T>(
         &mut self,
         look_up: impl FnOnce(&ReadTransaction) -> Result<T, redb::Error>,
@@ -83,7 +83,7 @@ impl Store {
         found.map_err(|error| self.recover(error))
     }
 
-    /// Changes something: all of it, for good, or nothing.
+    /// Applies a change durably and completely, or not at all.
     pub(crate) fn write(
         &mut self,
         change: impl FnOnce(&WriteTransaction) -> Result<(), redb::Error>,
@@ -101,21 +101,21 @@ impl Store {
         Ok(())
     }
 
-    /// How many writes are missing of those that were noted beside the file: its newest part is damaged, and what was
-    /// before is in force.
+    /// Returns how many of the writes noted beside the file are missing: its newest part is
+    /// damaged, and the previous one is used.
     pub(crate) fn missing_writes(&mut self) -> Result<u64, JournalError> {
         let noted = self.count.as_ref().map_or(0, WriteCount::read);
         let found = self.read(|look| fact(look, WRITES_FACT))?;
         Ok(noted.saturating_sub(found))
     }
 
-    /// What to say where the content makes no sense.
+    /// Returns the error for invalid content.
     pub(crate) fn damaged(&self, found: String) -> JournalError {
         let file = self.file.clone();
         JournalError::Damaged { file, found }
     }
 
-    /// Which file it is, for errors.
+    /// Returns the file name for errors.
     pub(crate) fn file(&self) -> String {
         self.file.clone()
     }
@@ -128,7 +128,7 @@ impl Store {
         Ok(self.database.insert(database))
     }
 
-    /// After a failure nothing in memory is trusted: the file tells what was committed.
+    /// After a failure nothing in memory is trusted: the file has what was committed.
     fn recover(&mut self, error: redb::Error) -> JournalError {
         self.database = None;
         self.database = (self.open_again)().ok();
@@ -144,7 +144,7 @@ impl fmt::Debug for Store {
     }
 }
 
-/// Every page is checked when it is opened: a journal is small, and damage is to be told.
+/// Every page is checked on opening: a journal is small, and damage must be reported.
 fn builder() -> Builder {
     let mut builder = Builder::new();
     builder
@@ -153,18 +153,19 @@ fn builder() -> Builder {
     builder
 }
 
-/// Makes the file under another name and renames it, so that it is there as a whole or not at all.
+/// Creates the file under another name and renames it, so that it is there completely or not at
+/// all.
 fn create(path: &Path) -> Result<Database, DatabaseError> {
     let draft = draft(path);
     let database = match open_draft(&draft) {
-        // Nothing in a draft was ever promised to anybody.
+        // Nothing in a draft has been acknowledged.
         Err(DatabaseError::Storage(_)) => {
             fs::remove_file(&draft)?;
             open_draft(&draft)?
         }
         other => other?,
     };
-    // The draft is locked now: whoever was faster has finished.
+    // The draft is locked now: a faster process has finished.
     if path.try_exists()? {
         drop(database);
         let _ = fs::remove_file(&draft); // The other one may have renamed it.
@@ -190,7 +191,7 @@ fn open_draft(draft: &Path) -> Result<Database, DatabaseError> {
     builder().create_with_backend(FileBackend::new(file)?)
 }
 
-/// To write a file that is made for its owner alone; what is in it stays.
+/// Returns the options to write a file created for its owner alone; its content stays.
 pub(crate) fn private() -> OpenOptions {
     let mut options = File::options();
     options.write(true).create(true).truncate(false);
@@ -211,7 +212,7 @@ fn sync_folder(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Writes what makes a database a journal, unless it is there.
+/// Writes what makes a database a journal, unless present.
 fn initialise(database: &Database) -> Result<(), redb::Error> {
     match database.begin_read()?.open_table(FACTS) {
         Err(TableError::TableDoesNotExist(_)) => {}
@@ -243,7 +244,7 @@ fn commit(
     Ok(())
 }
 
-/// Counts a write; gives its number.
+/// Counts a write; returns its number.
 fn number_write(change: &WriteTransaction) -> Result<u64, redb::Error> {
     let mut facts = change.open_table(FACTS)?;
     let number = facts.get(WRITES_FACT)?.map_or(0, |it| it.value()) + 1;
@@ -251,13 +252,13 @@ fn number_write(change: &WriteTransaction) -> Result<u64, redb::Error> {
     Ok(number)
 }
 
-/// A fact that is missing is 0, which no format, job or clean journal is.
+/// A missing fact is 0, which no format, job or clean journal is.
 pub(crate) fn fact(look: &ReadTransaction, name: &str) -> Result<u64, redb::Error> {
     let value = look.open_table(FACTS)?.get(name)?;
     Ok(value.map_or(0, |value| value.value()))
 }
 
-/// Puts the words of the database into those of the journal.
+/// Converts an error of the database.
 fn failed(file: &str, error: redb::Error) -> JournalError {
     let file = file.to_owned();
     match error {
@@ -298,13 +299,13 @@ fn is_full(error: &io::Error) -> bool {
 
 /// The format that this version writes.
 pub(crate) const FORMAT: u64 = 5;
-/// Which format the tables have.
+/// The format of the tables.
 pub(crate) const FORMAT_FACT: &str = "format";
-/// Whether the program said good-bye.
+/// Whether the program ended cleanly.
 pub(crate) const CLEAN_FACT: &str = "clean";
-/// How many writes it has had.
+/// The number of writes.
 const WRITES_FACT: &str = "writes";
-/// How many writes were missing when it was opened, since the program last said good-bye.
+/// The number of writes missing on opening, since the last clean end.
 pub(crate) const MISSING_FACT: &str = "missing writes";
 /// The number of the next job.
 pub(crate) const NEXT_JOB_FACT: &str = "next job";
@@ -317,15 +318,15 @@ pub(crate) const COMMANDS: TableDefinition<'_, u64, &[u8]> = TableDefinition::ne
 /// The first commands of the steps of jobs that have steps, apart from the rows that are read with each window: a program
 /// may have a million of them.
 pub(crate) const STEPS: TableDefinition<'_, u64, &[u8]> = TableDefinition::new("steps");
-/// How far jobs have come: completed, upto, and the packet of the status at `completed`.
+/// The progress of jobs: completed, upto, and the packet of the status at `completed`.
 pub(crate) const WINDOWS: TableDefinition<'_, u64, (u64, u64, &[u8])> =
     TableDefinition::new("windows");
-/// Which place jobs have in the list that were moved; that of all others is their number.
+/// The list places of moved jobs; the place of any other job is its number.
 pub(crate) const PLACES: TableDefinition<'_, u64, u64> = TableDefinition::new("places");
-/// What was answered to the offers of other stations, by their keys, as JSON.
+/// The answers to offers of other stations, by key, as JSON.
 pub(crate) const OFFERS: TableDefinition<'_, &str, &[u8]> = TableDefinition::new("offers");
-/// The keys of the latest refusals, in their order.
+/// The keys of the latest refusals, in order.
 pub(crate) const REFUSALS: TableDefinition<'_, u64, &str> = TableDefinition::new("refusals");
-/// How many offers were refused.
+/// The number of refused offers.
 pub(crate) const REFUSED_FACT: &str = "refused offers";
 const CACHE_BYTES: usize = 8 << 20;

@@ -1,10 +1,10 @@
-//! Which commands of a job the arm may have done.
+//! The window of a job: the commands that the arm may have done.
 
 use dobot_motion::Model;
 use dobot_wire::{Status, single};
 
-/// Which commands of a job the arm may have done: those before `completed` for sure, those in
-/// `completed..upto` perhaps, those from `upto` on for sure not. Those of a cycle count each time.
+/// The window of a job: commands before `completed` are done, those in `completed..upto` may be
+/// done, those from `upto` on are not done. Commands of a cycle count each time.
 ///
 /// ```text
 ///   0          completed            upto           commands
@@ -13,18 +13,17 @@ use dobot_wire::{Status, single};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Window {
-    /// How many commands are known to be done.
+    /// The number of commands known to be done.
     pub completed: usize,
-    /// No command from here on has been given to the arm.
+    /// No command from this one on has been given to the arm.
     pub upto: usize,
-    /// The arm as command `completed` finds it; `None` where nobody knew, as before the first
-    /// command.
+    /// The arm before command `completed`; `None` if unknown, as before the first command.
     pub start: Option<Status>,
 }
 
 impl Window {
-    /// The window `completed..upto` of a job whose command `completed` finds the arm as `model`
-    /// says.
+    /// Creates the window `completed..upto` of a job, with the arm before command `completed` as in
+    /// `model`.
     #[must_use]
     pub fn at(completed: usize, upto: usize, model: &Model) -> Self {
         Self {
@@ -35,7 +34,7 @@ impl Window {
     }
 }
 
-/// The status of an arm that stands as the model says.
+/// Returns the status of an arm at rest as in the model.
 fn status(model: &Model) -> Status {
     Status {
         suction: model.suction,

@@ -1,4 +1,4 @@
-//! How many writes a journal has had, noted beside it.
+//! The number of writes of a journal, kept beside it.
 
 use std::fs::File;
 use std::io::{Read, Seek, Write};
@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 
 use crate::store::private;
 
-/// The file beside a journal in which the number of its last write stands twice.
+/// A file beside a journal that contains the number of its last write, twice.
 ///
-/// The database falls back to the write before where its newest one is damaged, and cannot tell; this file can. It is
-/// written behind each write and does not wait for the disk, so it is never ahead of a journal that is whole. Where it
-/// cannot be read or written, nothing is told and nothing fails: jobs do not depend on it.
+/// If its newest write is damaged, the database falls back to the previous one without noticing;
+/// this file reveals it. It is written after each write without waiting for the disk, so it is
+/// never ahead of an intact journal. If it cannot be read or written, nothing is reported and
+/// nothing fails: jobs do not depend on it.
 #[derive(Debug)]
 pub(crate) struct WriteCount {
     path: PathBuf,
@@ -18,7 +19,7 @@ pub(crate) struct WriteCount {
 }
 
 impl WriteCount {
-    /// The one of a journal.
+    /// Returns the file beside a journal.
     pub(crate) fn beside(journal: &Path) -> Self {
         let mut path = journal.as_os_str().to_owned();
         path.push(".writes");
@@ -28,7 +29,7 @@ impl WriteCount {
         }
     }
 
-    /// The number of the last write; 0 where it is not known.
+    /// Reads the number of the last write; 0 if unknown.
     pub(crate) fn read(&self) -> u64 {
         let mut text = String::new();
         let read = File::open(&self.path).and_then(|mut it| it.read_to_string(&mut text));
@@ -39,7 +40,7 @@ impl WriteCount {
         }
     }
 
-    /// Notes the number of a write that is on the disk.
+    /// Stores the number of a write that is on the disk.
     pub(crate) fn note(&mut self, count: u64) {
         if self.file.is_none() {
             self.file = private().open(&self.path).ok();

@@ -1,11 +1,11 @@
-//! Where the parts of the arm are at one place, and what the rules measure there.
+//! The arm's parts at one position, and the quantities that the rules measure.
 
 use dobot_arm::{Calibration, FOREARM, Joints, REAR_ARM, Tool};
 use dobot_motion::ArmPlace;
 
 use crate::distance::distance;
 
-/// The arm at one place, as lines through its links.
+/// The arm at one position, as lines through its links.
 ///
 /// ```text
 ///       elbow          All lie in one upright plane through the axis of the base.
@@ -24,7 +24,7 @@ pub(crate) struct Body {
     pub(crate) tip: [f64; 3],
 }
 
-/// What the rules measure.
+/// The quantities that the rules measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Measure {
     Base,
@@ -43,7 +43,7 @@ pub(crate) enum Measure {
 pub(crate) const MEASURES: usize = 10;
 
 impl Body {
-    /// An arm that is truly at a place, which differs so from the drawing of it.
+    /// Builds the body of an arm with this calibration at a calibrated position.
     pub(crate) fn new(place: &ArmPlace, tool: Tool, tip_mm: f64, arm: &Calibration) -> Self {
         let position = place.pose.position;
         let [axis_x, axis_y] = arm.axis_mm;
@@ -59,7 +59,7 @@ impl Body {
         };
         let (sin_rear, cos_rear) = place.joints.rear.0.to_radians().sin_cos();
         let at = |out: f64, z: f64| [axis_x + out * cos_base, axis_y + out * sin_base, z];
-        // The hand goes from the wrist to wherever the tool is.
+        // The hand goes from the wrist to the tool, wherever it is.
         let wrist = if arm.is_none() {
             reach - tool.reach().0
         } else {
@@ -76,7 +76,7 @@ impl Body {
         }
     }
 
-    /// Rear arm, forearm, hand and tool.
+    /// Returns the lines of rear arm, forearm, hand and tool.
     pub(crate) const fn lines(&self) -> [[[f64; 3]; 2]; 4] {
         [
             [self.pivot, self.elbow],
@@ -86,7 +86,7 @@ impl Body {
         ]
     }
 
-    /// How far the part that moves most is from its place in another body, in a straight line.
+    /// Returns the distance moved by the part that moves most between two bodies.
     pub(crate) fn apart(&self, other: &Self) -> f64 {
         distance(self.elbow, other.elbow)
             .max(distance(self.wrist, other.wrist))
@@ -95,7 +95,7 @@ impl Body {
 }
 
 impl Measure {
-    /// Name, unit.
+    /// Returns name and unit.
     pub(crate) const fn words(self) -> (&'static str, &'static str) {
         match self {
             Self::Base => ("base angle", "°"),
@@ -112,7 +112,7 @@ impl Measure {
     }
 }
 
-/// All measures at a true place of an arm, in the order of [`Measure`].
+/// Returns all measures at a calibrated position, in the order of [`Measure`].
 pub(crate) fn measures(place: &ArmPlace, arm: &Calibration) -> [f64; MEASURES] {
     let Joints {
         base,
@@ -135,5 +135,5 @@ pub(crate) fn measures(place: &ArmPlace, arm: &Calibration) -> [f64; MEASURES] {
     ]
 }
 
-/// Where the rear arm of an arm as drawn turns: the origin.
+/// The pivot of the rear arm of an arm as drawn: the origin.
 pub(crate) const PIVOT: [f64; 3] = [0.0; 3];

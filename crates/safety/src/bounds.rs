@@ -1,4 +1,4 @@
-//! The least and the most of a quantity.
+//! The minimum and maximum of a quantity.
 
 use std::fmt;
 
@@ -6,19 +6,19 @@ use dobot_arm::{Degrees, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The least and the most that is allowed; both are allowed. In a file: `[min, max]`.
+/// The minimum and maximum allowed, inclusive. In a file: `[min, max]`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Vec<f64>", into = "[f64; 2]")]
 #[schemars(with = "[f64; 2]")]
 pub struct Bounds {
-    /// The least.
+    /// The minimum.
     pub min: f64,
-    /// The most.
+    /// The maximum.
     pub max: f64,
 }
 
 impl Bounds {
-    /// From `min` to `max`.
+    /// Creates bounds from `min` to `max`.
     #[must_use]
     pub const fn new(min: f64, max: f64) -> Self {
         Self { min, max }
@@ -28,19 +28,19 @@ impl Bounds {
         Self::new(span.min.0, span.max.0)
     }
 
-    /// Whether a value is allowed; NaN never is.
+    /// Returns whether a value is allowed; NaN never is.
     #[must_use]
     pub const fn contains(self, value: f64) -> bool {
         value >= self.min && value <= self.max
     }
 
-    /// The allowed value that is nearest to this one.
+    /// Returns the allowed value nearest to this one.
     #[must_use]
     pub const fn nearest(self, value: f64) -> f64 {
         value.max(self.min).min(self.max)
     }
 
-    /// The same with so much more on either side.
+    /// Extends the bounds on both sides.
     pub(crate) const fn grown(self, by: f64) -> Self {
         Self {
             min: self.min - by,
@@ -55,7 +55,7 @@ impl fmt::Display for Bounds {
     }
 }
 
-/// A reader that takes arrays by their length would be content with the first two of three numbers.
+/// A derived reader would accept an array of three numbers and ignore the third.
 impl TryFrom<Vec<f64>> for Bounds {
     type Error = String;
 

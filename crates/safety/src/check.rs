@@ -1,4 +1,4 @@
-//! The check of a command over its whole way.
+//! The check of a command over its whole path.
 
 use dobot_arm::{Calibration, Position};
 use dobot_motion::{ArmPlace, Button, Model, Trajectory, burns};
@@ -12,16 +12,15 @@ use crate::path_check::PathCheck;
 use crate::{Policy, Violation};
 
 impl Policy {
-    /// Checks a command over its whole way from where the model says that the arm will be when it
-    /// begins.
+    /// Checks a command over its whole path, starting where the model says that the arm will be.
     ///
-    /// Of a jog it checks the way that can be covered until a client that falls silent is noticed
-    /// and the release is in force. What only stops something (a release, laser off, a stop) is
+    /// For a jog this is the path covered until a client that falls silent is noticed and the
+    /// release takes effect. Commands that only stop something (a release, laser off, a stop) are
     /// always allowed.
     ///
     /// # Errors
     ///
-    /// [`Violation`] with the rule, the place on the way and the nearest that is allowed.
+    /// [`Violation`] with the rule, the location on the path and the nearest allowed position.
     pub fn check(&self, model: &Model, command: &Command) -> Result<Trajectory, Violation> {
         self.judge(model, command).map_err(|violation| {
             let nearest = match command {
@@ -55,8 +54,9 @@ impl Policy {
         Ok(trajectory)
     }
 
-    /// How far towards a target the arm may go, in tenths of a millimetre as people type them: the place before which the
-    /// way is free, or, where that cannot be gone to, one on the line to the target.
+    /// Returns how far towards a target the arm may go, in tenths of a millimetre as people type
+    /// them: the last position of the free path or, if that cannot be a target, one on the line to
+    /// the target.
     fn nearest(
         &self,
         model: &Model,
@@ -77,7 +77,7 @@ impl Policy {
             };
             self.judge(model, &command.into()).is_ok()
         };
-        // Rounding leads away from what was allowed, so some places before it are tried as well.
+        // Rounding may lead out of what is allowed, so some positions before it are tried as well.
         let rounded = |end: Position| {
             let back = (from - end) * (TENTH_MM / end.distance(from).0.max(TENTH_MM));
             (0..TENTHS_BACK).find_map(|tenths| {
@@ -131,8 +131,8 @@ impl Policy {
             })
     }
 
-    /// Where nothing moves: the place that the arm is told to believe in, with the tool that it is
-    /// told to have, and where a standing laser would burn.
+    /// Checks a command without motion: the position that the arm is to assume, with the tool that
+    /// it is to assume, and the position where a standing laser would burn.
     fn check_standing(
         &self,
         model: &Model,
@@ -157,7 +157,7 @@ impl Policy {
     }
 }
 
-/// The value of a limit's measure farthest from what it allows, on a way given by shares of it.
+/// Returns the measured value farthest outside a limit on a path, sampled by shares.
 pub(crate) fn worst(
     limit: &Limit,
     arm: &Calibration,
@@ -171,7 +171,7 @@ pub(crate) fn worst(
         .unwrap_or(f64::NAN)
 }
 
-/// Whether a command does nothing but stop something.
+/// Returns whether a command only stops something.
 fn stops(command: &Command) -> bool {
     match command {
         Command::WriteVector(vector) => vector.stop && !vector.laser,
@@ -193,15 +193,16 @@ fn paths(trajectory: &Trajectory) -> [Path<'_>; 3] {
     })
 }
 
-/// How often a forbidden way is looked at to tell how far out it leads.
+/// The number of samples on a forbidden path to find how far out it leads.
 const LOOKS: u32 = 256;
-/// In whole tenths; negative zero is zero.
+/// Rounds to tenths; negative zero becomes zero.
 fn to_tenths(mm: f64) -> f64 {
     (mm * 10.0).round() / 10.0 + 0.0
 }
 
 const TENTH_MM: f64 = 0.1;
-/// How many tenths before the nearest place are tried.
+/// The number of tenths tried before the nearest position.
 const TENTHS_BACK: u32 = 12;
-/// How often the way to the nearest place is halved: a hundredth of a millimetre of 400.
+/// The number of bisections of the path to the nearest position: a hundredth of a millimetre out of
+/// 400.
 const NEAREST_HALVINGS: u32 = 16;

@@ -1,4 +1,4 @@
-//! The rules in force on a way: those of the policy, wider where the arm stands outside already.
+//! The effective rules on a path: those of the policy, widened if the arm is already outside.
 
 use dobot_arm::{Calibration, Tool, Unreachable};
 use dobot_motion::{ArmPlace, Interpolation};
@@ -8,11 +8,11 @@ use crate::limits::{LASER_AREA, Limit};
 use crate::swept_path::SweptPath;
 use crate::{Bounds, KeepOut, Policy};
 
-/// The rules in force on a way.
+/// The effective rules on a path.
 ///
-/// An arm that stands outside of a rule may come back in, not go deeper: there the rule in force is
-/// as wide as the arm stands outside, and it becomes narrower as the arm comes in; that of a keep-out
-/// when the arm has left it.
+/// An arm outside a rule may come back in, but not go deeper: the effective rule is as wide as the
+/// arm is outside, and narrows as the arm comes in; a keep-out applies again in full once the arm
+/// has left it.
 #[derive(Debug)]
 pub(crate) struct EffectiveRules<'a> {
     limits: Vec<EffectiveLimit>,
@@ -22,51 +22,51 @@ pub(crate) struct EffectiveRules<'a> {
     arm: Calibration,
 }
 
-/// A place on a way, and all that the rules want to know of it.
+/// A point on a path, with all that the rules need.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PathPoint {
-    /// The share of the segment behind it.
+    /// The share of the segment already covered.
     pub(crate) share: f64,
-    /// Where the arm says that it is.
+    /// The raw position.
     pub(crate) raw: ArmPlace,
-    /// Where it truly is, by which the rules judge.
+    /// The calibrated position, to which the rules apply.
     pub(crate) place: ArmPlace,
     pub(crate) measures: [f64; MEASURES],
     pub(crate) body: Body,
 }
 
-/// What forbids a place, or the way between two.
+/// What forbids a position, or the path between two.
 #[derive(Clone, Debug)]
 pub(crate) enum Broken {
     /// A measure is out of bounds.
     Limit(Limit),
     /// A part of the arm touches a keep-out.
     KeepOut { name: String, part: &'static str },
-    /// The arm cannot be there at all.
+    /// The arm cannot reach the position.
     Unreachable(Unreachable),
     /// The arm is folded or stretched so far that its joints may turn at any speed.
     Unclear,
 }
 
-/// A limit, and what it is now.
+/// A limit and its current bounds.
 #[derive(Debug)]
 struct EffectiveLimit {
     limit: Limit,
     now: Bounds,
 }
 
-/// A keep-out, and by how much it is larger now.
+/// A keep-out and its current margin.
 #[derive(Debug)]
 struct EffectiveKeepOut<'a> {
     name: &'a str,
     shape: &'a KeepOut,
-    /// The thickness of the arm, and the resolution.
+    /// The arm's radius plus the resolution.
     strict_mm: f64,
     now_mm: f64,
 }
 
 impl<'a> EffectiveRules<'a> {
-    /// The rules of a policy for an arm with this tool, which differs so from the drawing of it.
+    /// Returns the rules of a policy for an arm with this tool and calibration.
     pub(crate) fn new(policy: &'a Policy, tool: Tool, arm: Calibration, burning: bool) -> Self {
         let effective = |limit: Limit| EffectiveLimit {
             limit,
@@ -92,7 +92,7 @@ impl<'a> EffectiveRules<'a> {
         }
     }
 
-    /// Looks at a place that the arm says.
+    /// Evaluates a raw position.
     pub(crate) fn point_at(&self, share: f64, raw: ArmPlace) -> PathPoint {
         let place = raw.calibrated(&self.arm, self.tool);
         PathPoint {
@@ -104,7 +104,7 @@ impl<'a> EffectiveRules<'a> {
         }
     }
 
-    /// The way begins here: where the arm is outside, the rules are that wide.
+    /// Starts the path here: where the arm is outside, the rules are widened.
     pub(crate) fn begin(&mut self, at: &PathPoint) {
         for effective in &mut self.limits {
             if effective.limit.key != LASER_AREA {
@@ -116,7 +116,7 @@ impl<'a> EffectiveRules<'a> {
         }
     }
 
-    /// The way came here: the rules become narrower, where they were too wide.
+    /// Advances along the path: widened rules become narrower.
     pub(crate) fn advance(&mut self, to: &PathPoint) {
         for effective in &mut self.limits {
             let allowed = effective.wide_enough_for(to);
@@ -130,7 +130,7 @@ impl<'a> EffectiveRules<'a> {
         }
     }
 
-    /// All that forbids a place.
+    /// Returns everything that forbids a point.
     pub(crate) fn broken_at<'b>(&'b self, at: &'b PathPoint) -> impl Iterator<Item = Broken> + 'b {
         let outside = |effective: &&'b EffectiveLimit| {
             !effective
@@ -150,7 +150,8 @@ impl<'a> EffectiveRules<'a> {
             .chain(keep_outs)
     }
 
-    /// What may forbid a place between two of a segment; `None` where none is forbidden for sure.
+    /// Returns what may forbid a position between two of a segment; `None` if all are certainly
+    /// allowed.
     pub(crate) fn broken_between(
         &self,
         interpolation: Interpolation,
@@ -189,7 +190,7 @@ impl EffectiveLimit {
 }
 
 impl PathPoint {
-    /// Whether another place is so near that there is no telling between the two.
+    /// Returns whether another point is indistinguishably close.
     pub(crate) fn is_next_to(&self, other: &Self) -> bool {
         let turned = |index: usize| (self.measures[index] - other.measures[index]).abs();
         self.body.apart(&other.body) <= LEAF_MM && (0..4).all(|index| turned(index) <= LEAF_DEG)
@@ -197,7 +198,7 @@ impl PathPoint {
 }
 
 impl EffectiveKeepOut<'_> {
-    /// By how much it is larger for an arm that begins here.
+    /// Returns the margin for an arm that starts here.
     fn from(&self, body: &Body) -> f64 {
         let room_mm = self.shape.room(&body.lines(), self.strict_mm);
         if room_mm < self.strict_mm {
@@ -232,15 +233,15 @@ impl EffectiveKeepOut<'_> {
 /// The lines of a [`Body`].
 const PARTS: [&str; 4] = ["rear arm", "forearm", "hand", "tool"];
 
-/// What rounding may add to a value right on a bound.
+/// The rounding error of a value on a bound.
 const ROUNDING: f64 = 1e-6;
 
-/// Keep-outs are larger by this: nothing thinner slips through.
+/// The extra margin of keep-outs: nothing thinner slips through.
 const RESOLUTION_MM: f64 = 0.1;
 
-/// What is left of the resolution for an arm that stands right at a keep-out, to get away from it.
+/// The margin left for an arm that stands directly at a keep-out, to move away from it.
 const ROOM_MM: f64 = 0.03;
 
-/// Where nothing moves more than this between two places, they are one.
+/// Two points between which nothing moves more than this count as one.
 const LEAF_MM: f64 = 0.02;
 const LEAF_DEG: f64 = 0.02;

@@ -1,4 +1,4 @@
-//! The way that a jog can cover until a release is in force.
+//! The path that a jog can cover until its release takes effect.
 
 use dobot_arm::{Degrees, Joints, Millimeters, Position, TICK_S};
 use dobot_motion::{ArmPlace, JogAxis, JogTrajectory, Model};
@@ -12,12 +12,12 @@ use crate::path_check::PathCheck;
 use crate::{Policy, Violation};
 
 impl Policy {
-    /// Checks the way that a jog can cover within a time and the run-down behind it; all other
+    /// Checks the path that a jog can cover within a time, plus its deceleration; all other
     /// commands are allowed here.
     ///
-    /// To be asked at every status while a jog is held, with the model at that status and the
-    /// [`reaction_s`](crate::JogRules::reaction_s) of the policy: at the first violation the jog has
-    /// to be released. The jog counts as being at its full speed already. `within_s` is 0 or more.
+    /// Call it at every status while a jog is held, with the model at that status and the
+    /// [`reaction_s`](crate::JogRules::reaction_s) of the policy: at the first violation the jog
+    /// must be released. The jog is assumed to be at full speed already. `within_s` is 0 or more.
     ///
     /// # Errors
     ///
@@ -43,7 +43,7 @@ impl Policy {
         )?;
         let now = jog.speed_at(0.0);
         if now * speed < 0.0 {
-            // It still runs the other way, and turns round first.
+            // It still moves the other way, and has to turn round first.
             return self.check_jog_way(model, &jog, run_out(&jog, now, 0.0), trajectory.laser());
         }
         Ok(())
@@ -71,15 +71,16 @@ impl Policy {
     }
 }
 
-/// How far a jog goes within a time and until it stands, with the sign of its speed. A stock arm may
-/// be faster by one tick's acceleration.
+/// Returns how far a jog goes within a time and until it stands, with the sign of its speed. A
+/// stock arm may be faster by one tick's acceleration.
 fn run_out(jog: &JogTrajectory, speed: f64, within_s: f64) -> f64 {
     let acceleration = jog.acceleration();
     let fastest = speed.abs() + acceleration * TICK_S;
     (fastest * within_s + fastest * fastest / (2.0 * acceleration)).copysign(speed)
 }
 
-/// The way of an axis by so much, in degrees or mm; `None` where nothing else moves with it.
+/// Returns the path of an axis over a distance, in degrees or mm; `None` if nothing else moves with
+/// it.
 fn path(model: &Model, axis: JogAxis, by: f64) -> Option<Path<'static>> {
     let ArmPlace { joints, pose } = model.place;
     let tool = model.tool;

@@ -1,4 +1,4 @@
-//! Boxes and vertical cylinders, and whether a part of the arm touches them.
+//! Keep-outs: boxes and vertical cylinders, and their contact with parts of the arm.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 use crate::Bounds;
 use crate::distance::distance;
 
-/// What no part of the arm may touch.
+/// A keep-out, which no part of the arm may touch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum KeepOut {
     /// A box along the axes.
     Box(Area),
-    /// An upright cylinder.
+    /// A vertical cylinder.
     Cylinder(Cylinder),
 }
 
@@ -28,13 +28,13 @@ pub struct Area {
     pub z_mm: Bounds,
 }
 
-/// An upright cylinder, in mm.
+/// A vertical cylinder, in mm.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cylinder {
-    /// Its axis: forward.
+    /// The x coordinate of its axis (forward).
     pub x_mm: f64,
-    /// Its axis: to the left.
+    /// The y coordinate of its axis (left).
     pub y_mm: f64,
     /// Its radius, 0 or more.
     pub radius_mm: f64,
@@ -43,10 +43,10 @@ pub struct Cylinder {
 }
 
 impl KeepOut {
-    /// Whether a straight line touches it when it is made larger on all sides.
+    /// Returns whether a straight line touches it when it is enlarged on all sides.
     ///
-    /// A box grows to a box and a cylinder to a cylinder, so corners grow a little more; one that
-    /// shrinks (`grown` below 0) to nothing is touched by nothing.
+    /// An enlarged box stays a box and a cylinder a cylinder, so corners grow slightly more. A
+    /// keep-out shrunk to nothing (`grown` below 0) touches nothing.
     pub(crate) fn touches(&self, line: &[[f64; 3]; 2], grown: f64) -> bool {
         match self {
             Self::Box(area) => {
@@ -63,12 +63,11 @@ impl KeepOut {
         }
     }
 
-    /// Whether the whole way of a part of the arm, from its line at one end to its line at the other, is
-    /// clear of it, by `room` on all sides.
+    /// Returns whether the whole sweep of a part of the arm, from its line at one end to its line
+    /// at the other, keeps a distance of `room` on all sides.
     ///
-    /// Each point of the part goes from its place at one end to its place at the other, and strays
-    /// from the straight way by less than `room`. A clear way may be found not to be; never the
-    /// other way round.
+    /// Each point of the part moves between its two end positions and strays from the straight line
+    /// by less than `room`. A clear sweep may be rejected, but never the other way round.
     pub(crate) fn is_clear_of(&self, swept: &[[[f64; 3]; 2]; 2], room: f64) -> bool {
         self.has_face_between(swept, room) || {
             let [a, b] = swept;
@@ -78,7 +77,8 @@ impl KeepOut {
         }
     }
 
-    /// How much it may grow until it touches one of these lines; negative where it does already.
+    /// Returns how much it may grow until it touches one of these lines; negative if it already
+    /// does.
     pub(crate) fn room(&self, lines: &[[[f64; 3]; 2]], most: f64) -> f64 {
         let touched = |grown| lines.iter().any(|line| self.touches(line, grown));
         let (mut clear, mut touching) = (-THICKEST_MM, most);
@@ -96,7 +96,8 @@ impl KeepOut {
         clear
     }
 
-    /// Whether one flat face has the keep-out on one side and all four corners on the other.
+    /// Returns whether one flat face has the keep-out on one side and all four corners on the
+    /// other.
     fn has_face_between(&self, [a, b]: &[[[f64; 3]; 2]; 2], room: f64) -> bool {
         let corners = [a[0], a[1], b[0], b[1]];
         let beyond = |axis: usize, span: Bounds| {
@@ -120,7 +121,7 @@ impl Area {
 }
 
 impl Cylinder {
-    /// The horizontal distance from the axis to a part of a line, given in shares of it.
+    /// Returns the horizontal distance from the axis to a part of a line, given in shares of it.
     fn axis_distance(&self, [from, to]: &[[f64; 3]; 2], [start, end]: [f64; 2]) -> f64 {
         let [way_x, way_y] = [to[0] - from[0], to[1] - from[1]];
         let [x, y] = [self.x_mm - from[0], self.y_mm - from[1]];
@@ -133,7 +134,8 @@ impl Cylinder {
         (way_x * foot - x).hypot(way_y * foot - y)
     }
 
-    /// Whether the upright plane that faces the middle of the corners keeps all of them off.
+    /// Returns whether the vertical plane that faces the centre of the corners separates all of
+    /// them from the keep-out.
     fn tangent_between(&self, corners: &[[f64; 3]; 4], room: f64) -> bool {
         let from_axis = |point: &[f64; 3]| [point[0] - self.x_mm, point[1] - self.y_mm];
         let [x, y] = corners
@@ -149,7 +151,7 @@ impl Cylinder {
     }
 }
 
-/// The part of a line, in shares of it, that lies within `span` of an axis.
+/// Returns the part of a line, in shares of it, that lies within `span` of an axis.
 fn within(
     [start, end]: [f64; 2],
     [from, to]: &[[f64; 3]; 2],
@@ -172,8 +174,8 @@ fn mean(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|axis| 0.5 * (a[axis] + b[axis]))
 }
 
-/// A line from its beginning to its end.
+/// A whole line.
 const WHOLE: [f64; 2] = [0.0, 1.0];
 
-/// No keep-out is thicker than this from its middle: a policy has none larger than 2000 mm.
+/// No keep-out extends farther than this from its centre: a policy has none larger than 2000 mm.
 const THICKEST_MM: f64 = 1100.0;

@@ -1,4 +1,4 @@
-//! Changes of the keep-outs in the text of a policy.
+//! Edits of keep-outs in the text of a policy.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -6,7 +6,7 @@ use toml_edit::{DocumentMut, Item, Table, TableLike, Value};
 
 use crate::{Bounds, KeepOut, PolicyError};
 
-/// A change of a keep-out in the text of a policy.
+/// An edit of a keep-out in the text of a policy.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 pub enum KeepOutEdit {
@@ -15,29 +15,30 @@ pub enum KeepOutEdit {
         /// The new keep-out.
         keep_out: KeepOut,
     },
-    /// Puts another keep-out in the place of one.
+    /// Replaces a keep-out.
     Replace {
-        /// The name of the old one, which stays.
+        /// The name, which stays.
         name: String,
-        /// The new one.
+        /// The new keep-out.
         keep_out: KeepOut,
     },
     /// Removes a keep-out.
     Remove {
-        /// Its name.
+        /// The name.
         name: String,
     },
 }
 
 impl KeepOutEdit {
-    /// The text of a policy with this change. All else stays as it is written, comments included.
+    /// Returns the policy text with this edit. Everything else stays as written, including
+    /// comments.
     ///
-    /// Only the form of the text has to be right, not its values: whoever moves a keep-out may type its bounds one after the
-    /// other.
+    /// Only the syntax must be valid, not the values: a person may type bounds one after the other.
     ///
     /// # Errors
     ///
-    /// [`PolicyError`] where the text is no TOML, no keep-out has the name, or a number is not finite.
+    /// [`PolicyError`] if the text is not TOML, no keep-out has the name, or a number is not
+    /// finite.
     pub fn apply(&self, text: &str) -> Result<String, PolicyError> {
         let parsed: Result<DocumentMut, _> = text.parse();
         let mut document =
@@ -86,7 +87,7 @@ fn named<'a>(keep_outs: &'a mut dyn TableLike, name: &str) -> Result<&'a mut Ite
     })
 }
 
-/// A keep-out in one line of a file.
+/// Formats a keep-out on one line of a file.
 fn inline(keep_out: &KeepOut) -> Result<Value, PolicyError> {
     let range = |Bounds { min, max }: Bounds| format!("[{min}, {max}]");
     let text = match keep_out {

@@ -1,4 +1,4 @@
-//! When the laser may burn.
+//! The rules for a burning laser.
 
 use dobot_arm::TICK_S;
 use dobot_motion::{Model, Trajectory, burns};
@@ -7,7 +7,7 @@ use dobot_wire::{Command, WriteVector};
 use crate::{Bounds, Policy, Violation};
 
 impl Policy {
-    /// Whether the laser may burn as this command wants it, the area not looked at.
+    /// Checks that the laser may burn as this command asks, apart from the area.
     pub(crate) fn check_laser(
         &self,
         model: &Model,

@@ -1,9 +1,9 @@
-//! The safety policy: what no command of any client may do, and the check of every command over its
+//! The safety policy: what no client's command may do, and the check of every command over its
 //! whole path before it is sent.
 //!
-//! A [`Policy`] is a TOML file, shipped with its default. [`Policy::check`] says where a command
-//! leads, or which rule forbids it, where on the way, and what would be allowed. `docs/policy.md`
-//! explains each rule, how the check works and what it does not promise.
+//! A [`Policy`] is a TOML file with built-in defaults. [`Policy::check`] returns where a command
+//! leads, or which rule forbids it, where on the path, and what is allowed. `docs/policy.md`
+//! explains each rule, the check, and its limits.
 //!
 //! ```
 //! use dobot_motion::{ArmPlace, Model};

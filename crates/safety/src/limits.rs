@@ -1,21 +1,21 @@
-//! The rules that bound a measure, as the policy says them.
+//! The policy's limits of measures.
 
 use dobot_arm::{Calibration, Tool};
 
 use crate::body::Measure;
 use crate::{Area, Bounds, Policy};
 
-/// A rule that bounds a measure.
+/// A limit of a measure.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limit {
-    /// The policy's key.
+    /// The key in the policy.
     pub(crate) key: &'static str,
     pub(crate) measure: Measure,
     pub(crate) bounds: Bounds,
 }
 
 impl Policy {
-    /// The rules for an arm with this tool, those of a burning laser included or not.
+    /// Returns the limits for an arm with this tool, with or without those of a burning laser.
     pub(crate) fn limits(&self, tool: Tool, arm: &Calibration, burning: bool) -> Vec<Limit> {
         let (joints, space) = (&self.joints, &self.workspace);
         let lowest_mm = self.table.z_mm + self.tool_length.of(tool);
@@ -59,14 +59,14 @@ const fn limit(key: &'static str, measure: Measure, bounds: Bounds) -> Limit {
     }
 }
 
-/// What is above the table: more than the arm can reach, so that no other rule is meant.
+/// The upper bound above the table: beyond the arm's reach, so that no other rule is meant.
 const HIGHEST_MM: f64 = 1000.0;
 
-/// The rule of the table below the paper.
+/// The key of the rule for the table below the paper.
 pub(crate) const BELOW_PAPER: &str = "table.below_paper";
 
-/// The rule of the table.
+/// The key of the table rule.
 pub(crate) const TABLE: &str = "table";
 
-/// The only rule from outside of which a burning laser may not come back in.
+/// The only rule into which a burning laser may not come back from outside.
 pub(crate) const LASER_AREA: &str = "laser.area";

@@ -1,9 +1,9 @@
-//! A segment of a way on which the same things change evenly.
+//! A segment of a path on which the same quantities change evenly.
 
 use dobot_arm::{Joints, Pose, Tool, Unreachable};
 use dobot_motion::{ArmPlace, Interpolation, Trajectory};
 
-/// A segment of a way; where on it is told by a share, 0 to 1.
+/// A segment of a path; positions on it are given by a share, 0 to 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Path<'a> {
     /// A part of a trajectory, between two times in seconds.
@@ -13,13 +13,13 @@ pub(crate) enum Path<'a> {
         to_s: f64,
         interpolation: Interpolation,
     },
-    /// All joints evenly.
+    /// All joints turn evenly.
     Joints {
         from: Joints,
         to: Joints,
         tool: Tool,
     },
-    /// The tool in a straight line.
+    /// The tool moves in a straight line.
     Line { from: Pose, to: Pose, tool: Tool },
 }
 
@@ -42,7 +42,7 @@ impl Path<'_> {
         }
     }
 
-    /// The time since the command began, in seconds, where it is known.
+    /// Returns the time since the command began, in seconds, if known.
     pub(crate) fn time_at(&self, share: f64) -> Option<f64> {
         match *self {
             Self::Trajectory { to_s, .. } if share >= 1.0 => Some(to_s),

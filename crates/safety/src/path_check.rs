@@ -1,4 +1,4 @@
-//! Goes along a way until a rule forbids to.
+//! Follows a path until a rule forbids it.
 
 use dobot_arm::Unreachable;
 
@@ -6,31 +6,31 @@ use crate::distance::distance;
 use crate::effective_rules::{Broken, EffectiveRules, PathPoint};
 use crate::path::Path;
 
-/// Where and why a way is forbidden.
+/// Where and why a path is forbidden.
 #[derive(Clone, Debug)]
 pub(crate) struct Breach {
     pub(crate) broken: Broken,
-    /// The first place that is forbidden, where the arm can be there.
+    /// The first forbidden point, if the arm can be there.
     pub(crate) at: Option<PathPoint>,
-    /// When it would be there, where that is known.
+    /// When the arm would be there, if known.
     pub(crate) at_s: Option<f64>,
-    /// The last place that is allowed.
+    /// The last allowed point.
     pub(crate) nearest: PathPoint,
-    /// How far the tool went until there.
+    /// The distance covered by the tool until there.
     pub(crate) gone_mm: f64,
 }
 
-/// A way so far.
+/// The check of a path, up to the current point.
 #[derive(Debug)]
 pub(crate) struct PathCheck<'a> {
     rules: EffectiveRules<'a>,
-    /// Where the arm is.
+    /// The current point.
     here: PathPoint,
     gone_mm: f64,
 }
 
 impl<'a> PathCheck<'a> {
-    /// Begins where a path does.
+    /// Starts at the start of a path.
     pub(crate) fn begin(mut rules: EffectiveRules<'a>, path: &Path) -> Result<Self, Unreachable> {
         let here = rules.point_at(0.0, path.place_at(0.0)?);
         rules.begin(&here);
@@ -41,7 +41,7 @@ impl<'a> PathCheck<'a> {
         })
     }
 
-    /// Goes along a whole path, which begins where the way is.
+    /// Follows a whole path that starts at the current point.
     pub(crate) fn along(&mut self, path: &Path) -> Result<(), Box<Breach>> {
         self.here.share = 0.0;
         if let Some(broken) = self.rules.broken_at(&self.here).next() {
@@ -51,10 +51,11 @@ impl<'a> PathCheck<'a> {
         self.go(path, 1.0, self.look(path, 1.0), 0)
     }
 
-    /// Goes from here to a share of a path. Where it is not sure that all between is allowed, it goes
-    /// to the half first.
+    /// Moves from the current point to a share of a path. If not everything between is certainly
+    /// allowed, bisects.
     ///
-    /// So what is left when it gives up is as short as can be, and all before it is allowed.
+    /// So the rest after the last allowed point is as short as possible, and everything before it
+    /// is allowed.
     fn go(
         &mut self,
         path: &Path,
@@ -112,5 +113,5 @@ impl<'a> PathCheck<'a> {
     }
 }
 
-/// Halving a way this often leaves nothing of it.
+/// Bisecting a path this often leaves nothing of it.
 const DEEPEST: usize = 40;

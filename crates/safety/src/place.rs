@@ -1,4 +1,4 @@
-//! Whether the arm may be somewhere at all.
+//! The check of a single position.
 
 use dobot_arm::{Calibration, Tool};
 use dobot_motion::ArmPlace;
@@ -7,8 +7,8 @@ use crate::effective_rules::EffectiveRules;
 use crate::{Policy, Violation};
 
 impl Policy {
-    /// Whether an arm that differs so from the drawing of it may stand where it says a place, with a tool; how
-    /// it gets there is another question.
+    /// Checks that an arm with this calibration and tool may stand at a raw position, however it
+    /// gets there.
     ///
     /// # Errors
     ///

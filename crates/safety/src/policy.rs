@@ -11,35 +11,36 @@ use crate::{
     PolicyError, QueueRules, SpeedCeilings, Table, ToolLengths, Workspace,
 };
 
-/// What no command of any client may do.
+/// The safety policy: what no client's command may do.
 ///
-/// What a file does not say is as in [`Policy::DEFAULT_TOML`], which is [`Policy::default`].
+/// Keys missing in a file have the values of [`Policy::DEFAULT_TOML`], which is
+/// [`Policy::default`].
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Policy {
-    /// How far each joint may turn.
+    /// The limits of the joints.
     pub joints: JointLimits,
-    /// Where the tool may be.
+    /// The limits of the tool's position.
     pub workspace: Workspace,
-    /// What the tool tip may not go into.
+    /// The table, which the tool tip may not enter.
     pub table: Table,
-    /// How far each tool hangs down.
+    /// The length of each tool.
     pub tool_length: ToolLengths,
-    /// How thick the arm is.
+    /// The thickness of the arm.
     pub arm: ArmBody,
-    /// What no part of the arm may touch, by name.
+    /// The keep-outs by name, which no part of the arm may touch.
     pub keep_out: BTreeMap<String, KeepOut>,
     /// The highest speeds.
     pub speed: SpeedCeilings,
     /// The highest accelerations.
     pub acceleration: AccelerationCeilings,
-    /// JUMP moves.
+    /// The rules for JUMP moves.
     pub jump: JumpRules,
     /// When and where the laser may burn.
     pub laser: LaserRules,
-    /// Jogs.
+    /// The rules for jogs.
     pub jog: JogRules,
-    /// What waits in the arm.
+    /// The rules for commands waiting in the arm.
     pub queue: QueueRules,
 }
 
@@ -47,12 +48,12 @@ impl Policy {
     /// The default policy as a file with every key and a comment on each.
     pub const DEFAULT_TOML: &str = include_str!("../policy.toml");
 
-    /// Reads a policy file.
+    /// Parses a policy file.
     ///
     /// # Errors
     ///
-    /// [`PolicyError`] with the line: no TOML, an unknown key, a value of another kind, not finite,
-    /// outside its range, or a least above its most.
+    /// [`PolicyError`] with the line: not TOML, an unknown key, a value of the wrong type, not
+    /// finite, outside its range, or a minimum above its maximum.
     pub fn from_toml(text: &str) -> Result<Self, PolicyError> {
         let policy: Self = toml::from_str(text).map_err(|error| PolicyError::toml(text, &error))?;
         match problem(&policy) {
@@ -61,14 +62,15 @@ impl Policy {
         }
     }
 
-    /// Writes a policy file without comments; [`from_toml`](Self::from_toml) reads it back unchanged.
+    /// Writes a policy file without comments; [`from_toml`](Self::from_toml) reads it back
+    /// unchanged.
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "tables of numbers are TOML")]
     pub fn to_toml(&self) -> String {
         toml::to_string(self).expect("tables with text keys, numbers and switches are TOML")
     }
 
-    /// Whether all values are in their ranges, for a policy that did not come from a file.
+    /// Checks that all values are in their ranges, for a policy that was not read from a file.
     ///
     /// # Errors
     ///
@@ -77,7 +79,7 @@ impl Policy {
         problem(self).map_or(Ok(()), |problem| Err(PolicyError::value(None, problem)))
     }
 
-    /// The JSON Schema of a policy, for editors and programs.
+    /// Returns the JSON Schema of a policy, for editors and programs.
     #[must_use]
     pub fn json_schema() -> serde_json::Value {
         schemars::schema_for!(Self).to_value()

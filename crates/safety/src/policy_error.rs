@@ -1,15 +1,15 @@
-//! Why a text is no policy.
+//! The error for an invalid policy.
 
 use std::fmt;
 use std::ops::Range;
 
 use thiserror::Error;
 
-/// Why a text is no policy: the line, what was found, what is allowed.
+/// The error returned for an invalid policy: the line, what was found and what is allowed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{}{reason}", At(*.line))]
 pub struct PolicyError {
-    /// The line of the file, counted from 1; `None` where there is no file or no line.
+    /// The line of the file, counted from 1; `None` without a file or line.
     pub line: Option<usize>,
     /// What is wrong, and what is allowed.
     pub reason: String,
@@ -17,21 +17,21 @@ pub struct PolicyError {
 
 /// A value that is not allowed.
 pub(crate) struct InvalidValue {
-    /// Its key, with dots.
+    /// The dotted key.
     pub(crate) key: String,
-    /// The value.
+    /// The value found.
     pub(crate) found: String,
-    /// What is allowed.
+    /// The values allowed.
     pub(crate) allowed: String,
 }
 
 impl PolicyError {
-    /// What the TOML reader found.
+    /// Converts an error of the TOML reader.
     pub(crate) fn toml(text: &str, error: &toml::de::Error) -> Self {
         Self::reader(text, error.span(), error.message())
     }
 
-    /// What a reader found, and where.
+    /// Converts an error of a reader with its position.
     pub(crate) fn reader(text: &str, span: Option<Range<usize>>, message: &str) -> Self {
         Self {
             line: span.map(|span| line_at(text, span.start)),
@@ -39,7 +39,7 @@ impl PolicyError {
         }
     }
 
-    /// A value that is not allowed.
+    /// Builds the error for a value that is not allowed.
     pub(crate) fn value(line: Option<usize>, problem: InvalidValue) -> Self {
         let InvalidValue {
             key,
@@ -53,7 +53,7 @@ impl PolicyError {
     }
 }
 
-/// The line of a place in a text, counted from 1.
+/// Returns the line of an offset in a text, counted from 1.
 pub(crate) fn line_at(text: &str, offset: usize) -> usize {
     text.get(..offset)
         .map_or(1, |before| before.split('\n').count())

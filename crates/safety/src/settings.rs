@@ -1,4 +1,4 @@
-//! Speeds, accelerations and the height of a JUMP against their ceilings.
+//! The check of speeds, accelerations and the JUMP height against their ceilings.
 
 use dobot_motion::{ArmSettings, JogAxis, Model, Speeds, Trajectory};
 use dobot_wire::{Command, Configuration, MovingMode, WriteVector};
@@ -6,7 +6,7 @@ use dobot_wire::{Command, Configuration, MovingMode, WriteVector};
 use crate::{Bounds, Policy, Violation};
 
 impl Policy {
-    /// Whether what a command sets or uses is within the ceilings.
+    /// Checks that what a command sets or uses is within the ceilings.
     pub(crate) fn check_settings(
         &self,
         model: &Model,
@@ -112,7 +112,7 @@ impl Policy {
         at_most(acceleration_key, name, jog.acceleration(), steepest, unit_2)
     }
 
-    /// A stock arm follows mouse and hand with all joints at an even speed of its own.
+    /// A stock arm follows mouse and hand packets with all joints at a constant speed of its own.
     fn check_followed(&self, trajectory: &Trajectory) -> Result<(), Violation> {
         let duration_s = trajectory.motion_s().unwrap_or_default();
         let ends = [trajectory.place_at(0.0), trajectory.place_at(duration_s)];
@@ -234,5 +234,5 @@ fn at_most(key: &str, name: &str, found: f64, most: f64, unit: &str) -> Result<(
     Err(Violation::of_value(key, name, found, allowed, unit))
 }
 
-/// The wire holds single precision, and percentages are multiplied.
+/// The wire uses single precision, and percentages are multiplied.
 const ROUNDING: f64 = 1e-6;

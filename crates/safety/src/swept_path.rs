@@ -1,10 +1,10 @@
-//! What the arm sweeps between two places of its way: bounds that hold for every place between.
+//! The volume swept between two points of a path: bounds that hold for every point between.
 //!
-//! Let something change from `a` to `b` while a share `u` goes evenly from 0 to 1. Where its second
-//! derivative by `u` is at most `m`, it strays from the straight way between `a` and `b` by at most
-//! `m / 8`; and where the way is long enough, `|b - a| >= m / 2`, it does not turn back on it at all.
-//! So all that is needed are bounds of second derivatives, and they follow from the kinematics:
-//! `docs/policy.md` derives them.
+//! Let something change from `a` to `b` while a share `u` goes evenly from 0 to 1. If its second
+//! derivative by `u` is at most `m`, it strays from the straight line between `a` and `b` by at
+//! most `m / 8`; and if the distance is long enough, `|b - a| >= m / 2`, it does not turn back at
+//! all. So all that is needed are bounds of second derivatives, and they follow from the
+//! kinematics: `docs/policy.md` derives them.
 
 use dobot_arm::{Calibration, FOREARM, Joints, Pose, REAR_ARM, Tool};
 use dobot_motion::{ArmPlace, Interpolation};
@@ -12,10 +12,10 @@ use dobot_motion::{ArmPlace, Interpolation};
 use crate::Bounds;
 use crate::body::{MEASURES, Measure};
 
-/// Bounds of second derivatives by the share of the way between two places.
+/// Bounds of second derivatives by the share of the path between two points.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SweptPath {
-    /// Of each measure, in its unit.
+    /// For each measure, in its unit.
     measures: [f64; MEASURES],
     elbow_mm: f64,
     wrist_mm: f64,
@@ -23,7 +23,7 @@ pub(crate) struct SweptPath {
 }
 
 impl SweptPath {
-    /// The bounds between two places that the arm says; `None` where they are too far apart to tell.
+    /// Returns the bounds between two raw positions; `None` if they are too far apart.
     pub(crate) fn between(
         interpolation: Interpolation,
         a: &ArmPlace,
@@ -39,7 +39,7 @@ impl SweptPath {
             Interpolation::Around => Flat::around(a, b),
         };
         let turns = flat.turns(a, b, tool.reach().0)?;
-        // To an arm that is not as drawn, no line of its own is straight.
+        // For an arm that is not as drawn, none of its lines is exactly straight.
         if arm.is_none() {
             Some(flat.swept_path(interpolation, &turns, arm))
         } else {
@@ -47,7 +47,7 @@ impl SweptPath {
         }
     }
 
-    /// All that a measure can be between two places where it is `a` and `b`.
+    /// Returns the range of a measure between two points where it is `a` and `b`.
     pub(crate) fn span(&self, measure: Measure, a: f64, b: f64) -> Bounds {
         let stray = self.measures[measure as usize] / 8.0;
         let ends = Bounds::new(a.min(b), a.max(b));
@@ -57,7 +57,8 @@ impl SweptPath {
         ends.grown(stray)
     }
 
-    /// How far the ends of rear arm, forearm, hand and tool stray from their straight ways, in mm.
+    /// Returns how far the ends of rear arm, forearm, hand and tool stray from straight lines, in
+    /// mm.
     pub(crate) const fn strays_mm(&self) -> [f64; 4] {
         let [elbow, wrist, tool] = [self.elbow_mm, self.wrist_mm, self.tool_mm];
         [
@@ -69,7 +70,7 @@ impl SweptPath {
     }
 }
 
-/// How the joints turn: bounds of first and second derivatives, in radians.
+/// The turns of the joints: bounds of first and second derivatives, in radians.
 struct Turns {
     base: f64,
     base_2: f64,
@@ -80,7 +81,7 @@ struct Turns {
 }
 
 impl Turns {
-    /// All joints change evenly.
+    /// All joints turn evenly.
     fn evenly(a: &Joints, b: &Joints) -> Self {
         let way = |from: f64, to: f64| (to - from).abs().to_radians();
         Self {
@@ -93,8 +94,8 @@ impl Turns {
         }
     }
 
-    /// What follows for the arm, however it differs from the drawing of it: zeros change no derivative,
-    /// and a tool that is elsewhere turns with base and forearm as the tool of the drawing does.
+    /// Returns the bounds for the arm with its calibration: zeros change no derivative, and a
+    /// displaced tool turns with base and forearm as the drawn tool does.
     fn swept_path(&self, a: &ArmPlace, b: &ArmPlace, arm: &Calibration) -> Option<SweptPath> {
         let [rear_mm, fore_mm] = [REAR_ARM.0 * self.rear, FOREARM.0 * self.fore];
         let way_mm = rear_mm + fore_mm;
@@ -104,7 +105,7 @@ impl Turns {
             + FOREARM.0 * self.fore_2;
         let farthest_mm = FARTHEST_MM + arm.reach_mm.abs() + arm.left_mm.abs();
         let tool_mm = turned(farthest_mm, way_mm, flat_v2, self.base, self.base_2);
-        // A tool that is aside is farther from the axis than the plane tells.
+        // A tool displaced sideways is farther from the axis than the plane shows.
         let reach_mm = if arm.is_none() {
             flat_v2
         } else {
@@ -146,20 +147,20 @@ impl Turns {
     }
 }
 
-/// How the tool moves in the upright plane of the arm, and how that plane turns: bounds of first and
-/// second derivatives.
+/// The motion of the tool in the vertical plane of the arm, and the turn of that plane: bounds of
+/// first and second derivatives.
 struct Flat {
-    /// Of the way in the plane, in mm.
+    /// Distance in the plane, in mm.
     way_mm: f64,
     /// Second derivative of the reach, in mm.
     reach_mm: f64,
-    /// Of the base angle, in radians.
+    /// Base angle, in radians.
     base: f64,
     base_2: f64,
 }
 
 impl Flat {
-    /// A straight line in space; `None` where it may pass too near to the axis.
+    /// A straight line in space; `None` if it may pass too close to the axis.
     fn line(a: &Pose, b: &Pose) -> Option<Self> {
         let (from, to) = (a.position, b.position);
         let [x, y] = [to.x.0 - from.x.0, to.y.0 - from.y.0];
@@ -173,7 +174,7 @@ impl Flat {
                 base_2: 0.0,
             });
         }
-        // How far from the axis the endless line passes, and the way itself.
+        // The distance from the axis of the infinite line, and of the segment.
         let off_mm = (from.x.0 * to.y.0 - to.x.0 * from.y.0).abs() / level_mm;
         let ends_mm = from.reach().0.min(to.reach().0);
         let nearest_mm = off_mm.max(ends_mm - 0.5 * level_mm);
@@ -201,10 +202,10 @@ impl Flat {
         }
     }
 
-    /// How the joints turn for that; `None` where they may turn at any speed.
+    /// Returns the turns of the joints for this motion; `None` if they may turn at any speed.
     fn turns(&self, a: &ArmPlace, b: &ArmPlace, tool_reach_mm: f64) -> Option<Turns> {
         let fold = least_fold(a, b, tool_reach_mm, self.way_mm)?;
-        // The links' ways, and their second derivatives.
+        // The distances moved by the links, and their second derivatives.
         let link_mm = self.way_mm / fold;
         let [rear, fore] = [link_mm / REAR_ARM.0, link_mm / FOREARM.0];
         let link_2_mm = (self.reach_mm + link_mm * (rear + fore)) / fold;
@@ -218,13 +219,8 @@ impl Flat {
         })
     }
 
-    /// What follows for an arm as drawn, whose tool goes just so.
-    fn swept_path(
-        &self,
-        interpolation: Interpolation,
-        turns: &Turns,
-        arm: &Calibration,
-    ) -> SweptPath {
+    /// Returns the bounds for an arm as drawn, whose tool moves exactly like this.
+    fn swept_path(&self, interpolation: Interpolation, turns: &Turns, arm: &Calibration) -> SweptPath {
         let degrees = f64::to_degrees;
         let tool_mm = if interpolation == Interpolation::Around {
             turned(FARTHEST_MM, self.way_mm, 0.0, self.base, 0.0)
@@ -259,22 +255,23 @@ impl Flat {
     }
 }
 
-/// How much the table rises for each mm of way along it, at most.
+/// Returns the steepest rise of the table, in mm per mm.
 fn slope(arm: &Calibration) -> f64 {
     arm.table.map_or(0.0, |it| it.slope_x.hypot(it.slope_y))
 }
 
-/// The second derivative of a point at most `radius_mm` from the axis: it moves in the upright plane
-/// with `way_mm` and `way_2_mm`, and the plane turns with `base` and `base_2`.
+/// Returns the second derivative of a point at most `radius_mm` from the axis: it moves in the
+/// vertical plane with `way_mm` and `way_2_mm`, and the plane turns with `base` and `base_2`.
 fn turned(radius_mm: f64, way_mm: f64, way_2_mm: f64, base: f64, base_2: f64) -> f64 {
     way_2_mm + radius_mm * (base * base + base_2) + 2.0 * way_mm * base
 }
 
-/// The least cosine of rear minus forearm angle between two places whose way in the plane is this
-/// long; `None` where the arm may be stretched or folded so far that its joints turn at any speed.
+/// Returns the smallest cosine of rear minus forearm angle between two positions at this distance
+/// in the plane; `None` if the arm may be stretched or folded so far that its joints turn at any
+/// speed.
 ///
-/// The distance from pivot to wrist tells it: `d * d = 135 * 135 + 160 * 160 + 2 * 135 * 160 *
-/// sin(rear - fore)`.
+/// It follows from the distance between pivot and wrist: `d * d = 135 * 135 + 160 * 160 + 2 * 135 *
+/// 160 * sin(rear - fore)`.
 fn least_fold(a: &ArmPlace, b: &ArmPlace, tool_reach_mm: f64, way_mm: f64) -> Option<f64> {
     let stretch_mm = |place: &ArmPlace| {
         let position = place.pose.position;
@@ -291,19 +288,20 @@ fn least_fold(a: &ArmPlace, b: &ArmPlace, tool_reach_mm: f64, way_mm: f64) -> Op
     (least_mm > FOREARM.0 - REAR_ARM.0 && fold > LEAST_FOLD).then_some(fold)
 }
 
-/// The difference of the squared stretches tells the fold; this is the stretch of a right angle.
+/// The fold follows from the difference of the squared stretches; this is the squared stretch of a
+/// right angle.
 const LINKS_V2: f64 = REAR_ARM.0 * REAR_ARM.0 + FOREARM.0 * FOREARM.0;
 
-/// Nothing of the arm is farther from the axis than its links and the longest tool.
+/// No part of the arm is farther from the axis than its links and the longest tool.
 const FARTHEST_MM: f64 = REAR_ARM.0 + FOREARM.0 + Tool::SuctionCup.reach().0;
 
-/// The reach of a tool that is nearer to the axis than this is looked at in shorter pieces.
+/// If the reach of the tool is smaller than this, the path is checked in shorter pieces.
 const NEAR_MM: f64 = 20.0;
 
-/// A line that passes the axis nearer than this is looked at in shorter pieces.
+/// A line that passes the axis closer than this is checked in shorter pieces.
 const NEAREST_MM: f64 = 1.0;
 
-/// A line that goes less than this sideways is upright.
+/// A line that moves less than this horizontally is vertical.
 const LEVEL_MM: f64 = 1e-9;
 
 /// A stock arm within its limits never has less than 0.46.

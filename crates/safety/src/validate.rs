@@ -1,4 +1,4 @@
-//! Whether the values of a policy are in their ranges, and where in the file one is that is not.
+//! The range check of a policy's values, and the line of the first one out of range.
 
 use dobot_arm::Limits;
 use toml::de::{DeTable, DeValue};
@@ -7,7 +7,7 @@ use crate::body::PIVOT;
 use crate::policy_error::{InvalidValue, line_at};
 use crate::{Area, Bounds, KeepOut, Policy};
 
-/// The first value that is not allowed.
+/// Returns the first value that is not allowed.
 pub(crate) fn problem(policy: &Policy) -> Option<InvalidValue> {
     spans(policy)
         .into_iter()
@@ -27,7 +27,7 @@ pub(crate) fn problem(policy: &Policy) -> Option<InvalidValue> {
         })
 }
 
-/// The line of a key in a file; where the key itself is not written, the nearest table that is.
+/// Returns the line of a key in a file; if the key itself is missing, of the nearest table present.
 pub(crate) fn line_of(text: &str, key: &str) -> Option<usize> {
     let document = DeTable::parse(text).ok()?;
     let mut table = document.get_ref();
@@ -45,7 +45,7 @@ pub(crate) fn line_of(text: &str, key: &str) -> Option<usize> {
     offset.map(|offset| line_at(text, offset))
 }
 
-/// Ranges, and the widest that each may be: what the arm itself can do.
+/// Ranges and their widest values, which are what the arm itself can do.
 fn spans(policy: &Policy) -> [(&'static str, Bounds, Bounds); 9] {
     let (joints, space, arm) = (&policy.joints, &policy.workspace, Limits::STOCK);
     [
@@ -189,7 +189,7 @@ fn check_keep_out(name: &str, keep_out: &KeepOut) -> Option<InvalidValue> {
     }
 }
 
-/// The arm's own base is always where it is: a keep-out there would forbid everything.
+/// The arm's base is always in place: a keep-out there would forbid everything.
 fn around_the_base(name: &str, keep_out: &KeepOut, radius_mm: f64) -> Option<InvalidValue> {
     keep_out
         .touches(&[PIVOT, PIVOT], radius_mm + 1.0)

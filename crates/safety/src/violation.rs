@@ -1,4 +1,4 @@
-//! Which rule forbids a command, where on its way, and what would be allowed.
+//! Violations of the policy: the rule, the location on the path, and what is allowed.
 
 use std::fmt;
 
@@ -12,51 +12,51 @@ use crate::effective_rules::{Broken, PathPoint};
 use crate::limits::{BELOW_PAPER, Limit, TABLE};
 use crate::path_check::Breach;
 
-/// Which rule forbids a command, where on its way, and what would be allowed.
+/// A violation of the policy: the rule, the location on the path, and what is allowed.
 ///
-/// As text it is one line that says all of it.
+/// Its text states all of it in one line.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema, thiserror::Error)]
 #[error("{message}")]
 pub struct Violation {
     /// The key of the rule in the policy, such as `keep_out.camera`, `joints.base` or `table`;
-    /// `arm` where the arm itself cannot do it.
+    /// `arm` if the arm itself cannot do it.
     pub rule: String,
     /// What is wrong, in one line.
     pub message: String,
-    /// What was found and what is allowed, where the rule is about a value.
+    /// The value found and the values allowed, if the rule is about a value.
     pub value: Option<Box<RejectedValue>>,
-    /// The first place on the way that is forbidden.
+    /// The first forbidden location on the path.
     pub at: Option<Box<Location>>,
-    /// The last place on the way that is allowed: x, y and z in mm.
+    /// The last allowed position on the path: x, y and z in mm.
     pub nearest: Option<[f64; 3]>,
 }
 
 /// A value that is not allowed, in the unit of its rule.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RejectedValue {
-    /// What was found: on a way the value farthest from what is allowed.
+    /// The value found; on a path, the value farthest outside.
     pub found: f64,
-    /// What is allowed.
+    /// The values allowed.
     pub allowed: Bounds,
     /// The allowed value nearest to what was found.
     pub nearest: f64,
 }
 
-/// A place on a way.
+/// A location on a path.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Location {
-    /// x, y and z of the tool in mm, as the arm tells them.
+    /// x, y and z of the tool in mm, calibrated.
     pub position_mm: [f64; 3],
     /// Base, rear arm, forearm and servo in degrees.
     pub joints_deg: [f64; 4],
-    /// How far along the way of the tool, in mm.
+    /// The distance along the tool's path, in mm.
     pub along_mm: f64,
-    /// How long after the command began, in s; `None` for a jog.
+    /// The time since the command began, in s; `None` for a jog.
     pub after_s: Option<f64>,
 }
 
 impl Violation {
-    /// A value that is not allowed, at no place on a way.
+    /// A value that is not allowed, not on a path.
     pub(crate) fn of_value(
         rule: &str,
         name: &str,
@@ -94,7 +94,7 @@ impl Violation {
         }
     }
 
-    /// A command that leads nowhere.
+    /// A command without a trajectory.
     #[must_use]
     pub fn of_trajectory(error: &TrajectoryError) -> Self {
         match error {
@@ -103,7 +103,7 @@ impl Violation {
         }
     }
 
-    /// A place where the arm cannot be; the rule is the one that says so at its widest.
+    /// A position that the arm cannot reach; the rule is the one that says so at its widest.
     pub(crate) fn of_arm(error: &Unreachable) -> Self {
         let message = error.to_string();
         match *error {
@@ -123,7 +123,7 @@ impl Violation {
         }
     }
 
-    /// A way that breaks a rule; `worst` is its value farthest from what the rule allows.
+    /// A path that breaks a rule; `worst` returns the value farthest outside.
     pub(crate) fn of_breach(breach: &Breach, worst: impl Fn(&Limit) -> f64) -> Self {
         let violation = Self::of_broken(&breach.broken, worst);
         let nearest = position(&breach.nearest);
@@ -147,7 +147,7 @@ impl Violation {
         }
     }
 
-    /// A place that breaks a rule, while nothing moves.
+    /// A position that breaks a rule, without motion.
     pub(crate) fn of_place(broken: &Broken, point: &PathPoint) -> Self {
         Self {
             at: Some(Box::new(Location::of(point))),
@@ -155,7 +155,7 @@ impl Violation {
         }
     }
 
-    /// The same of a jog, which goes on until it is stopped.
+    /// Adds that this is about a jog, which continues until it is stopped.
     pub(crate) fn before_a_stop(self) -> Self {
         let message = format!("before the jog can be stopped, {}", self.message);
         Self { message, ..self }
@@ -218,7 +218,7 @@ const fn key_of(quantity: Quantity) -> &'static str {
     }
 }
 
-/// Two decimals at most.
+/// Formats with at most two decimals.
 struct Rounded(f64);
 
 impl fmt::Display for Rounded {
@@ -228,7 +228,7 @@ impl fmt::Display for Rounded {
     }
 }
 
-/// With as many decimals, from two on, as it takes to see that it is not the other one.
+/// Formats with two decimals, or as many more as needed to differ from another value.
 struct Distinct {
     found: f64,
     than: f64,
@@ -253,10 +253,10 @@ impl fmt::Display for Seconds {
     }
 }
 
-/// The rule of what the arm itself cannot do.
+/// The rule for what the arm itself cannot do.
 pub(crate) const ARM: &str = "arm";
 
-/// Where the arm itself has no least, in degrees or mm: less than it can ever be.
+/// A lower bound for quantities of the arm without one, in degrees or mm: less than it can ever be.
 const LEAST: f64 = -300.0;
 
 const UNCLEAR: &str = "the arm would be folded or stretched so far that a straight line turns its joints at any speed; move it by its joints (movj, joint jog)";

@@ -1,4 +1,4 @@
-//! A client of rules that are kept in this process, for an arm at an address.
+//! A client of a supervisor in this process, for an arm at an address.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -18,20 +18,19 @@ use crate::prepared_arm::PreparedArm;
 use crate::watchdog::wait_for_watchdog;
 use crate::{Client, Snapshot};
 
-/// An arm at an address, and by which rules it is used.
+/// An arm at an address and the rules for it.
 #[derive(Clone, Debug)]
 pub struct LocalArm {
-    /// Where the arm is: a serial port or TCP.
+    /// The address of the arm: a serial port or TCP.
     pub address: Address,
-    /// What the arm understands. When absent, it is what was found out about this arm before, by
-    /// `dobot detect`; otherwise it is undecided.
+    /// The dialect. If absent, the one detected for this arm earlier by `dobot detect`; otherwise
+    /// it is undecided.
     pub dialect: Option<Dialect>,
-    /// The rules.
+    /// The policy.
     pub policy: Policy,
-    /// Where this person's station keeps what it has to remember: the jobs of this arm get a folder
-    /// of their own in it.
+    /// The data folders of this user's station: the jobs of this arm get a subfolder.
     pub folders: Folders,
-    /// The program that guards the arm, as in [`Setup`](crate::Setup::watchdog).
+    /// The watchdog program, as in [`Setup`](crate::Setup::watchdog).
     pub watchdog: Option<PathBuf>,
 }
 
@@ -42,18 +41,18 @@ pub enum OpenArmError {
     /// Its port cannot be opened.
     #[error(transparent)]
     Open(#[from] OpenError),
-    /// The rules are not at work.
+    /// The host could not be started.
     #[error(transparent)]
     Host(#[from] HostError),
     /// The system has no thread left for the arm.
     #[error("the system gives the arm no thread of its own")]
     Thread(#[source] std::io::Error),
-    /// It ended at once.
+    /// The host ended immediately.
     #[error(transparent)]
     Ended(Refusal),
 }
 
-/// A client of rules that are kept in this process.
+/// A client of a supervisor in this process.
 #[derive(Debug)]
 pub(super) struct Local {
     address: Address,
@@ -64,7 +63,7 @@ pub(super) struct Local {
 }
 
 impl Local {
-    /// The port first, and laser off: an arm is dark before anything is kept of it that could fail.
+    /// Opens the port and switches the laser off first, before anything that could fail.
     pub(super) async fn open(arm: LocalArm, name: &str) -> Result<Self, OpenArmError> {
         for folders in [&arm.folders, &arm.folders.of_arm(&arm.address.to_string())] {
             wait_for_watchdog(&folders.watchdog()).await;
@@ -90,7 +89,7 @@ impl Local {
         self.client.request(request).await
     }
 
-    /// What happened comes before the state behind it.
+    /// A notice comes before the state that follows it.
     pub(super) async fn next(&mut self) -> Result<StationEvent, RemoteError> {
         loop {
             let ended = tokio::select! {
@@ -131,7 +130,7 @@ impl Local {
     }
 
     pub(super) async fn end(self) {
-        // Whoever used the arm was told that it was gone.
+        // The client has been told already that the arm is gone.
         let _ = self.host.end().await;
     }
 }

@@ -1,4 +1,4 @@
-//! A client of rules that are kept in virtual time, beside the virtual arm.
+//! A client of a supervisor and a virtual arm in virtual time.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -11,14 +11,14 @@ use dobot_supervisor::Refusal;
 
 use crate::VirtualStation;
 
-/// A client of rules that are kept in virtual time: time passes while it waits.
+/// A client of a supervisor in virtual time: time passes while it waits.
 #[derive(Debug)]
 pub(super) struct InVirtualTime {
     station: VirtualStation,
     client: ClientId,
-    /// What was told and not asked for yet; of states only the last one, unless it asks for each.
+    /// Events not taken yet; only the last of several states, unless each is requested.
     heard: VecDeque<StationEvent>,
-    /// How many notices were told.
+    /// The number of notices taken.
     told: usize,
     dead_man_s: f64,
 }
@@ -42,13 +42,13 @@ impl InVirtualTime {
         self.station.ask(self.client, request)
     }
 
-    /// What was told and not asked for yet.
+    /// Returns the next event not taken yet.
     pub(super) fn buffered(&mut self) -> Option<StationEvent> {
         self.listen();
         self.heard.pop_front()
     }
 
-    /// Lets time pass until something is told.
+    /// Lets time pass until the next event.
     pub(super) fn next(&mut self) -> StationEvent {
         loop {
             if let Some(heard) = self.buffered() {

@@ -2,8 +2,8 @@
 
 use dobot_api::{News, Notice};
 
-/// Logs a notice: as a warning where a person should look at the arm, and the end of each command only
-/// for those who look closely.
+/// Logs a notice: as a warning if a person should look at the arm, and the end of each command at
+/// debug level.
 pub(super) fn log(notice: &Notice) {
     let Notice {
         number, news, text, ..

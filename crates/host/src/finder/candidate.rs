@@ -1,31 +1,31 @@
-//! Which ports may have an arm, and in which order they are tried.
+//! The ports that may have an arm, and the order in which they are tried.
 
 use dobot_session::{Address, DEFAULT_BAUD, Port, Usb};
 
 use super::{Search, WhereFound};
 
-/// A port that is tried.
+/// A port to try.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Candidate {
     pub(super) address: Address,
-    /// What is plugged in there.
+    /// The attached device.
     pub(super) device: Option<String>,
-    /// Which chip it is.
+    /// The USB chip.
     pub(super) usb: Option<Usb>,
-    /// It is known to be the arm's: a person named it, or the arm was found there.
+    /// Whether it is known to be the arm's port: it was named, or the arm was found there.
     pub(super) sure: bool,
 }
 
-/// What is tried and what is not.
+/// The ports to try and those passed over.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Choice {
-    /// In this order.
+    /// In the order of trying.
     pub(super) candidates: Vec<Candidate>,
-    /// Ports that are tried only when a person names them.
+    /// Ports that are tried only when named.
     pub(super) passed_over: Vec<String>,
 }
 
-/// How likely it is that a port is the arm's; the likeliest first.
+/// The likelihood that a port is the arm's, likeliest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     TheSame,
@@ -36,7 +36,7 @@ enum Rank {
 }
 
 impl Candidate {
-    /// Where an arm was found, if this is a serial port.
+    /// Returns where an arm was found, if this is a serial port.
     pub(super) fn place(&self) -> Option<WhereFound> {
         match &self.address {
             Address::Serial { path, baud } => Some(WhereFound {
@@ -49,7 +49,7 @@ impl Candidate {
     }
 }
 
-/// Which of the ports are tried; the policy is told at [`Finder`](super::Finder).
+/// Chooses the ports to try, in the order documented at [`Finder`](super::Finder).
 pub(super) fn choose(search: &Search, ports: &[Port]) -> Choice {
     let (first, passed_over) = if search.named.is_empty() {
         automatic(search, ports)
@@ -86,7 +86,7 @@ fn named(search: &Search, ports: &[Port]) -> Vec<Candidate> {
 fn automatic(search: &Search, ports: &[Port]) -> (Vec<Candidate>, Vec<String>) {
     let last = search.last.as_ref();
     let mut ranked: Vec<_> = ports.iter().map(|it| (rank(it, last), it)).collect();
-    // A stable sort: among equals the order is that of the names.
+    // A stable sort keeps the order of names among equals.
     ranked.sort_by_key(|(rank, _)| *rank);
     let (tried, passed_over): (Vec<_>, Vec<_>) = ranked
         .into_iter()
@@ -121,7 +121,7 @@ fn rank(port: &Port, last: Option<&WhereFound>) -> Rank {
 }
 
 impl Candidate {
-    /// The same port at another speed.
+    /// Returns the port at another speed.
     fn at(&self, baud: u32) -> Option<Self> {
         let Address::Serial { path, .. } = &self.address else {
             return None;
@@ -134,8 +134,8 @@ impl Candidate {
     }
 }
 
-/// Vendor and product of the USB chips that arms were built with: two kinds of Arduino Mega, CH340,
-/// FTDI FT232R, CP2102.
+/// Vendor and product ids of the USB chips that arms were built with: two kinds of Arduino Mega,
+/// CH340, FTDI FT232R, CP2102.
 const LIKELY: [(u16, u16); 5] = [
     (0x2341, 0x0010),
     (0x2341, 0x0042),

@@ -1,4 +1,4 @@
-//! Ports that were tried without success, and are left alone for a while.
+//! Failed attempts: ports that are not tried again for a while.
 
 use std::time::Duration;
 
@@ -7,8 +7,9 @@ use dobot_session::Address;
 use super::ProbeFailure;
 use super::candidate::Candidate;
 
-/// Ports that were tried without success. To open one disturbs what is behind it, so that it is left alone for
-/// a minute, or until it is plugged in again: behind it may be an arm that is switched on by then.
+/// Ports that were tried without success. Opening a port may disturb the device behind it, so it is
+/// not tried again for a minute, or until it is plugged in again: it may be an arm that is switched
+/// on by then.
 #[derive(Debug, Default)]
 pub(super) struct FailedAttempts(Vec<Attempt>);
 
@@ -20,7 +21,7 @@ struct Attempt {
 }
 
 impl FailedAttempts {
-    /// Takes the outcome of an attempt. Where the port could not even be opened nothing is disturbed.
+    /// Records a failed attempt. A port that could not be opened was not disturbed.
     pub(super) fn note(&mut self, candidate: &Candidate, failure: &ProbeFailure, now: Duration) {
         self.0.retain(|it| it.address != candidate.address);
         if !candidate.sure && failure.was_open() {
@@ -32,7 +33,7 @@ impl FailedAttempts {
         }
     }
 
-    /// Why a candidate should not be opened now, if it failed lately.
+    /// Returns why a candidate should not be opened now, if it failed recently.
     pub(super) fn reason_to_wait(&self, candidate: &Candidate, now: Duration) -> Option<&str> {
         let is_recent = |it: &&Attempt| now < it.at.saturating_add(LEFT_ALONE);
         let mut attempts = self.0.iter().filter(|_| !candidate.sure);
@@ -40,7 +41,7 @@ impl FailedAttempts {
         attempt.filter(is_recent).map(|it| it.why.as_str())
     }
 
-    /// Forgets ports that are not there any more.
+    /// Forgets ports that are gone.
     pub(super) fn keep(&mut self, candidates: &[Candidate]) {
         let is_there = |it: &Attempt| candidates.iter().any(|there| there.address == it.address);
         self.0.retain(is_there);

@@ -7,18 +7,18 @@ use dobot_wire::{Decoder, Status, Statuses};
 
 use super::ProbeFailure;
 
-/// Listens to a port, until a valid status comes or time is up.
+/// Listens to a port until a valid status arrives or the time is over.
 #[derive(Debug)]
 pub(super) struct Listening {
     decoder: Decoder<Statuses>,
-    /// What came last.
+    /// The last bytes received.
     kept: Vec<u8>,
     received: u64,
 }
 
 impl Listening {
-    /// By when an arm has told something, since its port was opened: one that starts anew then is
-    /// silent for two seconds.
+    /// The time after opening by which an arm has sent a status: one that restarts is silent for
+    /// two seconds.
     pub(super) const UNTIL: Duration = Duration::from_secs(5);
 
     pub(super) const fn new() -> Self {
@@ -29,17 +29,17 @@ impl Listening {
         }
     }
 
-    /// Takes bytes, and tells whether an arm has been heard.
+    /// Handles bytes; returns whether an arm was found.
     pub(super) fn handle_bytes(&mut self, bytes: &[u8]) -> bool {
         self.received += bytes.len() as u64;
         self.kept.extend_from_slice(bytes);
         self.kept.drain(..self.kept.len().saturating_sub(KEPT));
         let is_status = |frame| Status::parse(&frame).is_ok();
-        // All of them: the decoder loses what it has not reached.
+        // Count all of them: the decoder drops bytes that it has not reached.
         self.decoder.feed(bytes).filter(|it| is_status(*it)).count() > 0
     }
 
-    /// Why no arm was heard when time is up.
+    /// Returns why no arm was found when the time is over.
     pub(super) const fn failure(&self) -> ProbeFailure {
         match self.received {
             0 => ProbeFailure::Silent,
@@ -47,13 +47,13 @@ impl Listening {
         }
     }
 
-    /// What was received, without what is too long ago.
+    /// Returns the bytes received, without the oldest ones.
     pub(super) fn into_bytes(self) -> Vec<u8> {
         self.kept
     }
 }
 
-/// What the kernel of a computer keeps for a serial port.
+/// The size of the kernel's buffer for a serial port.
 const KEPT: usize = 4096;
 
 #[cfg(test)]
@@ -64,7 +64,7 @@ mod tests {
 
     use super::*;
 
-    /// A status of an arm at power-up.
+    /// The status of an arm at power-up.
     fn status() -> [u8; 42] {
         let joints = Joints::new(0.0, 45.0, 45.0, 0.0);
         let place = ArmPlace::at_joints(joints, Tool::SuctionCup);
@@ -108,7 +108,7 @@ mod tests {
         ) {
             let mut listening = Listening::new();
             let mut all = noise;
-            // A false header at the end of the noise hides the first status at the most.
+            // A false header at the end of the noise hides at most the first status.
             all.extend(status().repeat(2));
             let heard = all.chunks(cut).filter(|it| listening.handle_bytes(it)).count();
             prop_assert!(heard > 0);

@@ -5,49 +5,49 @@ use std::io;
 
 use dobot_session::{Address, OpenError};
 
-/// Why no arm was heard at a port.
+/// Why no arm was found at a port.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProbeFailure {
-    /// It cannot be opened.
+    /// The port cannot be opened.
     #[error("{}", open_text(.0))]
     Open(#[from] OpenError),
-    /// Nothing came.
+    /// Nothing was received.
     #[error("nothing was heard for 5 s")]
     Silent,
-    /// Something came, and it was not from an arm.
+    /// Something was received, but not from an arm.
     #[error("{bytes} bytes came in 5 s, and no valid status among them")]
     Noise {
-        /// How many bytes.
+        /// The number of bytes.
         bytes: u64,
     },
-    /// It was closed at the other end, or unplugged.
+    /// The port was closed at the other end, or unplugged.
     #[error("it was unplugged, or closed at the other end")]
     Closed,
-    /// It broke.
+    /// Reading failed.
     #[error("it broke: {0}")]
     Broken(#[source] io::Error),
-    /// It was tried not long ago, and is left alone for a while.
+    /// The port failed recently and is not tried again for a while.
     #[error("{why}; it is tried again later")]
     Before {
-        /// What was found then.
+        /// The earlier failure.
         why: String,
     },
 }
 
-/// No arm was found: what came of each port, for a person to see.
+/// The error returned when no arm was found, with the failure of each port.
 #[derive(Debug)]
 pub struct NothingFound {
-    /// What came of each port that may have an arm.
+    /// The failure of each port tried.
     pub failures: Vec<(Address, ProbeFailure)>,
-    /// Ports that are tried only when a person names them.
+    /// Ports that are tried only when named.
     pub passed_over: Vec<String>,
     /// Why the ports of this machine could not be listed.
     pub unlisted: Option<String>,
 }
 
 impl ProbeFailure {
-    /// What to do about it.
+    /// Returns a hint on how to fix it.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
@@ -60,7 +60,7 @@ impl ProbeFailure {
         }
     }
 
-    /// Whether the port was opened, which may have disturbed what is behind it.
+    /// Returns whether the port was opened, which may have disturbed the device.
     pub(super) const fn was_open(&self) -> bool {
         !matches!(self, Self::Open(_) | Self::Before { .. })
     }
@@ -85,7 +85,7 @@ impl NothingFound {
         }
     }
 
-    /// What to do about it.
+    /// Returns a hint on how to fix it.
     #[must_use]
     pub fn hint(&self) -> String {
         let hint = self.failures.iter().find_map(|(_, it)| it.hint());
@@ -117,7 +117,7 @@ impl fmt::Display for NothingFound {
 
 impl std::error::Error for NothingFound {}
 
-/// The error, and what the operating system says about it.
+/// Returns the error and the operating system's error.
 fn open_text(error: &OpenError) -> String {
     match std::error::Error::source(error) {
         Some(source) => format!("{error}: {source}"),
@@ -125,7 +125,7 @@ fn open_text(error: &OpenError) -> String {
     }
 }
 
-/// The first few by name.
+/// Lists the first few by name.
 fn listed(ports: &[String]) -> String {
     match ports.get(NAMED..) {
         Some(more) if !more.is_empty() => {

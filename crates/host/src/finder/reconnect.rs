@@ -1,11 +1,11 @@
-//! When to look for an arm again.
+//! The schedule of reconnection attempts.
 
 use std::time::Duration;
 
-/// When to look for an arm again after its link was lost: after a quarter of a second, then after
-/// twice as long each time, up to two seconds.
+/// The schedule of searches after a link was lost: after a quarter of a second, then after twice as
+/// long each time, up to two seconds.
 ///
-/// The [`Finder`](super::Finder) knows which port it was and tries that one first.
+/// The [`Finder`](super::Finder) knows the port and tries it first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reconnect {
     due: Duration,
@@ -13,7 +13,7 @@ pub struct Reconnect {
 }
 
 impl Reconnect {
-    /// The link was lost now; `now` is the time by any clock that never goes back.
+    /// Starts when a link is lost; `now` is the time by any clock that never goes back.
     #[must_use]
     pub const fn lost(now: Duration) -> Self {
         Self {
@@ -22,13 +22,13 @@ impl Reconnect {
         }
     }
 
-    /// Nothing was found; the search ended now.
+    /// Handles a search that ended without an arm.
     pub fn handle_failure(&mut self, now: Duration) {
         self.pause = self.pause.saturating_mul(2).min(LONGEST);
         self.due = now.saturating_add(self.pause);
     }
 
-    /// When to look next, by the same clock.
+    /// Returns when to search next, by the same clock.
     #[must_use]
     pub const fn poll_wakeup(&self) -> Duration {
         self.due

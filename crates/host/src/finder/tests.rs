@@ -1,4 +1,4 @@
-//! Over real pseudo-terminals, which pass for ports of USB chips.
+//! Tests over real pseudo-terminals that pose as ports of USB chips.
 
 #![cfg(unix)]
 
@@ -23,7 +23,7 @@ fn text(path: &Path) -> String {
     path.to_str().expect("the name is text").to_owned()
 }
 
-/// A port that passes for that of a CH340.
+/// A port that poses as a CH340.
 fn port(path: &Path) -> Port {
     Port {
         path: text(path),
@@ -63,7 +63,7 @@ async fn opened(pty: &Pty) -> PtyClient {
     }
 }
 
-/// Sends noise to whoever opens the port, until it is closed; returns what came back.
+/// Sends noise to the process that opens the port, until it is closed; returns the bytes received.
 fn noisy() -> (JoinHandle<Vec<u8>>, Port) {
     let pty = pty();
     let port = port(pty.path());
@@ -139,11 +139,11 @@ async fn a_silent_port_is_told_and_nothing_was_written_to_it() {
         "{nothing}"
     );
     assert!(nothing.hint().contains("switched on"), "{}", nothing.hint());
-    // There would be bytes to be read of one that has left.
+    // A peer that has left would leave bytes to read.
     assert!(pty.client().expect("it is there").is_none());
 }
 
-/// In real time: a clock that runs ahead when nothing happens would not wait for bytes on their way.
+/// In real time: a clock that runs ahead when idle would not wait for bytes in transit.
 #[tokio::test]
 async fn a_noisy_port_is_told_and_nothing_was_written_to_it() {
     let (came, port) = noisy();
@@ -231,7 +231,7 @@ async fn an_arm_that_was_unplugged_is_found_again_before_other_ports_are_touched
     let found = finder.find_among(&[port_of_arm], |_| {}).await;
     drop(found.expect("it is there"));
     first_arm.abort();
-    // It comes back under another name, among others of its kind that have numbers of their own.
+    // It reappears under another name, among others of its kind that have serial numbers.
     let (_arm, back) = arm(&[]);
     let silent = pty();
     let mut other = port(silent.path());

@@ -1,11 +1,11 @@
-//! What a new job has to be like, besides its commands.
+//! Checks of a new job, apart from its commands.
 
 use dobot_api::NewJob;
 use dobot_wire::Command;
 
 use dobot_supervisor::{Refusal, is_plain};
 
-/// Looks at title, lift and pauses of a new job.
+/// Checks title, lift and pauses of a new job.
 pub(super) fn check_new(job: &NewJob) -> Result<(), Refusal> {
     let title = job.title.chars().count();
     if title == 0 || title > TITLE_LEN {
@@ -54,7 +54,7 @@ fn check_message(message: &str) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// A pause stands behind the one before it, where the arm is at rest.
+/// Checks that a pause comes after the one before it, where the arm is at rest.
 fn check_place(job: &NewJob, before: usize, least: usize) -> Result<(), Refusal> {
     if !(least..job.commands.len()).contains(&before) {
         let most = job.commands.len().saturating_sub(1);

@@ -1,4 +1,4 @@
-//! The list of jobs: its order, what is done again, what is forgotten.
+//! The list of jobs: order, copies and removal.
 
 use dobot_api::{JobState, JobView, NewJob};
 use dobot_journal::{Job, JobId, Journal};
@@ -7,7 +7,8 @@ use dobot_supervisor::{FORGETTABLE, Refusal};
 
 use super::{check_made_for, find, journal_refusal, view};
 
-/// All jobs in their order: the oldest first, unless queued ones were moved; one of them as it is now.
+/// Returns all jobs in order: oldest first, unless queued ones were moved; `current` replaces its
+/// stored state.
 pub(crate) fn list(journal: &Journal, current: Option<&JobView>) -> Result<Vec<JobView>, Refusal> {
     let jobs = journal.jobs().map_err(|error| journal_refusal(&error))?;
     let view = |job: &Job| match current {
@@ -17,7 +18,7 @@ pub(crate) fn list(journal: &Journal, current: Option<&JobView>) -> Result<Vec<J
     Ok(jobs.iter().map(view).collect())
 }
 
-/// What a job does, as a new one.
+/// Queues a copy of a job.
 pub(crate) fn again(journal: &Journal, job: u64, model: &Model) -> Result<NewJob, Refusal> {
     let job = find(journal, job)?;
     check_made_for(&job, model)?;
@@ -32,7 +33,7 @@ pub(crate) fn again(journal: &Journal, job: u64, model: &Model) -> Result<NewJob
     })
 }
 
-/// Puts a queued job before another queued one, or behind all of them.
+/// Moves a queued job before another queued one, or to the end.
 pub(crate) fn move_before(journal: &Journal, job: u64, before: Option<u64>) -> Result<(), Refusal> {
     for job in before.into_iter().chain([job]) {
         check_queued(&find(journal, job)?)?;
@@ -44,7 +45,7 @@ pub(crate) fn move_before(journal: &Journal, job: u64, before: Option<u64>) -> R
     arranged.map_err(|error| journal_refusal(&error))
 }
 
-/// Forgets a job that is over, or that has not begun.
+/// Removes a job that is over or has not started.
 pub(crate) fn forget(journal: &Journal, job: u64) -> Result<(), Refusal> {
     let job = find(journal, job)?;
     if job.state.is_active() {
@@ -69,7 +70,7 @@ fn check_queued(job: &Job) -> Result<(), Refusal> {
     })
 }
 
-/// Jobs in their order with one of them before another, or behind all.
+/// Returns the order with one job moved before another, or to the end.
 fn moved(mut order: Vec<JobId>, job: JobId, before: Option<u64>) -> Vec<JobId> {
     if before == Some(job.0) {
         return order;

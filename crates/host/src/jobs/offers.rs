@@ -1,4 +1,4 @@
-//! Jobs that other stations offer.
+//! Job offers from other stations.
 
 use dobot_api::{JobKind, JobState, JobView};
 use dobot_journal::{Journal, JournalError, Offered, PlannedJob};
@@ -9,8 +9,8 @@ use dobot_supervisor::{Refusal, plain};
 use super::{check_key, find, journal_refusal, planned, view};
 use crate::handle::{OfferAnswer, OfferAsk};
 
-/// Answers another station. Whatever else than its own journal keeps the station from taking a job, it has refused it for
-/// good then.
+/// Answers another station. Anything but its own journal that keeps the station from accepting a
+/// job results in a final refusal.
 pub(crate) fn answer(
     journal: &Journal,
     policy: &Policy,
@@ -32,7 +32,7 @@ pub(crate) fn answer(
         (OfferAsk::Look, None) => Ok(None),
         (OfferAsk::Refuse { reason, busy }, None) => journal.refuse(key, &reason, busy).map(Some),
         (OfferAsk::Take { job, made_for }, None) => match model {
-            // It may speak later.
+            // The arm may be connected, or its dialect known, later.
             Err(refusal) => journal.refuse(key, &refusal.to_string(), true).map(Some),
             Ok(model) if made_for.is_some_and(|it| !it.is_same(&model.calibration)) => {
                 journal.refuse(key, OTHER_ARM, false).map(Some)
@@ -68,11 +68,11 @@ fn take(
         },
         Err(refusal) => refusal.to_string(),
     };
-    // A job that makes no sense is refused for good; where the journal cannot be written, nothing is answered.
+    // An invalid job is refused for good; if the journal cannot be written, there is no answer.
     journal.refuse(key, &refused, false)
 }
 
-/// A job of which only the end is known any more.
+/// A removed job of which only the final state is known.
 fn forgotten(job: u64, state: &JobState) -> JobView {
     JobView {
         job,
@@ -93,9 +93,10 @@ fn forgotten(job: u64, state: &JobState) -> JobView {
     }
 }
 
-/// How the reason of a job begins that was withdrawn before its arm had begun it; behind it follows by whom.
+/// The reason of a job withdrawn before its arm started it begins with this, followed by the name
+/// of the station.
 pub const WITHDRAWN: &str = "withdrawn by ";
-/// Why a job for an arm that differs from its drawing in another way is not taken.
+/// Why a job for an arm with another calibration is not accepted.
 const OTHER_ARM: &str = "its commands were made for an arm with another calibration: submit the drawing itself, which is planned where it is drawn";
-/// How many characters of a station's name are told.
+/// The maximum number of characters shown of a station's name.
 const LONGEST_NAME: usize = 40;

@@ -1,4 +1,4 @@
-//! The watchdog as the station sees it: a child process.
+//! The watchdog child process, as seen by the station.
 
 use std::io::{self, ErrorKind, Write};
 use std::os::fd::OwnedFd;
@@ -9,19 +9,19 @@ use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
 
 use super::Heartbeat;
 
-/// The watchdog as the station sees it: a child process that receives heartbeats. When this is dropped
-/// without a goodbye, the watchdog stops the arm.
+/// The watchdog child process, which receives heartbeats. When this is dropped without a goodbye,
+/// the watchdog stops the arm.
 #[derive(Debug)]
 pub(super) struct Child {
     heartbeats: ChildStdin,
 }
 
 impl Child {
-    /// Starts it, with the arm's port.
+    /// Starts the process with the arm's port.
     ///
     /// # Errors
     ///
-    /// What the system says.
+    /// The operating system's error.
     pub(super) fn start(program: &Path, note: &Path, port: OwnedFd) -> io::Result<Self> {
         let mut child = Command::new(program)
             .arg("watchdog")
@@ -31,24 +31,24 @@ impl Child {
             .stdout(Stdio::from(port))
             .spawn()?;
         let heartbeats = child.stdin.take().expect("it is piped");
-        // The arm never waits for its watchdog.
+        // The arm must never wait for its watchdog.
         fcntl_setfl(&heartbeats, fcntl_getfl(&heartbeats)? | OFlags::NONBLOCK)?;
         let waiting = std::thread::Builder::new().name("watchdog".into());
         waiting.spawn(move || {
-            // Otherwise the system would keep what is left of it.
+            // Reap the process.
             let _ = child.wait();
         })?;
         Ok(Self { heartbeats })
     }
 
-    /// Sends it a heartbeat.
+    /// Sends a heartbeat.
     ///
     /// # Errors
     ///
-    /// What the system says when the watchdog is gone.
+    /// The operating system's error if the watchdog is gone.
     pub(super) fn send(&mut self, heartbeat: Heartbeat) -> io::Result<()> {
         match self.heartbeats.write(&[heartbeat.to_byte()]) {
-            // It has more to read than it can: it stands still.
+            // It reads too slowly: it hangs.
             Err(error) if error.kind() == ErrorKind::WouldBlock => Ok(()),
             sent => sent.map(drop),
         }

@@ -1,9 +1,9 @@
-//! A clock that goes on while the computer sleeps.
+//! A clock that advances while the computer sleeps.
 
 use std::time::Duration;
 
-/// A clock that goes on while the computer sleeps, where the system has one: Linux. Elsewhere it
-/// stands meanwhile, and a sleep is noticed by its other traces.
+/// A clock that advances while the computer sleeps, if the system has one (Linux). Elsewhere it
+/// stops meanwhile, and a sleep is noticed by its other effects.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clock {
     #[cfg(not(target_os = "linux"))]
@@ -18,7 +18,7 @@ impl Clock {
         }
     }
 
-    /// The time since a moment that does not change.
+    /// Returns the time since a fixed moment.
     #[cfg(target_os = "linux")]
     #[expect(clippy::unused_self, reason = "other systems need where it began")]
     pub(crate) fn now(self) -> Duration {
@@ -26,7 +26,7 @@ impl Clock {
         Duration::try_from(time).expect("no computer was started before its clock began")
     }
 
-    /// The time since a moment that does not change.
+    /// Returns the time since a fixed moment.
     #[cfg(not(target_os = "linux"))]
     pub(crate) fn now(self) -> Duration {
         self.started.elapsed()

@@ -1,24 +1,24 @@
-//! What the station tells its watchdog: that it lives, and what must not outlive it.
+//! Heartbeats from the station to its watchdog.
 
 use dobot_motion::LASER_OFF;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
-/// What the station tells its watchdog, a byte each.
+/// A heartbeat from the station to its watchdog, one byte each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Heartbeat {
-    /// The station lives.
+    /// The station is alive.
     Alive(Hazards),
-    /// The station ends as it should: nothing is left to be said.
+    /// The station ends properly: nothing is left to send.
     Goodbye,
 }
 
-/// What the arm was told that must not outlive the station.
+/// The commands sent to the arm that must not outlive the station.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Hazards {
-    /// The kind of the button that was pressed last. It stays when the button is let go: the release
-    /// may get lost, and to say it again does nothing to an arm that stands.
+    /// The kind of the last pressed button. It stays after the release: the release may get lost,
+    /// and repeating it does nothing to an arm at rest.
     pub jog: Option<JogKind>,
-    /// The laser was switched on last, not off.
+    /// Whether the laser was last switched on.
     pub burns: bool,
 }
 
@@ -32,7 +32,7 @@ pub enum JogKind {
 }
 
 impl Heartbeat {
-    /// As a byte.
+    /// Encodes it as a byte.
     #[must_use]
     pub const fn to_byte(self) -> u8 {
         let hazards = match self {
@@ -49,7 +49,7 @@ impl Heartbeat {
         }
     }
 
-    /// From a byte; `None` for one that no station says.
+    /// Decodes a byte; `None` for a byte that no station sends.
     #[must_use]
     pub const fn from_byte(byte: u8) -> Option<Self> {
         let jog = match byte {
@@ -65,7 +65,7 @@ impl Heartbeat {
 }
 
 impl Hazards {
-    /// The same after a packet that goes to the arm now.
+    /// Returns the hazards after a packet to the arm.
     #[must_use]
     pub fn after(self, packet: &Packet, dialect: &Dialect) -> Self {
         let Ok(command) = Command::parse(packet, dialect) else {
@@ -85,7 +85,7 @@ impl Hazards {
         Self { jog, burns }
     }
 
-    /// The packets that bring the arm to rest and darken it, in the order in which they are sent.
+    /// Returns the packets that stop the arm and switch the laser off, in sending order.
     #[must_use]
     pub fn stop_packets(self) -> Vec<Packet> {
         let commands = match (self.jog.map(JogKind::release), self.burns) {
@@ -99,7 +99,7 @@ impl Hazards {
 }
 
 impl JogKind {
-    /// What lets go of a button of this kind.
+    /// Returns the release of this kind of button.
     const fn release(self) -> Command {
         match self {
             Self::Joint => Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0)),

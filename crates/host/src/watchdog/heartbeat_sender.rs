@@ -1,4 +1,4 @@
-//! Sends heartbeats to the watchdog, and notices when the loop that sends them stood still.
+//! The sender of heartbeats, which also detects stalls of its own loop.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,10 +13,10 @@ use super::clock::Clock;
 use super::{Hazards, Heartbeat, PanicStop, Watchdog};
 use crate::{Notification, ServiceManager};
 
-/// Sends heartbeats for as long as the loop of the thread that has the arm goes round.
+/// Sends heartbeats while the loop of the arm thread runs.
 #[derive(Debug)]
 pub(crate) struct HeartbeatSender {
-    /// The program that is a watchdog when it is told so; none without one.
+    /// The watchdog program, if any.
     program: Option<PathBuf>,
     note: PathBuf,
     clock: Clock,
@@ -26,20 +26,20 @@ pub(crate) struct HeartbeatSender {
     panic_stop: Arc<PanicStop>,
     #[cfg(unix)]
     watchdog: Option<Child>,
-    /// When the last one was started.
+    /// When the last watchdog was started.
     #[cfg(unix)]
     watchdog_started: Duration,
-    /// Why there is no watchdog, while there should be one.
+    /// Why there is no watchdog although one is required.
     gone: Option<String>,
     trouble: Option<String>,
-    /// The system that keeps the station running.
+    /// The service manager.
     service_manager: ServiceManager,
-    /// When that was told last that this loop goes round.
+    /// When the service manager was last notified.
     reported: Duration,
 }
 
 impl HeartbeatSender {
-    /// Sends heartbeats to a watchdog, if there is a program that is one.
+    /// Creates a sender; without a program there is no watchdog.
     pub(crate) fn new(program: Option<PathBuf>, note: PathBuf, panic_stop: Arc<PanicStop>) -> Self {
         Self {
             program,
@@ -59,13 +59,13 @@ impl HeartbeatSender {
         }
     }
 
-    /// The same, which also tells the system that keeps the station running.
+    /// Also notifies the service manager.
     pub(crate) fn supervised(mut self, service_manager: ServiceManager) -> Self {
         self.service_manager = service_manager;
         self
     }
 
-    /// Takes the link to an arm: from now on there is something to guard.
+    /// Starts guarding the arm on this link.
     pub(crate) fn start(&mut self, link: &Link) {
         self.stop();
         if let Err(error) = self.guard(link) {
@@ -73,7 +73,7 @@ impl HeartbeatSender {
         }
     }
 
-    /// The link is gone, or the station ends as it should.
+    /// Stops guarding, because the link is gone or the station ends properly.
     pub(crate) fn stop(&mut self) {
         self.last = None;
         self.gone = None;
@@ -81,13 +81,13 @@ impl HeartbeatSender {
         {
             self.panic_stop.set_port(None);
             if let Some(mut watchdog) = self.watchdog.take() {
-                // One that is gone needs no goodbye.
+                // It may be gone already.
                 let _ = watchdog.send(Heartbeat::Goodbye);
             }
         }
     }
 
-    /// Sends a heartbeat if one is due; returns how long the loop stood still, if it did.
+    /// Sends a heartbeat if due; returns the length of a stall, if there was one.
     pub(crate) fn send_due(&mut self) -> Option<Duration> {
         let now = self.clock.now();
         if let Some(period) = self.service_manager.period()
@@ -103,7 +103,7 @@ impl HeartbeatSender {
         (silent >= Watchdog::PATIENCE).then_some(silent)
     }
 
-    /// Takes what the arm is told next: the watchdog knows it before the arm does.
+    /// Notes the next packet to the arm: the watchdog learns of it before the arm does.
     pub(crate) fn note_packet(&mut self, packet: &Packet, dialect: &Dialect) {
         let hazards = self.hazards.after(packet, dialect);
         if hazards != self.hazards {
@@ -115,7 +115,7 @@ impl HeartbeatSender {
         }
     }
 
-    /// How soon the next heartbeat is due, if one is.
+    /// Returns the time until the next heartbeat is due.
     pub(crate) fn due_in(&self) -> Option<Duration> {
         let watchdog = self.last.map(|it| it + PERIOD);
         let service_manager = self.service_manager.period().map(|it| self.reported + it);
@@ -123,17 +123,17 @@ impl HeartbeatSender {
         Some(next.saturating_sub(self.clock.now()))
     }
 
-    /// Where the watchdog leaves what it did.
+    /// Returns the file of the watchdog's note.
     pub(crate) fn note(&self) -> &Path {
         &self.note
     }
 
-    /// Why no watchdog watches over the arm, while one should.
+    /// Returns why no watchdog guards the arm although one is required.
     pub(crate) const fn gone(&self) -> Option<&String> {
         self.gone.as_ref()
     }
 
-    /// What people should know of it.
+    /// Returns a fault to report.
     pub(crate) const fn poll_trouble(&mut self) -> Option<String> {
         self.trouble.take()
     }
@@ -149,7 +149,7 @@ impl HeartbeatSender {
         self.start_watchdog()
     }
 
-    /// Starts the watchdog of the port, if there is a program that is one.
+    /// Starts the watchdog of the port, if there is a program.
     #[cfg(unix)]
     fn start_watchdog(&mut self) -> std::io::Result<()> {
         if let (Some(program), Some(port)) = (&self.program, self.panic_stop.port()?) {
@@ -160,8 +160,8 @@ impl HeartbeatSender {
         Ok(())
     }
 
-    /// Starts another watchdog in place of one that is gone, unless that one had just been started: then a little later,
-    /// and so on until one stays.
+    /// Replaces a watchdog that is gone, unless it had just been started: then a little later,
+    /// until one stays.
     #[cfg(unix)]
     fn replace(&mut self) {
         if self.clock.now().saturating_sub(self.watchdog_started) < BETWEEN_STARTS {
@@ -210,8 +210,8 @@ impl HeartbeatSender {
     }
 }
 
-/// From one heartbeat to the next, at most.
+/// The longest time between heartbeats.
 pub(crate) const PERIOD: Duration = Duration::from_millis(80);
-/// How long to wait before yet another watchdog is started.
+/// The pause before another watchdog is started.
 #[cfg(unix)]
 const BETWEEN_STARTS: Duration = Duration::from_secs(3);

@@ -1,4 +1,4 @@
-//! What the watchdog leaves to be read: a file in the data folder.
+//! The watchdog's note: a file in the data folder.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Write};
@@ -8,19 +8,19 @@ use std::time::Duration;
 use tokio::sync::oneshot;
 use tokio::time::Instant;
 
-/// The watchdog's end of the file: locked for as long as the watchdog has the port.
+/// The watchdog's side of the file: locked while the watchdog has the port.
 #[derive(Debug)]
 pub(super) struct Note(Option<File>);
 
 impl Note {
-    /// Opens and locks it. A watchdog without it does its work all the same.
+    /// Opens and locks it. A watchdog without a note still does its work.
     pub(super) fn open(path: &Path) -> Self {
         let mut options = OpenOptions::new();
         options.append(true).create(true);
         #[cfg(unix)]
         std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
         let file = options.open(path).ok();
-        // Where another one has it, that one has the port, too.
+        // If another watchdog has the lock, it also has the port.
         Self(file.inspect(|it| drop(it.try_lock())))
     }
 
@@ -28,13 +28,13 @@ impl Note {
     pub(super) fn write(&mut self, text: &str) {
         let line = format!("{:.0}: {text}\n", jiff::Timestamp::now());
         if let Some(file) = &mut self.0 {
-            // It was said on standard error, too.
+            // It was written to standard error as well.
             let _ = file.write_all(line.as_bytes());
         }
     }
 }
 
-/// Reads what watchdogs have left, a line each, and empties the file.
+/// Reads the lines left by watchdogs and empties the file.
 pub(crate) fn take_note(path: &Path) -> Vec<String> {
     let taken = || -> io::Result<String> {
         if !path.metadata()?.is_file() {
@@ -48,19 +48,19 @@ pub(crate) fn take_note(path: &Path) -> Vec<String> {
         }
         Ok(text)
     };
-    // Mostly there is none.
+    // Usually there is none.
     let text = taken().unwrap_or_default();
     text.lines().map(str::to_owned).collect()
 }
 
-/// Waits until the watchdog of a previous station has released the port, which takes it a moment. A file system that
-/// does not answer counts as released: switching the laser off waits for no disk.
+/// Waits until the watchdog of a previous station has released the port. A file system that does
+/// not respond counts as released: switching the laser off must not wait for a disk.
 pub(crate) async fn wait_for_watchdog(path: &Path) {
     let latest = Instant::now() + LONGEST;
     while Instant::now() < latest {
         let (answer, locked) = oneshot::channel();
         let path = path.to_owned();
-        // Of its own: a runtime would wait for it when it ends.
+        // In a thread of its own: a runtime would wait for it at its end.
         let asking = std::thread::Builder::new().name("note".into());
         let _ = asking.spawn(move || answer.send(is_locked(&path)));
         match tokio::time::timeout(ANSWER, locked).await {
@@ -70,16 +70,16 @@ pub(crate) async fn wait_for_watchdog(path: &Path) {
     }
 }
 
-/// Whether a watchdog is at work.
+/// Returns whether a watchdog is running.
 fn is_locked(path: &Path) -> bool {
-    // To open a pipe would wait for its other end.
+    // Opening a pipe would wait for its other end.
     path.metadata().is_ok_and(|it| it.is_file())
         && File::open(path).is_ok_and(|it| it.try_lock_shared().is_err())
 }
 
-/// Longer than a watchdog speaks.
+/// Longer than a watchdog runs after its station.
 const LONGEST: Duration = Duration::from_secs(6);
-/// How long a file system may take for a small question.
+/// The time a file system may take for a small query.
 const ANSWER: Duration = Duration::from_millis(500);
 const SOON: Duration = Duration::from_millis(20);
 

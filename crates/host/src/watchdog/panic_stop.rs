@@ -1,4 +1,4 @@
-//! What is sent to the arm when a part of the station panics.
+//! Stop packets sent when a part of the station panics.
 
 use std::cell::RefCell;
 use std::panic::{set_hook, take_hook};
@@ -11,8 +11,8 @@ use std::time::Duration;
 
 use super::Hazards;
 
-/// The arm's port and what the arm was told, kept apart from the thread that has the arm: when that
-/// panics, laser off and the release are sent all the same, at once and without its help.
+/// The arm's port and hazards, kept apart from the arm thread: if it panics, laser off and the
+/// release are sent immediately and without its help.
 #[derive(Debug, Default)]
 pub(crate) struct PanicStop(Mutex<GuardedPort>);
 
@@ -24,22 +24,22 @@ struct GuardedPort {
 }
 
 impl PanicStop {
-    /// Takes what the arm is told now.
+    /// Records the current hazards.
     pub(crate) fn note(&self, hazards: Hazards) {
         self.lock().hazards = hazards;
     }
 
-    /// Takes by which port the arm is reached; none while there is no link.
+    /// Sets the port of the arm; `None` while there is no link.
     #[cfg(unix)]
     pub(crate) fn set_port(&self, port: Option<OwnedFd>) {
         self.lock().port = port;
     }
 
-    /// The same port once more; none while there is no link.
+    /// Duplicates the port; `None` while there is no link.
     ///
     /// # Errors
     ///
-    /// What the system says.
+    /// The operating system's error.
     #[cfg(unix)]
     pub(crate) fn port(&self) -> std::io::Result<Option<OwnedFd>> {
         self.lock()
@@ -49,14 +49,14 @@ impl PanicStop {
             .transpose()
     }
 
-    /// From now on, a panic of this thread sends laser off and the release before anything else: even before the
-    /// message about the panic, which may wait for a full pipe.
+    /// From now on, a panic of this thread sends laser off and the release before anything else:
+    /// even before the panic message, which may wait for a full pipe.
     pub(crate) fn send_on_panic(self: Arc<Self>) {
         static HOOK: Once = Once::new();
         HOOK.call_once(|| {
             let previous = take_hook();
             set_hook(Box::new(move |panic| {
-                // A thread that ends has no hook left.
+                // A thread that is ending has no hook left.
                 let stop = OF_THREAD.try_with(|it| it.borrow().clone());
                 if let Ok(Some(stop)) = stop {
                     stop.send();
@@ -67,7 +67,8 @@ impl PanicStop {
         OF_THREAD.set(Some(self));
     }
 
-    /// Sends laser off and the release, without anything that may have panicked; the watchdog sends them again.
+    /// Sends laser off and the release without anything that may have panicked; the watchdog
+    /// repeats them.
     #[cfg(unix)]
     fn send(&self) {
         let known = self.lock();
@@ -75,7 +76,7 @@ impl PanicStop {
             return;
         };
         for packet in known.hazards.stop_packets() {
-            // A port that takes nothing helps nobody; the watchdog tries on.
+            // If the port accepts nothing, the watchdog keeps trying.
             super::port::write_within(port, &packet.to_bytes(), PATIENCE);
             std::thread::sleep(super::GAP);
         }
@@ -94,7 +95,7 @@ thread_local! {
     static OF_THREAD: RefCell<Option<Arc<PanicStop>>> = const { RefCell::new(None) };
 }
 
-/// So long a port may take for a packet.
+/// The time a port may take for a packet.
 #[cfg(unix)]
 const PATIENCE: Duration = Duration::from_millis(100);
 
@@ -117,10 +118,10 @@ mod tests {
         jog: Some(JogKind::Linear),
         burns: true,
     };
-    /// What makes this test the process that panics.
+    /// Set in the process that panics in this test.
     const PANICS: &str = "DOBOT_TEST_PANICS";
 
-    /// Standard output is the port of the arm.
+    /// Standard output is the arm's port.
     fn panic_with_port() {
         let stop = Arc::new(PanicStop::default());
         let port = std::io::stdout().as_fd().try_clone_to_owned().unwrap();
@@ -159,7 +160,7 @@ mod tests {
             assert!(read > 0, "it ended without the packets");
             heard.extend_from_slice(&bytes[..read]);
         }
-        // It waits for the pipe now.
+        // It is waiting for the pipe now.
         assert_eq!(child.try_wait().unwrap(), None);
         drop(reader);
         assert!(!child.wait().unwrap().success());

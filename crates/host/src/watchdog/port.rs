@@ -1,4 +1,4 @@
-//! A port that is written to without anything asynchronous around it.
+//! Synchronous writes to a port.
 
 use std::os::fd::AsFd;
 use std::time::{Duration, Instant};
@@ -6,19 +6,19 @@ use std::time::{Duration, Instant};
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::Errno;
 
-/// What a port says to bytes.
+/// The outcome of a write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Taken {
-    /// It took so many.
+    /// This many bytes were accepted.
     Some(usize),
-    /// None just now.
+    /// None at the moment.
     Later,
-    /// None any more.
+    /// The port is gone.
     Gone,
 }
 
-/// Writes what the port takes without waiting. Whether it waits is not ours to say: the station and
-/// its watchdog share that.
+/// Writes what the port accepts without waiting. Blocking mode cannot be set here, because station
+/// and watchdog share the port.
 pub(super) fn write_some(port: impl AsFd, bytes: &[u8]) -> Taken {
     match rustix::io::write(port, bytes) {
         Ok(written) => Taken::Some(written),
@@ -27,7 +27,7 @@ pub(super) fn write_some(port: impl AsFd, bytes: &[u8]) -> Taken {
     }
 }
 
-/// Writes all of it within a while; says whether that was done.
+/// Writes all bytes within a time; returns whether that succeeded.
 pub(super) fn write_within(port: impl AsFd, mut bytes: &[u8], within: Duration) -> bool {
     let latest = Instant::now() + within;
     while !bytes.is_empty() {
@@ -46,7 +46,7 @@ pub(super) fn write_within(port: impl AsFd, mut bytes: &[u8], within: Duration) 
     true
 }
 
-/// A time to wait, at the most a day.
+/// Converts a waiting time, at most a day.
 pub(super) fn timespec(time: Duration) -> Timespec {
     let time = time.min(Duration::from_secs(86400));
     Timespec::try_from(time).expect("a day is a number of seconds")

@@ -1,4 +1,4 @@
-//! The watchdog as a process: its standard input is the heartbeat, its standard output the arm's port.
+//! The watchdog process: heartbeats on standard input, the arm's port on standard output.
 
 use std::io;
 use std::os::fd::AsFd;
@@ -13,14 +13,14 @@ use super::port::{Taken, timespec, write_some, write_within};
 use super::reporter::Reporter;
 use super::{Hazards, Heartbeat, JogKind, Silence, Watchdog};
 
-/// Watches over a station until that says goodbye, or until all is said that had to be said.
+/// Guards a station until its goodbye, or until everything necessary has been sent.
 ///
 /// # Errors
 ///
-/// What the system says of standard input.
+/// The operating system's error for standard input.
 pub fn guard(note: &Path) -> io::Result<()> {
-    // In a session of its own: no key of a terminal reaches it, and a terminal that stops background writers does not stop it.
-    // Where it already leads one, there is nothing to do.
+    // In its own session: terminal keys do not reach it, and a terminal that stops background
+    // writers does not stop it. If it already leads a session, there is nothing to do.
     let _ = rustix::process::setsid();
     let (beats, port) = (io::stdin(), io::stdout());
     let clock = Clock::new();
@@ -44,11 +44,11 @@ pub fn guard(note: &Path) -> io::Result<()> {
 struct Guard {
     watchdog: Watchdog,
     clock: Clock,
-    /// What is left of the packet that is on its way.
+    /// The rest of the packet being written.
     line: Vec<u8>,
-    /// What people were told of last.
+    /// The last reported silence.
     told: Option<Silence>,
-    /// The heartbeat is closed.
+    /// Whether the heartbeat pipe is closed.
     ended: bool,
     reporter: Reporter,
 }
@@ -61,7 +61,7 @@ struct Ready {
 }
 
 impl Guard {
-    /// Waits for what is wanted next: a beat, a port that takes or tells something, or time.
+    /// Waits for a heartbeat, the port, or time.
     fn wait(&self, heartbeats: &impl AsFd, port: &impl AsFd) -> io::Result<Ready> {
         let mut wanted = PollFlags::empty();
         if self.watchdog.silence().is_some() {
@@ -70,7 +70,7 @@ impl Guard {
         if !self.line.is_empty() {
             wanted |= PollFlags::OUT;
         }
-        // A port that is gone would be ready all the time.
+        // A port that is gone would always be ready.
         let (has_port, has_beats) = (!wanted.is_empty(), !self.ended);
         let mut waited = Vec::with_capacity(2);
         waited.extend(has_beats.then(|| PollFd::new(heartbeats, PollFlags::IN)));
@@ -87,7 +87,7 @@ impl Guard {
         })
     }
 
-    /// Heartbeats come first: however late this process is, it sends nothing while the station is alive.
+    /// Heartbeats first: however late this process is, it sends nothing while the station is alive.
     fn step(&mut self, ready: Ready, heartbeats: &impl AsFd, port: &impl AsFd) -> io::Result<()> {
         if ready.beats {
             self.receive_heartbeats(heartbeats)?;
@@ -107,7 +107,7 @@ impl Guard {
             }
         }
         if gone {
-            // There is nobody to speak to any more.
+            // There is no port any more.
             self.line.clear();
             self.watchdog
                 .handle_heartbeat(self.clock.now(), Heartbeat::Goodbye);
@@ -136,7 +136,7 @@ impl Guard {
         Ok(())
     }
 
-    /// Listens to the arm while the watchdog speaks; says whether the port is gone.
+    /// Reads from the arm while the watchdog acts; returns whether the port is gone.
     fn follow(&mut self, port: &impl AsFd) -> bool {
         if self.watchdog.silence().is_none() {
             return false;
@@ -150,7 +150,7 @@ impl Guard {
         false
     }
 
-    /// Says what it does where people look: on standard error, and in the note for the next start.
+    /// Reports what it does on standard error and in the note for the next start.
     fn report(&mut self) {
         let silence = self.watchdog.silence();
         if silence == self.told {
@@ -182,7 +182,7 @@ fn text(silence: Silence, silent: Duration, hazards: Hazards) -> String {
     format!("{why}: the watchdog switched the laser off{button}")
 }
 
-/// So long a port may take for what is left of the last packet, and a reader for the last line.
+/// The time a port may take for the rest of the last packet, and a reader for the last line.
 const PATIENCE: Duration = Duration::from_millis(200);
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What the watchdog reports, without ever waiting for a reader or a disk.
+//! Reports of the watchdog, which never wait for a reader or a disk.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -8,13 +8,13 @@ use std::time::Duration;
 use super::note::Note;
 use crate::Background;
 
-/// Writes lines to standard error and to the note for the next start. Each has a thread of its own: a full pipe, a
-/// stopped terminal or a file system that hangs holds up nothing else.
+/// Writes lines to standard error and to the note for the next start. Each has its own thread: a
+/// full pipe, a stopped terminal or a hanging file system delays nothing else.
 #[derive(Debug)]
 pub(super) struct Reporter(Vec<Background<String>>);
 
 impl Reporter {
-    /// Starts the threads. A watchdog that gets none does its work without a report.
+    /// Starts the threads. A watchdog without them works without reports.
     pub(super) fn start(note: &Path) -> Self {
         let note = note.to_owned();
         let to_note = Background::start("note", WAITING, move |lines: Receiver<String>| {
@@ -32,7 +32,7 @@ impl Reporter {
         Self([to_note, to_stderr].into_iter().flatten().collect())
     }
 
-    /// Reports a line. It is lost where earlier lines still wait for room.
+    /// Reports a line. It is lost if earlier lines still fill the queue.
     pub(super) fn report(&self, line: &str) {
         for thread in &self.0 {
             let _ = thread.push(line.to_owned());
@@ -47,5 +47,5 @@ impl Reporter {
     }
 }
 
-/// Lines that wait to be written, at most. A watchdog has two things to say.
+/// The maximum number of waiting lines. A watchdog reports two.
 const WAITING: usize = 8;
