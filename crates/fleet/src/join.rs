@@ -13,15 +13,15 @@ use tokio::time::{MissedTickBehavior, interval};
 use zenoh::sample::{Sample, SampleKind};
 
 use crate::CredentialsError;
-use crate::asking::{self, Answering, Way};
 use crate::config::{FleetConfig, FleetConfigError};
 use crate::identity::Identity;
-use crate::keys::{Alive, MESSAGES, MemberKey, TOLD};
+use crate::key_expressions::{Alive, MESSAGES, MemberKey, TOLD};
 use crate::network::{Incoming, Network, Opening, ask_all, incoming};
+use crate::publisher::{self, Pace};
+use crate::requests::{self, Answering, Way};
 use crate::roster::Roster;
 use crate::session::FleetSession;
 use crate::stops::{self, StopTelling};
-use crate::telling::{self, Pace};
 use crate::work::Working;
 
 /// A station's membership in a fleet; the station leaves when this is dropped.
@@ -213,7 +213,7 @@ impl Joined {
                         asking.spawn(stops::answer(self.api.handle().clone(), answering.clone(), query));
                     }
                     Incoming::About(query) => {
-                        let told = telling::told(&self.about, &self.api.handle().state());
+                        let told = publisher::told(&self.about, &self.api.handle().state());
                         if let Some(network) = &self.network {
                             asking.spawn(network.answer_about(query, told));
                         }
@@ -225,7 +225,7 @@ impl Joined {
                     FleetWish::Ask(ask) => {
                         let way = self.network.as_ref().map(|network| network.way().clone());
                         let api = self.api.clone();
-                        asking.spawn(async move { asking::ask(way.as_ref(), &api, ask).await });
+                        asking.spawn(async move { requests::ask(way.as_ref(), &api, ask).await });
                     }
                     FleetWish::TellStops(to, answers) => self.tell_stops(to, answers),
                     FleetWish::Work(wish) => self.work.handle(wish),
@@ -434,7 +434,7 @@ impl Joined {
 
     /// Publishes the members to the waiting callers.
     fn show_to_all(&mut self) {
-        let own = telling::told(&self.about, &self.api.handle().state());
+        let own = publisher::told(&self.about, &self.api.handle().state());
         if let Ok(told) = serde_json::from_slice(&own) {
             self.roster.told(&self.own.clone(), told, self.at_s());
         }
@@ -465,7 +465,7 @@ impl Joined {
         let network = self.network.as_ref().filter(|_| is_due);
         let network = network.filter(|network| network.is_followed());
         if is_due && (is_watched || network.is_some()) {
-            let own = telling::told(&self.about, &state);
+            let own = publisher::told(&self.about, &state);
             if is_watched && let Ok(told) = serde_json::from_slice(&own) {
                 self.roster.told(&self.own.clone(), told, self.at_s());
             }

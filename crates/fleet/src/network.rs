@@ -13,10 +13,10 @@ use zenoh::sample::Sample;
 use zenoh::{Session, Wait};
 
 use crate::FleetError;
-use crate::asking::{self, Peers, Way};
-use crate::keys::{ALL_ALIVE, API, Alive, SEALED, STOPS, TOLD, of_all};
+use crate::key_expressions::{ALL_ALIVE, API, Alive, SEALED, STOPS, TOLD, of_all};
+use crate::publisher::Teller;
+use crate::requests::{self, Peers, Way};
 use crate::session::FleetSession;
-use crate::telling::Teller;
 
 /// The connection to the other members.
 pub(crate) struct Network {

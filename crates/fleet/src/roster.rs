@@ -9,10 +9,10 @@ use dobot_api::{Member, MemberAbout, Presence, Problem, State};
 use dobot_station::Members;
 use serde::{Deserialize, Serialize};
 
-use crate::asking::Peers;
 use crate::identity::Peer;
-use crate::keys::{Alive, MESSAGES, MemberKey};
-use crate::telling;
+use crate::key_expressions::{Alive, MESSAGES, MemberKey};
+use crate::publisher;
+use crate::requests::Peers;
 
 /// The published description and state of a station.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -236,12 +236,12 @@ impl Roster {
         else {
             return Ok(());
         };
-        let number = telling::number_of(peer, member, alive.run, told, signed);
+        let number = publisher::number_of(peer, member, alive.run, told, signed);
         let number = number.ok_or("its signature is invalid")?;
         if seen.is_some_and(|seen| seen.told >= number) {
             return Err("it is a replay".into());
         }
-        let read = telling::read(told, &member.name, &peer.name)?;
+        let read = publisher::read(told, &member.name, &peer.name)?;
         self.told(member, read, at_s);
         if let Some(seen) = self.seen.get_mut(member) {
             seen.told = number;
@@ -333,7 +333,7 @@ mod tests {
     use super::*;
     use crate::Credentials;
     use crate::identity::Identity;
-    use crate::telling::Teller;
+    use crate::publisher::Teller;
 
     fn key(name: &str, digit: char) -> MemberKey {
         MemberKey {

@@ -10,8 +10,8 @@ use dobot_host::Handle;
 use serde_json::json;
 use zenoh::query::Query;
 
-use crate::asking::{Answering, Way};
-use crate::keys::{MemberKey, STOPS};
+use crate::key_expressions::{MemberKey, STOPS};
+use crate::requests::{Answering, Way};
 use crate::roster::MOST;
 
 /// Decides with which members to exchange stops, and when: an engine without network and clock.

@@ -13,8 +13,8 @@ use tokio::task::{JoinError, JoinSet, spawn_blocking};
 use super::engine::{Answer, Ask, What, Wish, Work};
 use super::kept::Kept;
 use super::ticket::{Place, Ticket};
-use crate::asking::{Way, ask_one};
 use crate::id::new_id;
+use crate::requests::{Way, ask_one};
 
 /// The jobs that were submitted to this station.
 pub(crate) struct Working {

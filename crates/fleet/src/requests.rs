@@ -20,7 +20,7 @@ use zenoh::session::SessionGetBuilder;
 
 use crate::id::new_id;
 use crate::identity::{Identity, Peer, statement};
-use crate::keys::{API, MemberKey, SEALED};
+use crate::key_expressions::{API, MemberKey, SEALED};
 use crate::sealing::{Agreed, Half, KEY, Meetings};
 
 /// The certificates of the members that accept requests.

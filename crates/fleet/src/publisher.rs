@@ -10,7 +10,7 @@ use dobot_supervisor::{is_plain, plain};
 use serde_json::Value;
 
 use crate::identity::{Identity, Peer, SIGNATURE, statement};
-use crate::keys::MemberKey;
+use crate::key_expressions::MemberKey;
 use crate::roster::Told;
 
 /// Signs the published states. Each has a sequence number, which prevents replay.
