@@ -18,7 +18,7 @@ use crate::identity::Identity;
 use crate::key_expressions::{Alive, MESSAGES, MemberKey, TOLD};
 use crate::network::{Incoming, Network, Opening, ask_all, incoming};
 use crate::publisher::{self, Pace};
-use crate::requests::{self, Answering, Way};
+use crate::requests::{self, Requester, Responder};
 use crate::roster::Roster;
 use crate::session::FleetSession;
 use crate::stops::{self, StopTelling};
@@ -184,7 +184,7 @@ struct Joined {
 
 impl Joined {
     async fn run(mut self, mut opening: Opening, mut leaving: oneshot::Receiver<()>) {
-        let answering = Answering::new(self.api.clone(), self.own.clone(), self.identity.clone());
+        let responder = Responder::new(self.api.clone(), self.own.clone(), self.identity.clone());
         let mut asking = JoinSet::new();
         let mut looks = interval(LOOK_EVERY);
         looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -204,13 +204,13 @@ impl Joined {
                 came = incoming(self.network.as_mut()) => match came {
                     Incoming::Life(sample) => self.hear_of_lives(&sample),
                     Incoming::Asked(query) => {
-                        asking.spawn(answering.clone().answer(query));
+                        asking.spawn(responder.clone().answer(query));
                     }
                     Incoming::Sealed(query) => {
-                        asking.spawn(answering.clone().answer_sealed(query));
+                        asking.spawn(responder.clone().answer_sealed(query));
                     }
                     Incoming::Stops(query) => {
-                        asking.spawn(stops::answer(self.api.handle().clone(), answering.clone(), query));
+                        asking.spawn(stops::answer(self.api.handle().clone(), responder.clone(), query));
                     }
                     Incoming::About(query) => {
                         let told = publisher::told(&self.about, &self.api.handle().state());
@@ -223,9 +223,9 @@ impl Joined {
                 Some(wish) = self.end.wishes.recv() => match wish {
                     FleetWish::Look(seen) => self.look(seen).await,
                     FleetWish::Ask(ask) => {
-                        let way = self.network.as_ref().map(|network| network.way().clone());
+                        let requester = self.network.as_ref().map(|network| network.requester().clone());
                         let api = self.api.clone();
-                        asking.spawn(async move { requests::ask(way.as_ref(), &api, ask).await });
+                        asking.spawn(async move { requests::ask(requester.as_ref(), &api, ask).await });
                     }
                     FleetWish::TellStops(to, answers) => self.tell_stops(to, answers),
                     FleetWish::Work(wish) => self.work.handle(wish),
@@ -257,9 +257,9 @@ impl Joined {
             }
             self.go_on_telling_stops();
             let held = self.held();
-            let way = self.network.as_ref().map(Network::way);
+            let requester = self.network.as_ref().map(Network::requester);
             let members = || self.roster.members();
-            self.work.go_on(way, &self.api, members, held);
+            self.work.go_on(requester, &self.api, members, held);
         }
         if let Some(network) = self.network {
             network.leave().await;
@@ -329,9 +329,9 @@ impl Joined {
             was_settled != is_settled
         });
         while let Some(member) = self.stops.poll_due(now) {
-            let (way, handle) = self.to_tell();
+            let (requester, handle) = self.to_tell();
             self.telling_stops.spawn(async move {
-                let answer = stops::exchange(way.as_ref(), &handle, &member).await;
+                let answer = stops::exchange(requester.as_ref(), &handle, &member).await;
                 Some(member)
                     .filter(|_| !answer.is_success())
                     .into_iter()
@@ -344,7 +344,7 @@ impl Joined {
     fn tell_stops(&mut self, to: Vec<Arc<Member>>, answers: oneshot::Sender<Vec<MemberAnswer>>) {
         let mut telling = JoinSet::new();
         for member in to {
-            let (way, handle) = self.to_tell();
+            let (requester, handle) = self.to_tell();
             telling.spawn(async move {
                 let began = Instant::now();
                 let key = MemberKey {
@@ -357,7 +357,7 @@ impl Joined {
                         body: serde_json::json!({}),
                     }
                 } else {
-                    stops::exchange(way.as_ref(), &handle, &key).await
+                    stops::exchange(requester.as_ref(), &handle, &key).await
                 };
                 let answer = MemberAnswer {
                     member: key.name.clone(),
@@ -379,9 +379,9 @@ impl Joined {
         });
     }
 
-    fn to_tell(&self) -> (Option<Way>, Handle) {
-        let way = self.network.as_ref().map(Network::way).cloned();
-        (way, self.api.handle().clone())
+    fn to_tell(&self) -> (Option<Requester>, Handle) {
+        let requester = self.network.as_ref().map(Network::requester).cloned();
+        (requester, self.api.handle().clone())
     }
 
     /// Returns the reason why no job is offered from here at present.
@@ -425,7 +425,8 @@ impl Joined {
         if let Some(network) = &mut self.network
             && network.follow().await
         {
-            self.hearing.spawn(ask_all(network.way().session.clone()));
+            self.hearing
+                .spawn(ask_all(network.requester().session.clone()));
         }
         if self.hearing.is_empty() {
             self.show_to_all();

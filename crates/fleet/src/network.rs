@@ -15,12 +15,12 @@ use zenoh::{Session, Wait};
 use crate::FleetError;
 use crate::key_expressions::{ALL_ALIVE, API, Alive, SEALED, STOPS, TOLD, of_all};
 use crate::publisher::Teller;
-use crate::requests::{self, Peers, Way};
+use crate::requests::{self, Peers, Requester};
 use crate::session::FleetSession;
 
 /// The connection to the other members.
 pub(crate) struct Network {
-    way: Way,
+    requester: Requester,
     /// Arrivals and departures. Unbounded, since stations of this program may share the session.
     lives: mpsc::UnboundedReceiver<Sample>,
     /// Stops, and stops of the fleet: they do not wait for other requests.
@@ -68,18 +68,18 @@ impl Network {
         alive: Alive,
         peers: Peers,
     ) -> Result<Self, FleetError> {
-        let way = Way {
+        let requester = Requester {
             session: session.opened().await?,
             identity: session.identity().clone(),
             peers,
         };
-        let declared = Self::declare(way, alive).await;
+        let declared = Self::declare(requester, alive).await;
         declared.map_err(|error| FleetError::zenoh(&error))
     }
 
-    async fn declare(way: Way, alive: Alive) -> Result<Self, zenoh::Error> {
-        let (session, own) = (&way.session, &alive.member);
-        let teller = Teller::new(way.identity.clone(), own.clone(), alive.run);
+    async fn declare(requester: Requester, alive: Alive) -> Result<Self, zenoh::Error> {
+        let (session, own) = (&requester.session, &alive.member);
+        let teller = Teller::new(requester.identity.clone(), own.clone(), alive.run);
         let (tells, lives) = mpsc::unbounded_channel();
         let liveliness = session.liveliness();
         let others = liveliness.declare_subscriber(ALL_ALIVE).history(true);
@@ -112,7 +112,7 @@ impl Network {
         let telling = session.declare_publisher(own.resource(TOLD)).await?;
         let token = liveliness.declare_token(alive.key()).await?;
         Ok(Self {
-            way,
+            requester,
             lives,
             urgent,
             requests,
@@ -124,8 +124,8 @@ impl Network {
     }
 
     /// Returns the session and identity for requests.
-    pub(crate) const fn way(&self) -> &Way {
-        &self.way
+    pub(crate) const fn requester(&self) -> &Requester {
+        &self.requester
     }
 
     /// Returns the next message.
@@ -151,7 +151,7 @@ impl Network {
             others.looked = looked;
             return false;
         }
-        let told = self.way.session.declare_subscriber(of_all(TOLD));
+        let told = self.requester.session.declare_subscriber(of_all(TOLD));
         let told = told.with(RingChannel::new(TOLD_AT_ONCE)).await;
         // Without a network there are no other members.
         self.others = told.ok().map(|told| Others { told, looked });

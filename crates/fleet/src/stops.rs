@@ -11,7 +11,7 @@ use serde_json::json;
 use zenoh::query::Query;
 
 use crate::key_expressions::{MemberKey, STOPS};
-use crate::requests::{Answering, Way};
+use crate::requests::{Requester, Responder};
 use crate::roster::MOST;
 
 /// Decides with which members to exchange stops, and when: an engine without network and clock.
@@ -111,9 +111,13 @@ impl StopTelling {
 }
 
 /// Exchanges stops with another station: sends those known here and adopts its own.
-pub(crate) async fn exchange(way: Option<&Way>, handle: &Handle, member: &MemberKey) -> ApiAnswer {
-    let learned = match way {
-        Some(way) => ask(way, handle, member).await,
+pub(crate) async fn exchange(
+    requester: Option<&Requester>,
+    handle: &Handle,
+    member: &MemberKey,
+) -> ApiAnswer {
+    let learned = match requester {
+        Some(requester) => ask(requester, handle, member).await,
         None => Err("cannot be reached yet".to_owned()),
     };
     match learned {
@@ -128,17 +132,19 @@ pub(crate) async fn exchange(way: Option<&Way>, handle: &Handle, member: &Member
     }
 }
 
-async fn ask(way: &Way, handle: &Handle, member: &MemberKey) -> Result<(), String> {
+async fn ask(requester: &Requester, handle: &Handle, member: &MemberKey) -> Result<(), String> {
     let known = handle.adopt_fleet_stops(Vec::new()).await;
     let (known, _) = known.map_err(|refusal| refusal.to_string())?;
-    let theirs = way.ask_first(member, STOPS, &emit(&known), WITHIN).await?;
+    let theirs = requester
+        .ask_first(member, STOPS, &emit(&known), WITHIN)
+        .await?;
     let theirs = parse(&theirs).map_err(|error| error.to_string())?;
     let adopted = handle.adopt_fleet_stops(theirs).await;
     adopted.map(drop).map_err(|refusal| refusal.to_string())
 }
 
 /// Adopts the stops of another station, and returns those known here.
-pub(crate) async fn answer(handle: Handle, answering: Answering, query: Query) {
+pub(crate) async fn answer(handle: Handle, responder: Responder, query: Query) {
     let payload = query
         .payload()
         .map(|payload| payload.to_bytes())
@@ -149,7 +155,7 @@ pub(crate) async fn answer(handle: Handle, answering: Answering, query: Query) {
         // A station that is ending sends nothing.
         Ok(theirs) => {
             if let Ok((known, _)) = handle.adopt_fleet_stops(theirs).await {
-                answering.reply(&query, STOPS, &payload, emit(&known)).await;
+                responder.reply(&query, STOPS, &payload, emit(&known)).await;
             }
         }
     }

@@ -14,7 +14,7 @@ use super::engine::{Answer, Ask, What, Wish, Work};
 use super::kept::Kept;
 use super::ticket::{Place, Ticket};
 use crate::id::new_id;
-use crate::requests::{Way, ask_one};
+use crate::requests::{Requester, ask_one};
 
 /// The jobs that were submitted to this station.
 pub(crate) struct Working {
@@ -168,7 +168,7 @@ impl Working {
     /// `held` gives a reason, nothing is offered.
     pub(crate) fn go_on(
         &mut self,
-        way: Option<&Way>,
+        requester: Option<&Requester>,
         api: &StationApi,
         members: impl FnOnce() -> Members,
         held: Option<String>,
@@ -202,12 +202,14 @@ impl Working {
                         .iter()
                         .find(|member| member.id == ask.member.id)
                         .cloned();
-                    let (way, api) = (way.cloned(), api.clone());
+                    let (requester, api) = (requester.cloned(), api.clone());
                     self.doing.spawn(async move {
                         let answer = match (request(&kept, &ask).await, member) {
-                            (Ok(request), Some(member)) => {
-                                read(&ask_one(way.as_ref(), &api, &member, &request).await.answer)
-                            }
+                            (Ok(request), Some(member)) => read(
+                                &ask_one(requester.as_ref(), &api, &member, &request)
+                                    .await
+                                    .answer,
+                            ),
                             (Err(why), _) => Answer::Unclear(why),
                             (_, None) => Answer::Unclear("it is away".into()),
                         };
