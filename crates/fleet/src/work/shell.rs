@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use dobot_api::problem_kinds::{ARM_BUSY, NO_FLEET, NO_SUCH_WORK, WORK_FILE, WORK_REFUSED};
 use dobot_api::{ApiAnswer, ApiRequest, Problem, WorkView};
-use dobot_station::{Members, NewWork, OFFERS, StationApi, WorkWish};
+use dobot_station::{Members, NewWork, OFFERS, StationApi, WorkCommand};
 use tokio::sync::oneshot;
 use tokio::task::{JoinError, JoinSet, spawn_blocking};
 
@@ -67,16 +67,16 @@ impl Working {
     }
 
     /// Handles a request.
-    pub(crate) fn handle(&mut self, wish: WorkWish) {
+    pub(crate) fn handle(&mut self, wish: WorkCommand) {
         // The requester may be gone.
         match wish {
-            WorkWish::Submit(work, reply) => self.submit(*work, reply),
-            WorkWish::List(reply) => drop(reply.send(Ok(self.engine.views()))),
-            WorkWish::Cancel(id, reply) => match self.engine.cancel(&id) {
+            WorkCommand::Submit(work, reply) => self.submit(*work, reply),
+            WorkCommand::List(reply) => drop(reply.send(Ok(self.engine.views()))),
+            WorkCommand::Cancel(id, reply) => match self.engine.cancel(&id) {
                 Ok(_) => self.waiting.push((id, reply)),
                 Err(problem) => drop(reply.send(Err(problem))),
             },
-            WorkWish::Give(id, reply) => match self.engine.give(&id) {
+            WorkCommand::Give(id, reply) => match self.engine.give(&id) {
                 Ok(_) => self.waiting.push((id, reply)),
                 Err(problem) => drop(reply.send(Err(problem))),
             },
