@@ -68,7 +68,7 @@ fn stuck(parts: &[Part]) -> Vec<String> {
     let barriers: Vec<_> = parts.iter().map(Part::barriers).collect();
     let all: Vec<_> = barriers.iter().collect();
     let passed = match course(&all) {
-        Course::Through => return Vec::new(),
+        Course::Done => return Vec::new(),
         Course::TooLong => {
             return vec![
                 "the parts meet more than 1000000 times before they finish; let them repeat \"forever\", or less often"

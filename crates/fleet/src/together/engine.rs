@@ -19,7 +19,7 @@ use super::seen::Seen;
 #[derive(Debug)]
 pub(super) struct Engine {
     parts: Vec<PartState>,
-    news: VecDeque<News>,
+    news: VecDeque<EngineEvent>,
 }
 
 /// An action to carry out.
@@ -53,7 +53,7 @@ pub(super) enum Start {
 /// An event for the user.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum News {
+pub enum EngineEvent {
     /// A part has arrived at a barrier.
     Arrived {
         /// The part.
@@ -110,7 +110,7 @@ impl Engine {
     /// Handles a missing state of a part, for this reason.
     pub(super) fn handle_silent(&mut self, now: Duration, part: usize, why: &str) {
         let it = &mut self.parts[part];
-        if it.at == At::Through || now.saturating_sub(it.heard) < HEARD_WITHIN {
+        if it.at == At::Done || now.saturating_sub(it.heard) < HEARD_WITHIN {
             return;
         }
         it.is_silent = true;
@@ -187,13 +187,13 @@ impl Engine {
     }
 
     /// Returns the next event for the user.
-    pub(super) fn poll_news(&mut self) -> Option<News> {
+    pub(super) fn poll_news(&mut self) -> Option<EngineEvent> {
         self.news.pop_front()
     }
 
     /// Whether all parts have finished.
     pub(super) fn is_over(&self) -> bool {
-        self.parts.iter().all(|part| part.at == At::Through)
+        self.parts.iter().all(|part| part.at == At::Done)
     }
 
     /// Whether a part holds.
@@ -214,7 +214,7 @@ impl Engine {
     pub(super) fn all_hold(&self) -> bool {
         let rests = |part: &PartState| part.is_held && (part.is_silent || !part.runs);
         let mut parts = self.parts.iter();
-        parts.all(|part| part.at == At::Through || rests(part))
+        parts.all(|part| part.at == At::Done || rests(part))
     }
 
     fn start(&mut self, barrier: Option<String>, parts: Vec<usize>) -> Wish {
@@ -245,7 +245,7 @@ impl Engine {
         for &it in with.iter().chain([&part]) {
             self.parts[it].is_held = true;
         }
-        self.news.push_back(News::Held {
+        self.news.push_back(EngineEvent::Held {
             part,
             why: why.to_owned(),
             with,

@@ -10,7 +10,7 @@ use dobot_supervisor::Refusal;
 use serde::Serialize;
 
 use super::barriers::Barriers;
-use super::engine::{Engine, News, Start, Wish};
+use super::engine::{Engine, EngineEvent, Start, Wish};
 use super::part::Part;
 use super::seen::Seen;
 
@@ -261,16 +261,16 @@ impl Stage<'_> {
     fn follow(&mut self) -> Result<(), RehearseError> {
         while let Some(news) = self.engine.poll_news() {
             match news {
-                News::Arrived { part, .. } => self.actors[part].since = Some(self.now),
-                News::Done { part } => self.actors[part].over = Some(self.now),
-                News::Held { part, why, .. } => {
+                EngineEvent::Arrived { part, .. } => self.actors[part].since = Some(self.now),
+                EngineEvent::Done { part } => self.actors[part].over = Some(self.now),
+                EngineEvent::Held { part, why, .. } => {
                     return Err(RehearseError::Held {
                         file: self.actors[part].part.file.clone(),
                         at_s: self.now.as_secs_f64(),
                         why,
                     });
                 }
-                News::SetOut { .. } | News::WaitsForPerson { .. } => {}
+                EngineEvent::SetOut { .. } | EngineEvent::WaitsForPerson { .. } => {}
             }
         }
         Ok(())

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, anyhow};
 use dobot_draw::ProgramFiles;
 use dobot_fleet::together::{
-    Home, News, Order, Outcome, Part, Rehearsal, Said, Together, check, rehearse, run,
+    EngineEvent, Home, Order, Outcome, Part, Rehearsal, RunEvent, Together, check, rehearse, run,
 };
 use dobot_host::{PlannedFor, Rules};
 use dobot_safety::Policy;
@@ -143,7 +143,7 @@ async fn carry_out(home: &Home, parts: &[Part], as_json: bool) -> Result<(), Fai
     let outcome = run(home, parts, is_attended, orders, |said| teller.say(&said)).await;
     deciding.abort();
     match outcome? {
-        Outcome::Through => teller.sum_up(),
+        Outcome::Done => teller.sum_up(),
         Outcome::Held => Err(Failure::new(
             anyhow!("not all arms are through"),
             "their jobs stay paused at their stations: `dobot jobs` lists them there, and `dobot jobs cancel` ends one",
@@ -161,7 +161,7 @@ async fn decide(orders: mpsc::Sender<Order>, is_attended: bool) {
             line = lines.next_line(), if is_attended => {
                 let line = line.ok().flatten().unwrap_or_else(|| "e".to_owned());
                 match line.trim() {
-                    "g" | "G" => Order::GoOn,
+                    "g" | "G" => Order::Resume,
                     "e" | "E" => Order::Leave,
                     _ => continue,
                 }
@@ -196,11 +196,11 @@ impl<'a> Teller<'a> {
     }
 
     /// Output that nobody reads any more does not end what the arms do.
-    fn say(&mut self, said: &Said) {
+    fn say(&mut self, said: &RunEvent) {
         match said {
-            Said::Queued(jobs) => self.jobs.clone_from(jobs),
-            Said::Started { within_ms, .. } => self.most_ms = self.most_ms.max(*within_ms),
-            Said::News(_) | Said::Hindered { .. } => {}
+            RunEvent::Queued(jobs) => self.jobs.clone_from(jobs),
+            RunEvent::Started { within_ms, .. } => self.most_ms = self.most_ms.max(*within_ms),
+            RunEvent::EngineEvent(_) | RunEvent::Hindered { .. } => {}
         }
         if self.as_json {
             return drop(output::json(said));
@@ -210,15 +210,15 @@ impl<'a> Teller<'a> {
         }
     }
 
-    fn lines(&self, said: &Said) -> Vec<String> {
+    fn lines(&self, said: &RunEvent) -> Vec<String> {
         match said {
-            Said::Queued(jobs) => {
+            RunEvent::Queued(jobs) => {
                 let both = self.parts.iter().zip(jobs);
                 let line =
                     |(it, job): (&Part, &u64)| format!("{}: {} is job {job}", it.arm, it.file);
                 both.map(line).collect()
             }
-            Said::Started { barrier, within_ms } => {
+            RunEvent::Started { barrier, within_ms } => {
                 let all = barrier.as_ref().map_or("all begin".to_owned(), |it| {
                     format!("all that waited at {it:?} go on")
                 });
@@ -226,27 +226,27 @@ impl<'a> Teller<'a> {
                     "{all}, started within {within_ms:.0} ms of each other"
                 )]
             }
-            Said::Hindered { part, why } => {
+            RunEvent::Hindered { part, why } => {
                 vec![format!("{} cannot go on: {why}", self.arm(*part))]
             }
-            Said::News(news) => self.news(news),
+            RunEvent::EngineEvent(news) => self.news(news),
         }
     }
 
-    fn news(&self, news: &News) -> Vec<String> {
+    fn news(&self, news: &EngineEvent) -> Vec<String> {
         match news {
-            News::Arrived { part, barrier } => {
+            EngineEvent::Arrived { part, barrier } => {
                 vec![format!("{} is at {barrier:?}", self.arm(*part))]
             }
-            News::SetOut { .. } => Vec::new(),
-            News::WaitsForPerson { part, message } => {
+            EngineEvent::SetOut { .. } => Vec::new(),
+            EngineEvent::WaitsForPerson { part, message } => {
                 let (arm, job) = (self.arm(*part), self.jobs.get(*part).unwrap_or(&0));
                 vec![format!(
                     "{arm} waits for a person: {message}; `dobot jobs start {job}` at its station goes on"
                 )]
             }
-            News::Done { part } => vec![format!("{} is through", self.arm(*part))],
-            News::Held { part, why, with } => {
+            EngineEvent::Done { part } => vec![format!("{} is through", self.arm(*part))],
+            EngineEvent::Held { part, why, with } => {
                 let with: Vec<_> = with.iter().map(|it| self.arm(*it)).collect();
                 let holds = match &with[..] {
                     [] => "nobody depends on it".to_owned(),

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, VecDeque};
 use std::time::Duration;
 
-use super::News;
+use super::EngineEvent;
 use crate::together::barriers::Barriers;
 use crate::together::seen::Seen;
 
@@ -53,7 +53,7 @@ pub(super) enum At {
     /// Its program waits for a person.
     Person(String),
     Paused,
-    Through,
+    Done,
     /// It cannot be resumed, for this reason.
     Broken(String),
 }
@@ -87,7 +87,7 @@ impl PartState {
         &mut self,
         part: usize,
         seen: &Seen,
-        news: &mut VecDeque<News>,
+        news: &mut VecDeque<EngineEvent>,
     ) -> Result<(), String> {
         self.runs = *seen == Seen::Running;
         self.is_unknown = false;
@@ -120,12 +120,12 @@ impl PartState {
     }
 
     /// Handles a started job.
-    pub(super) fn set_out(&mut self, part: usize, news: &mut VecDeque<News>) {
+    pub(super) fn set_out(&mut self, part: usize, news: &mut VecDeque<EngineEvent>) {
         self.passed += u64::from(self.at == At::Waiting);
         self.go(At::Running);
         self.runs = true;
         self.is_pausing = false;
-        news.push_back(News::SetOut { part });
+        news.push_back(EngineEvent::SetOut { part });
     }
 
     /// Handles a missing response to its start.
@@ -177,7 +177,7 @@ impl PartState {
 
     /// Returns the names of its remaining barriers.
     pub(super) fn ahead(&self) -> BTreeSet<&str> {
-        if self.at == At::Through {
+        if self.at == At::Done {
             return BTreeSet::new();
         }
         let released = self.is_released && self.at == At::Waiting;
@@ -193,7 +193,7 @@ impl PartState {
     }
 
     pub(super) const fn is_over(&self) -> bool {
-        matches!(self.at, At::Through | At::Broken(_))
+        matches!(self.at, At::Done | At::Broken(_))
     }
 
     /// Changes its place by itself: a due start is dropped.
@@ -220,7 +220,7 @@ impl PartState {
         part: usize,
         name: &str,
         progress: (u64, usize),
-        news: &mut VecDeque<News>,
+        news: &mut VecDeque<EngineEvent>,
     ) -> Result<(), String> {
         let next = self.barriers.at(self.passed).map(|at| at.name.clone());
         if next.as_deref() != Some(name) {
@@ -231,18 +231,18 @@ impl PartState {
         }
         self.go(At::Waiting);
         self.arrived = Some(progress);
-        news.push_back(News::Arrived {
+        news.push_back(EngineEvent::Arrived {
             part,
             barrier: name.to_owned(),
         });
         Ok(())
     }
 
-    fn wait_for_person(&mut self, part: usize, message: &str, news: &mut VecDeque<News>) {
+    fn wait_for_person(&mut self, part: usize, message: &str, news: &mut VecDeque<EngineEvent>) {
         let at = At::Person(message.to_owned());
         if self.at != at {
             let message = message.to_owned();
-            news.push_back(News::WaitsForPerson { part, message });
+            news.push_back(EngineEvent::WaitsForPerson { part, message });
         }
         self.go(at);
     }
@@ -261,14 +261,14 @@ impl PartState {
         }
     }
 
-    fn finish(&mut self, part: usize, news: &mut VecDeque<News>) -> Result<(), String> {
+    fn finish(&mut self, part: usize, news: &mut VecDeque<EngineEvent>) -> Result<(), String> {
         if let Some(next) = self.barriers.at(self.passed) {
             let next = next.name.clone();
             return self.broken(&format!("it finished before the barrier {next:?}"));
         }
-        self.at = At::Through;
+        self.at = At::Done;
         self.is_held = false;
-        news.push_back(News::Done { part });
+        news.push_back(EngineEvent::Done { part });
         Ok(())
     }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_geometry::Random;
 
 use super::barriers;
-use crate::together::engine::{Engine, News, Start, Wish};
+use crate::together::engine::{Engine, EngineEvent, Start, Wish};
 use crate::together::seen::Seen;
 
 /// The kinds of faults.
@@ -272,7 +272,7 @@ impl World {
 
     fn follow(&mut self) {
         while let Some(news) = self.engine.poll_news() {
-            if let News::Held { part, with, .. } = news
+            if let EngineEvent::Held { part, with, .. } = news
                 && self.faults == Faults::Pauses
             {
                 let expected = self.depend_on(part);
