@@ -22,7 +22,7 @@ use crate::requests::{self, Requester, Responder};
 use crate::roster::Roster;
 use crate::session::FleetSession;
 use crate::stops::{self, StopExchange};
-use crate::work::Working;
+use crate::work::WorkTasks;
 
 /// A station's membership in a fleet; the station leaves when this is dropped.
 #[derive(Debug)]
@@ -144,8 +144,8 @@ fn now_ms() -> u64 {
 }
 
 /// Opens the jobs that were submitted before this start.
-fn open_work(config: &FleetConfig, api: &StationApi) -> Result<Working, FleetError> {
-    let opened = Working::open(config.work.as_deref());
+fn open_work(config: &FleetConfig, api: &StationApi) -> Result<WorkTasks, FleetError> {
+    let opened = WorkTasks::open(config.work.as_deref());
     let (work, wrong) = opened.map_err(|source| FleetError::Work {
         folder: config.work.clone().unwrap_or_default(),
         source,
@@ -168,7 +168,7 @@ struct Joined {
     /// Absent until the router is connected.
     network: Option<Network>,
     /// The jobs that were submitted here for any arm.
-    work: Working,
+    work: WorkTasks,
     /// The members to which the fleet's stops have to be sent, and when.
     stops: StopExchange,
     /// In-flight exchanges of stops; each returns the members that did not answer.
@@ -259,7 +259,7 @@ impl Joined {
             let held = self.held();
             let requester = self.network.as_ref().map(Network::requester);
             let members = || self.roster.members();
-            self.work.go_on(requester, &self.api, members, held);
+            self.work.start_due(requester, &self.api, members, held);
         }
         if let Some(network) = self.network {
             network.leave().await;

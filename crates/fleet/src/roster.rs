@@ -153,13 +153,13 @@ impl Roster {
             self.known().insert(key.clone(), peer);
         }
         // A replaced station of the same name is not reported as away.
-        let replaced = |(it, seen): &(&MemberKey, &mut KnownStation)| {
-            **it != key && seen.alive.is_none() && **it != self.own && seen.claim() <= claims
+        let replaced = |(other, seen): &(&MemberKey, &mut KnownStation)| {
+            **other != key && seen.alive.is_none() && **other != self.own && seen.claim() <= claims
         };
         let replaced = self.seen.range_mut(of_name(&key.name)).filter(replaced);
-        let replaced: Vec<_> = replaced.map(|(it, _)| it.clone()).collect();
-        for it in replaced {
-            self.forget(&it);
+        let replaced: Vec<_> = replaced.map(|(other, _)| other.clone()).collect();
+        for other in replaced {
+            self.forget(&other);
         }
         self.judge(&key.name);
     }
@@ -186,7 +186,7 @@ impl Roster {
         self.is_full = true;
         let is_other = |entry: &KnownStation| peer.is_some() && entry.peer.is_none();
         let old = self.seen.iter();
-        let mut old = old.filter(|(_, it)| it.alive.is_none() || is_other(it));
+        let mut old = old.filter(|(_, station)| station.alive.is_none() || is_other(station));
         let Some(old) = old.next().map(|(key, _)| key.clone()) else {
             return false;
         };
@@ -216,7 +216,7 @@ impl Roster {
         let strangers = self
             .seen
             .iter()
-            .filter(|(key, it)| **key != self.own && is_stranger(it));
+            .filter(|(key, station)| **key != self.own && is_stranger(station));
         let strangers: Vec<_> = strangers.map(|(key, _)| key.clone()).collect();
         for member in strangers {
             self.members = None;
@@ -273,7 +273,7 @@ impl Roster {
 
     /// Updates the presence of the stations of a name, after an arrival or departure.
     fn judge(&mut self, name: &str) {
-        let all = || self.seen.range(of_name(name)).map(|(_, it)| it);
+        let all = || self.seen.range(of_name(name)).map(|(_, station)| station);
         // The name belongs to the holder of its certificate, also while the holder is away.
         let best = all().map(KnownStation::claim).max();
         let is_best = |seen: &&KnownStation| seen.alive.is_some() && Some(seen.claim()) == best;
@@ -393,7 +393,7 @@ mod tests {
         let away = [("desk-1", Presence::Present), ("desk-2", Presence::Away)];
         assert_eq!(
             presences(&mut roster),
-            away.map(|(it, how)| (it.into(), how))
+            away.map(|(name, how)| (name.into(), how))
         );
         handle_arrival(&mut roster, key("desk-2", 'b'), 2.0);
         assert_eq!(presences(&mut roster)[1].1, Presence::Present);

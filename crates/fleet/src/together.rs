@@ -13,10 +13,10 @@ mod barriers;
 mod check;
 mod document;
 mod engine;
+mod observation;
 mod part;
 mod rehearse;
 mod run;
-mod seen;
 #[cfg(test)]
 mod tests;
 

@@ -152,7 +152,11 @@ pub(super) fn course(parts: &[&Barriers]) -> Course {
     let mut passed = vec![0; parts.len()];
     let mut been = HashSet::new();
     for _ in 0..MOST_RELEASES {
-        let next: Vec<_> = parts.iter().zip(&passed).map(|(it, n)| it.at(*n)).collect();
+        let next: Vec<_> = parts
+            .iter()
+            .zip(&passed)
+            .map(|(barriers, n)| barriers.at(*n))
+            .collect();
         if next.iter().all(Option::is_none) {
             return Course::Done;
         }
@@ -165,8 +169,8 @@ pub(super) fn course(parts: &[&Barriers]) -> Course {
         let rest = parts.iter().zip(&passed);
         let only_endless = rest
             .clone()
-            .all(|(it, n)| it.never_ends() || it.at(*n).is_none());
-        let places: Vec<u64> = rest.map(|(it, n)| it.place(*n)).collect();
+            .all(|(barriers, n)| barriers.never_ends() || barriers.at(*n).is_none());
+        let places: Vec<u64> = rest.map(|(barriers, n)| barriers.place(*n)).collect();
         if only_endless && !been.insert(places) {
             return Course::Done;
         }

@@ -14,9 +14,9 @@ use tokio::time::{MissedTickBehavior, interval, sleep, timeout};
 
 pub use self::home::Home;
 use self::home::{AskError, Asked};
-use super::engine::{Engine, EngineEvent, Start, Wish};
+use super::engine::{Action, Engine, EngineEvent, Start};
+use super::observation::Observation;
 use super::part::Part;
-use super::seen::Seen;
 use crate::id::new_id;
 
 /// A person's decision during a run.
@@ -37,7 +37,7 @@ pub enum RunEvent {
     /// The jobs of the parts, in their order: all are queued, and nothing has moved.
     Queued(Vec<u64>),
     /// An event of the engine.
-    EngineEvent(EngineEvent),
+    News(EngineEvent),
     /// All parts at a barrier continue, or all parts begin.
     Started {
         /// The barrier; `None` at the beginning.
@@ -115,7 +115,7 @@ pub async fn run(
                 Some(Order::Leave) => return Ok(Outcome::Held),
             },
             _ = looks.tick() => {
-                run.go_on(&mut say);
+                run.resume(&mut say);
                 run.look().await;
             }
         }
@@ -213,14 +213,14 @@ impl Run {
     /// Carries out the pending actions.
     async fn act(&mut self, say: &mut impl FnMut(RunEvent)) {
         self.tell(say);
-        let wishes: Vec<Wish> = std::iter::from_fn(|| self.engine.poll_wish()).collect();
-        let pauses = wishes.iter().filter_map(|wish| match wish {
-            Wish::Pause(part) => Some(*part),
-            Wish::Start { .. } => None,
+        let actions: Vec<Action> = std::iter::from_fn(|| self.engine.poll_action()).collect();
+        let pauses = actions.iter().filter_map(|action| match action {
+            Action::Pause(part) => Some(*part),
+            Action::Start { .. } => None,
         });
         self.pause(pauses.collect()).await;
-        for wish in wishes {
-            if let Wish::Start { barrier, parts } = wish
+        for action in actions {
+            if let Action::Start { barrier, parts } = action
                 && let Some(within_ms) = self.start(&parts).await
             {
                 say(RunEvent::Started { barrier, within_ms });
@@ -231,16 +231,16 @@ impl Run {
 
     fn tell(&mut self, say: &mut impl FnMut(RunEvent)) {
         while let Some(news) = self.engine.poll_news() {
-            say(RunEvent::EngineEvent(news));
+            say(RunEvent::News(news));
         }
     }
 
-    fn go_on(&mut self, say: &mut impl FnMut(RunEvent)) {
+    fn resume(&mut self, say: &mut impl FnMut(RunEvent)) {
         if !self.is_to_go_on || !self.engine.is_at_rest() {
             return;
         }
         self.is_to_go_on = false;
-        for (part, why) in self.engine.go_on() {
+        for (part, why) in self.engine.resume() {
             say(RunEvent::Hindered { part, why });
         }
     }
@@ -322,13 +322,13 @@ impl Run {
 
 impl Actor {
     /// Returns the state of the part, within a timeout.
-    async fn see(self) -> Result<Seen, AskError> {
+    async fn see(self) -> Result<Observation, AskError> {
         let within_s = SEEN_WITHIN.as_secs();
         let late = |_| AskError::Unclear(format!("no response within {within_s} s"));
         timeout(SEEN_WITHIN, self.look()).await.map_err(late)?
     }
 
-    async fn look(self) -> Result<Seen, AskError> {
+    async fn look(self) -> Result<Observation, AskError> {
         // A response about a job is newer than all previous requests.
         let known = if self.is_unsure {
             Some(self.look_up().await?)
@@ -343,8 +343,8 @@ impl Actor {
             (None, None) => self.look_up().await?,
         };
         Ok(match job {
-            Some(job) => Seen::of(&self.part, &job, &state),
-            None => Seen::Ended("its station does not know its job any more".into()),
+            Some(job) => Observation::of(&self.part, &job, &state),
+            None => Observation::Ended("its station does not know its job any more".into()),
         })
     }
 

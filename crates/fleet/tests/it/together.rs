@@ -160,7 +160,7 @@ impl Running {
 }
 
 fn is_at_barrier(said: &RunEvent, of: usize) -> bool {
-    matches!(said, RunEvent::EngineEvent(EngineEvent::Arrived { part, .. }) if *part == of)
+    matches!(said, RunEvent::News(EngineEvent::Arrived { part, .. }) if *part == of)
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -179,7 +179,7 @@ async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
     let is_asked = |event: &RunEvent| {
         matches!(
             event,
-            RunEvent::EngineEvent(EngineEvent::WaitsForPerson { part: 2, .. })
+            RunEvent::News(EngineEvent::WaitsForPerson { part: 2, .. })
         )
     };
     if !said.iter().any(is_asked) {
@@ -226,7 +226,7 @@ async fn when_a_station_is_gone_the_others_hold_before_the_barrier() {
     let mut running = Running::begin(&room.home, parts, false);
     running.until(|event| is_at_barrier(event, 0)).await;
     room.desks.remove(1).end().await;
-    let is_held = |event: &RunEvent| matches!(event, RunEvent::EngineEvent(EngineEvent::Held { part: 1, with, .. }) if *with == [0, 2]);
+    let is_held = |event: &RunEvent| matches!(event, RunEvent::News(EngineEvent::Held { part: 1, with, .. }) if *with == [0, 2]);
     running.until(is_held).await;
     // No person is present to decide.
     assert_eq!(running.end().await, Outcome::Held);
@@ -277,7 +277,7 @@ async fn a_person_has_all_hold_and_go_on() {
         .await;
     running.orders.send(Order::Hold).await.unwrap();
     running
-        .until(|event| matches!(event, RunEvent::EngineEvent(EngineEvent::Held { .. })))
+        .until(|event| matches!(event, RunEvent::News(EngineEvent::Held { .. })))
         .await;
     running.orders.send(Order::Resume).await.unwrap();
     assert_eq!(running.end().await, Outcome::Done);

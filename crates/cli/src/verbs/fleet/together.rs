@@ -200,7 +200,7 @@ impl<'a> Teller<'a> {
         match said {
             RunEvent::Queued(jobs) => self.jobs.clone_from(jobs),
             RunEvent::Started { within_ms, .. } => self.most_ms = self.most_ms.max(*within_ms),
-            RunEvent::EngineEvent(_) | RunEvent::Hindered { .. } => {}
+            RunEvent::News(_) | RunEvent::Hindered { .. } => {}
         }
         if self.as_json {
             return drop(output::json(said));
@@ -229,7 +229,7 @@ impl<'a> Teller<'a> {
             RunEvent::Hindered { part, why } => {
                 vec![format!("{} cannot go on: {why}", self.arm(*part))]
             }
-            RunEvent::EngineEvent(news) => self.news(news),
+            RunEvent::News(news) => self.news(news),
         }
     }
 

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::EngineEvent;
 use crate::together::barriers::Barriers;
-use crate::together::seen::Seen;
+use crate::together::observation::Observation;
 
 /// The state of one part in the engine.
 #[expect(
@@ -86,10 +86,10 @@ impl PartState {
     pub(super) fn see(
         &mut self,
         part: usize,
-        seen: &Seen,
+        seen: &Observation,
         news: &mut VecDeque<EngineEvent>,
     ) -> Result<(), String> {
-        self.runs = *seen == Seen::Running;
+        self.runs = *seen == Observation::Running;
         self.is_unknown = false;
         if self.is_over() {
             return Ok(());
@@ -102,20 +102,20 @@ impl PartState {
             self.set_out(part, news);
         }
         match seen {
-            Seen::Queued => Ok(()),
-            Seen::Running => {
+            Observation::Queued => Ok(()),
+            Observation::Running => {
                 self.go(At::Running);
                 Ok(())
             }
-            Seen::AtBarrier { progress, .. } if self.arrived >= Some(*progress) => Ok(()),
-            Seen::AtBarrier { name, progress } => self.arrive(part, name, *progress, news),
-            Seen::AtPerson(message) => {
+            Observation::AtBarrier { progress, .. } if self.arrived >= Some(*progress) => Ok(()),
+            Observation::AtBarrier { name, progress } => self.arrive(part, name, *progress, news),
+            Observation::AtPerson(message) => {
                 self.wait_for_person(part, message, news);
                 Ok(())
             }
-            Seen::Paused(reason) | Seen::Hindered(reason) => self.pause(reason),
-            Seen::Done => self.finish(part, news),
-            Seen::Ended(reason) => self.broken(reason),
+            Observation::Paused(reason) | Observation::Hindered(reason) => self.pause(reason),
+            Observation::Done => self.finish(part, news),
+            Observation::Ended(reason) => self.broken(reason),
         }
     }
 
@@ -148,7 +148,7 @@ impl PartState {
     }
 
     /// Resumes on request of a person.
-    pub(super) fn go_on(&mut self) {
+    pub(super) fn resume(&mut self) {
         if !self.is_held {
             return;
         }
@@ -204,14 +204,17 @@ impl PartState {
     }
 
     /// Whether its job is past the barrier at which it should wait.
-    fn is_further(&self, seen: &Seen) -> bool {
+    fn is_further(&self, seen: &Observation) -> bool {
         if !matches!(self.at, At::Queued | At::Waiting) {
             return false;
         }
         match seen {
-            Seen::AtBarrier { progress, .. } => self.arrived < Some(*progress),
-            Seen::Queued | Seen::Hindered(_) | Seen::Ended(_) => false,
-            Seen::Running | Seen::Paused(_) | Seen::AtPerson(_) | Seen::Done => true,
+            Observation::AtBarrier { progress, .. } => self.arrived < Some(*progress),
+            Observation::Queued | Observation::Hindered(_) | Observation::Ended(_) => false,
+            Observation::Running
+            | Observation::Paused(_)
+            | Observation::AtPerson(_)
+            | Observation::Done => true,
         }
     }
 
