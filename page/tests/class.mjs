@@ -182,7 +182,7 @@ test("with the router killed the others are away, what they have is in doubt, an
   await end(router, "SIGKILL");
   await seen("away");
   await board.waitForSelector(`${entry("Ben")}[data-doubtful=true]`);
-  assert.match(await board.textContent(`${entry("Ben")} .reason-note`), /^Desk-2 cannot be reached; \d+ of \d+ commands were done when it was heard of last, and it may go on\.$/);
+  assert.match(await board.textContent(`${entry("Ben")} .reason-note`), /^Desk-2 cannot be reached; \d+ of \d+ commands were done at the last report, and it may continue\.$/);
   await says("#queue-open", "1 uncertain");
   await board.click("#stop");
   await says("#stop-status", "1 of 3 stopped.");

@@ -1,7 +1,7 @@
-"""The original Dobot Arm (2016), under the same rules as everything that moves it.
+"""The original Dobot Arm (2016), with the safety rules of its station.
 
-Points are millimetres in the base frame (x forward, y left, z up from the pivot of the rear arm), angles
-are degrees.
+Points are millimetres in the base frame (x forward, y left, z up from the pivot of the rear arm), angles are
+degrees.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ _LATER = {
     "assert_ink": "testing",
     "assert_object": "testing",
 }
-"""What is loaded when it is asked for: it takes longer than all the rest, or few need it."""
+"""Names that are loaded on first use, since they are slow to import or rarely needed."""
 
 
 def __getattr__(name: str) -> object:

@@ -4,7 +4,7 @@ from typing import Any, Literal, TypedDict
 
 from .errors import Kind
 
-class Told(TypedDict):
+class StatusFields(TypedDict):
     x_mm: float
     y_mm: float
     z_mm: float
@@ -17,10 +17,10 @@ class Told(TypedDict):
     gripper_deg: float
 
 MoveOptions = tuple[str, bool | None, float | None, float]
-"""The way there; suction, gripper (degrees) and pause (seconds) once there."""
+"""The path; suction, gripper (degrees) and pause (seconds) after the move."""
 
 Columns = dict[str, tuple[str, bytes | list[str | None]]]
-"""The columns of a table: the dtype of numpy, and the bytes of an array or the texts of a list."""
+"""The columns of a table: the numpy dtype, and the bytes of an array or the texts of a list."""
 
 class ConnectOptions(TypedDict):
     name: str
@@ -34,13 +34,13 @@ class ConnectOptions(TypedDict):
     seed: int
 
 class Lines:
-    """Lines as they are handed over, piece by piece."""
+    """Lines, passed piece by piece."""
 
     def begin(self, points: int) -> None: ...
     def extend(self, bytes: bytes) -> None: ...
 
 class Drawing:
-    """A drawing that was planned; ``options`` is a JSON object."""
+    """A planned drawing; ``options`` is a JSON object."""
 
     def __init__(self, file: str | None, lines: Lines | None, options: str) -> None: ...
     @property
@@ -57,7 +57,7 @@ class Drawing:
     def svg(self) -> str: ...
 
 class Simulated:
-    """What came of a script."""
+    """The result of a script."""
 
     def __init__(self, script: str, name: str, personality: str) -> None: ...
     def statuses(self) -> Columns: ...
@@ -73,7 +73,7 @@ class Simulated:
     def svg(self) -> str: ...
 
 class Log:
-    """A stretch of a recording."""
+    """A part of a recording."""
 
     def __init__(self, file: str, from_s: float, to_s: float) -> None: ...
     def tables(self) -> tuple[Columns, Columns, str | None]: ...
@@ -96,7 +96,7 @@ class Served:
     def close(self) -> None: ...
 
 class Calibrated:
-    """What touches tell of an arm."""
+    """The result of fitting a calibration to touches."""
 
     def __init__(self, touches: list[tuple[float, float, float, float, float, float]]) -> None: ...
     @property
@@ -151,16 +151,16 @@ def drawing_formats() -> list[tuple[str, list[str]]]: ...
 def problem_kinds() -> list[tuple[Kind, str, str]]: ...
 
 class Pending:
-    """Something that goes on."""
+    """An operation in progress."""
 
     def wait(self, progress: Callable[..., object] | None) -> Any: ...
     def poll(self) -> tuple[tuple[Any, ...] | None, Any]: ...
-    def when_told(self, wake: Callable[[], None]) -> None: ...
+    def when_ready(self, wake: Callable[[], None]) -> None: ...
 
 class Statuses:
-    def next(self) -> Told: ...
-    def poll(self) -> Told | None: ...
-    def when_told(self, wake: Callable[[], None]) -> None: ...
+    def next(self) -> StatusFields: ...
+    def poll(self) -> StatusFields | None: ...
+    def when_ready(self, wake: Callable[[], None]) -> None: ...
 
 class Core:
     def __new__(cls, at: str, options: ConnectOptions) -> Core: ...

@@ -1,4 +1,4 @@
-"""An arm for coroutines."""
+"""An arm for asyncio."""
 
 from __future__ import annotations
 
@@ -11,73 +11,73 @@ from typing import Any, Concatenate, ParamSpec, TypeVar
 from . import operations, place
 from ._core import Core, Pending, Statuses
 from .errors import Error
-from .operations import Begun, Button, Connection
+from .operations import Operation, Button, Connection
 from .status import Status
 
 P = ParamSpec("P")
 T = TypeVar("T")
 
 
-async def _told(source: Pending | Statuses) -> None:
+async def _ready(source: Pending | Statuses) -> None:
     """Waits until there is something to poll."""
     loop = asyncio.get_running_loop()
-    told = loop.create_future()
+    ready = loop.create_future()
 
     def finish() -> None:
-        if not told.done():
-            told.set_result(None)
+        if not ready.done():
+            ready.set_result(None)
 
     def wake() -> None:
         try:
             loop.call_soon_threadsafe(finish)
         except RuntimeError:
-            pass  # The loop is closed: nobody waits any more.
+            pass  # The loop is closed: there is no waiter.
 
-    source.when_told(wake)
-    await told
+    source.when_ready(wake)
+    await ready
 
 
-async def _over(pending: Pending, progress: Callable[..., object] | None = None) -> Any:
+async def _result(pending: Pending, progress: Callable[..., object] | None = None) -> Any:
     while True:
-        await _told(pending)
-        part, told = pending.poll()
-        if told is not None:
-            return told
+        await _ready(pending)
+        part, result = pending.poll()
+        if result is not None:
+            return result
         if part is not None and progress is not None:
             progress(*part)
 
 
-async def _over_or_stopped(
+async def _result_or_stopped(
     arm: Connection, pending: Pending, progress: Callable[..., object] | None
 ) -> Any:
-    """A task that is cancelled, or progress that raises, stops the arm."""
+    """Waits for the end; if the task is cancelled or ``progress`` raises, the arm is stopped."""
     try:
-        return await _over(pending, progress)
+        return await _result(pending, progress)
     except Error:
         raise
     except BaseException as error:
         try:
-            await _over(arm._core.stop(f"a task was ended: {error!r}"))
+            await _result(arm._core.stop(f"a task was cancelled: {error!r}"))
         except Error:
             pass
         raise
 
 
 def _awaited(
-    begin: Callable[Concatenate[Connection, P], Begun[T]],
+    begin: Callable[Concatenate[Connection, P], Operation[T]],
 ) -> Callable[Concatenate[Connection, P], Coroutine[Any, Any, T]]:
-    """The operation, as a coroutine. Where its task is cancelled, the arm is stopped."""
+    """Returns the operation as a coroutine. If its task is cancelled, the arm is stopped."""
 
     @wraps(begin)
     async def call(arm: Connection, /, *args: P.args, **options: P.kwargs) -> T:
         begun = begin(arm, *args, **options)
-        return begun.read(await _over_or_stopped(arm, begun.pending, begun.progress))
+        return begun.read(await _result_or_stopped(arm, begun.pending, begun.progress))
 
     return call
 
 
 class AsyncArm(Connection):
-    """An arm whose operations are awaited. Tasks and loops may share it."""
+    """An arm with awaitable operations. Tasks and event loops may share it."""
 
     async def __aenter__(self) -> AsyncArm:
         return self
@@ -112,31 +112,31 @@ class AsyncArm(Connection):
     confirm_pose = _awaited(operations.confirm_pose)
 
     def jog(self, button: Button, speed: float = 50.0, *, at_most: float = 10.0) -> AsyncJog:
-        """Holds a button for as long as an ``async with`` lasts; otherwise as :meth:`Arm.jog`."""
+        """Holds a button while an ``async with`` block runs; otherwise like :meth:`Arm.jog`."""
         return AsyncJog(self, button, speed, at_most)
 
     async def statuses(self) -> AsyncIterator[Status]:
-        """Every status that the arm tells from now on, also while another task moves it."""
+        """Yields all statuses from now on, also while another task moves the arm."""
         statuses = self._core.statuses()
         while True:
-            told = statuses.poll()
-            if told is None:
-                await _told(statuses)
+            status = statuses.poll()
+            if status is None:
+                await _ready(statuses)
             else:
-                yield Status(**told)
+                yield Status(**status)
 
     async def close(self) -> None:
-        """Lets go of the arm; leaving ``async with`` does it, too."""
+        """Disconnects from the arm; also called at the end of ``async with``."""
         await asyncio.to_thread(self._core.close)
 
 
 def _connecting(begin: Callable[P, Core]) -> Callable[P, Coroutine[Any, Any, AsyncArm]]:
-    """The same, as a coroutine."""
+    """Returns the operation as a coroutine."""
 
     @wraps(begin)
     async def aconnect(*args: P.args, **options: P.kwargs) -> AsyncArm:
         core = begin(*args, **options)
-        await _over(core.connected())
+        await _result(core.connected())
         return AsyncArm(core)
 
     return aconnect
@@ -146,7 +146,7 @@ aconnect = _connecting(place.connect)
 
 
 class AsyncJog:
-    """A jog button that is held for as long as an ``async with`` lasts."""
+    """A jog button that is held while an ``async with`` block runs."""
 
     def __init__(self, arm: AsyncArm, button: Button, speed: float, at_most: float) -> None:
         self._arm = arm
@@ -154,7 +154,7 @@ class AsyncJog:
 
     async def __aenter__(self) -> None:
         try:
-            await _over_or_stopped(self._arm, self._arm._core.press(*self._press), None)
+            await _result_or_stopped(self._arm, self._arm._core.press(*self._press), None)
         except asyncio.CancelledError:
             await self._let_go_quietly()
             raise
@@ -166,13 +166,13 @@ class AsyncJog:
         trace: TracebackType | None,
     ) -> None:
         if error is None:
-            await _over(self._arm._core.release())
+            await _result(self._arm._core.release())
         else:
             await self._let_go_quietly()
 
     async def _let_go_quietly(self) -> None:
-        """What went wrong before is what counts."""
+        """Releases the button without hiding an earlier error."""
         try:
-            await _over(self._arm._core.release())
+            await _result(self._arm._core.release())
         except Error:
             pass

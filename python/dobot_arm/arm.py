@@ -1,4 +1,4 @@
-"""An arm for calls that wait."""
+"""An arm with blocking calls."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Concatenate, ParamSpec, TypeVar
 from . import operations, place
 from ._core import Core
 from .errors import Error
-from .operations import Begun, Button, Connection
+from .operations import Operation, Button, Connection
 from .status import Status
 from .world import Object, Stroke
 
@@ -19,7 +19,7 @@ T = TypeVar("T")
 
 
 def _waiting(
-    begin: Callable[Concatenate[Connection, P], Begun[T]],
+    begin: Callable[Concatenate[Connection, P], Operation[T]],
 ) -> Callable[Concatenate[Connection, P], T]:
     """The operation, as a call that waits for its end."""
 
@@ -68,7 +68,7 @@ class Arm(Connection):
 
     @property
     def pose(self) -> Status:
-        """Where the tool is, in millimetres: ``x_mm``, ``y_mm``, ``z_mm``, ``rotation_deg``."""
+        """The pose of the tool, in millimetres and degrees: ``x_mm``, ``y_mm``, ``z_mm``, ``rotation_deg``."""
         return self.status()
 
     @property
@@ -78,7 +78,7 @@ class Arm(Connection):
 
     @property
     def objects(self) -> dict[str, Object]:
-        """The objects around a virtual arm of this process, by their names."""
+        """The objects around a virtual arm of this process, by name."""
         return self.world().objects
 
     @property
@@ -87,22 +87,22 @@ class Arm(Connection):
         return self.status()
 
     def jog(self, button: Button, speed: float = 50.0, *, at_most: float = 10.0) -> Jog:
-        """Holds a button for as long as a ``with`` lasts, at ``speed`` percent.
+        """Holds a button while a ``with`` block runs, at ``speed`` percent.
 
-        It is let go when the ``with`` is left, when the program ends or hangs as a whole, and after
-        ``at_most`` seconds (0.02 to 60), which raises :class:`Failed` at the end of the ``with``.
-        ``arm.wait(...)`` and ``arm.statuses()`` go on meanwhile.
+        The button is released at the end of the block, when the program ends or hangs, and after ``at_most``
+        seconds (0.02 to 60), which raises :class:`Failed` at the end of the block. ``arm.wait(...)`` and
+        ``arm.statuses()`` can be used in the block.
         """
         return Jog(self, button, speed, at_most)
 
     def statuses(self) -> Iterator[Status]:
-        """Every status that the arm tells from now on, also while another thread moves it."""
+        """Yields all statuses from now on, also while another thread moves the arm."""
         statuses = self._core.statuses()
         while True:
             yield Status(**statuses.next())
 
     def close(self) -> None:
-        """Lets go of the arm; leaving ``with`` does it, too."""
+        """Disconnects from the arm; also called at the end of ``with``."""
         self._core.close()
 
 
@@ -122,7 +122,7 @@ connect = _connecting(place.connect)
 
 
 class Jog:
-    """A jog button that is held for as long as a ``with`` lasts."""
+    """A jog button that is held while a ``with`` block runs."""
 
     def __init__(self, arm: Arm, button: Button, speed: float, at_most: float) -> None:
         self._arm = arm

@@ -1,4 +1,4 @@
-"""What is wrong with one arm, from points that its tool has touched."""
+"""Calibration of an arm, from points that its tool has touched."""
 
 from __future__ import annotations
 
@@ -10,82 +10,82 @@ from ._core import Calibrated, sheet_points
 from .status import Status
 
 SHEET: tuple[tuple[float, float], ...] = tuple(sheet_points())
-"""The points of the printed sheet, in the order in which they are touched: x and y in mm."""
+"""The points of the printed sheet, in the order of touching: x and y in mm."""
 
 
 @dataclass(frozen=True)
 class Touch:
-    """A known point, and what the arm told when its tool touched it."""
+    """A known point, and the reported status when the tool touched it."""
 
     x_mm: float
-    """Where it truly is: forward of the base's axis."""
+    """The true position: forward of the base's axis."""
     y_mm: float
-    """Where it truly is: to the left."""
+    """The true position: to the left."""
     status: Status
-    """What the arm told; of an arm that no calibration holds for."""
+    """The reported status, of an arm without an active calibration."""
     height_mm: float = 0.0
-    """How high above the paper it is: 0 on the paper itself."""
+    """The height above the paper: 0 on the paper itself."""
 
 
 class Calibration:
-    """What is wrong with an arm. In a notebook it shows its touches."""
+    """A calibration of an arm. Displays its touches in a notebook."""
 
     def __init__(self, calibrated: Calibrated) -> None:
         self._calibrated = calibrated
 
     @property
     def zeros_deg(self) -> tuple[float, float, float]:
-        """How much further base, rear arm and forearm stand than the arm says, in degrees."""
+        """The zero offsets of base, rear arm and forearm: true minus reported angle, in degrees."""
         return self._calibrated.zeros_deg
 
     @property
     def tool_mm(self) -> tuple[float, float]:
-        """How much further out and to the left the tool is than drawn, in mm."""
+        """The offset of the tool outward and to the left of its nominal position, in mm."""
         return self._calibrated.tool_mm
 
     @property
     def residuals_mm(self) -> list[float]:
-        """How far each touch is from where it should be, in mm."""
+        """The residual of each touch, in mm."""
         return self._calibrated.residuals_mm
 
     @property
     def typical_mm(self) -> float:
-        """The root of the mean square of the residuals that count, in mm."""
+        """The root mean square of the used residuals, in mm."""
         return self._calibrated.typical_mm
 
     @property
     def expected_mm(self) -> float:
-        """How wrong a place on the sheet may still be, typically, in mm."""
+        """The typical remaining error of a position on the sheet, in mm."""
         return self._calibrated.expected_mm
 
     @property
     def left_out(self) -> int | None:
-        """The touch that contradicts all others and was left out, counted from 0."""
+        """The touch that was left out because it contradicts all others, counted from 0."""
         return self._calibrated.left_out
 
     @property
     def trust(self) -> Literal["good", "unchecked", "doubtful"]:
-        """Whether to use it: ``unchecked`` touches are so few that a wrong one would not be noticed."""
+        """Whether to use it; ``unchecked`` means too few touches to detect a wrong one."""
         return self._calibrated.trust
 
     @property
     def text(self) -> str:
-        """The text of a file for ``dobot calibrate FILE --use``, from when on it holds for that arm."""
+        """The text of a file for ``dobot calibrate FILE --use``, which makes it active for that arm."""
         return self._calibrated.text
 
     def told_place(self, x: float, y: float, z: float) -> tuple[float, float, float]:
-        """The place that the arm has to be told for its tool to be at a true one, in mm.
+        """The raw position to command for a calibrated position of the tool, in mm.
 
-        Raises :class:`ValueError` where the arm cannot bring its tool there.
+        Raises :class:`ValueError` if the tool cannot reach it.
         """
         return self._calibrated.told_place(x, y, z)
 
     def true_place(self, x: float, y: float, z: float) -> tuple[float, float, float]:
-        """Where the tool is when the arm says this place, in mm."""
+        """The calibrated position for a raw position, in mm."""
         return self._calibrated.true_place(x, y, z)
 
     def svg(self) -> str:
-        """The touches, and where the calibration has them (SVG)."""
+        """A picture of the touches and their residuals (SVG)."""
         return self._calibrated.svg()
 
     def _repr_svg_(self) -> str:
@@ -97,9 +97,10 @@ class Calibration:
 
 
 def calibrate(touches: Iterable[Touch]) -> Calibration:
-    """Finds what is wrong with an arm whose tool has touched known points: four at least, better nine.
+    """Fits a calibration to touches of known points: at least four, better nine.
 
-    Raises :class:`ValueError` where they tell too little, contradict each other, or tell of what no arm has.
+    Raises :class:`ValueError` if the touches are insufficient, contradict each other, or give values that are
+    not plausible.
     """
-    told = [(it.x_mm, it.y_mm, it.height_mm, it.status.base_deg, it.status.rear_deg, it.status.fore_deg) for it in touches]
-    return Calibration(Calibrated(told))
+    points = [(touch.x_mm, touch.y_mm, touch.height_mm, touch.status.base_deg, touch.status.rear_deg, touch.status.fore_deg) for touch in touches]
+    return Calibration(Calibrated(points))

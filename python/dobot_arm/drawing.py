@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 _PAIR = Struct("<2d")
 _PIECE = 4096
-"""How many points are handed over at once."""
+"""The number of points that are passed together."""
 
 Progress = Callable[[int, int], object]
-"""Called with how many commands of how many are over."""
+"""Called with the number of completed commands and the number of commands."""
 
 
 class Plan:
-    """A drawing as it will be. It is planned anew for the arm that draws it, where that arm stands."""
+    """A planned drawing. It is planned again for the arm that draws it, from the position of that arm."""
 
     def __init__(self, drawing: Drawing) -> None:
         self._drawing = drawing
@@ -39,31 +39,31 @@ class Plan:
 
     @property
     def duration_s(self) -> float:
-        """How long it takes, in seconds, from its start."""
+        """The duration in seconds, from its start."""
         return self._drawing.duration_s
 
     @property
     def vectors(self) -> int:
-        """How many vectors it has, and so packets."""
+        """The number of vectors, and so of packets."""
         return self._drawing.vectors
 
     @property
     def drawn_mm(self) -> float:
-        """How far the pen goes down on the paper, in millimetres."""
+        """The drawn length, in millimetres."""
         return self._drawing.drawn_mm
 
     @property
     def warnings(self) -> list[str]:
-        """What the pen does not show, each a sentence."""
+        """Differences between the result and the file, a sentence each."""
         return self._drawing.warnings
 
     @property
     def strokes(self) -> list[list[tuple[float, float]]]:
-        """What becomes ink, line by line: x and y in the base frame, in millimetres."""
+        """The ink, line by line: x and y in the base frame, in millimetres."""
         return self._drawing.strokes()
 
     def svg(self) -> str:
-        """A picture of it, as SVG."""
+        """A picture of the drawing, as SVG."""
         return self._drawing.svg()
 
     def _repr_svg_(self) -> str:
@@ -74,58 +74,60 @@ class Plan:
 
 
 def formats() -> dict[str, list[str]]:
-    """The formats of files that can be drawn: the extensions of each, as in ``{"DXF": ["dxf"], ...}``."""
+    """Returns the supported file formats with their extensions, as in ``{"DXF": ["dxf"], ...}``."""
     return dict(drawing_formats())
 
 
 def plan(
     file: str | os.PathLike[str] | None = None, *, lines: Iterable[Points] | None = None, **options: object
 ) -> Plan:
-    """Plans a drawing: a file in one of the :func:`formats`, ``lines=[...]``, ``text="..."``, or one of the first with
-    a text below.
+    """Plans a drawing: a file in one of the :func:`formats`, ``lines=[...]``, ``text="..."``, or a file or
+    lines with a text below.
 
-    ``lines`` are arrays of shape (n, 2), or sequences of pairs: x to the right and y down, in millimetres, as on a page.
+    ``lines`` are arrays of shape (n, 2), or sequences of pairs: x to the right and y down, in millimetres, as
+    on a page.
 
-    The options are those of ``dobot draw`` with ``_`` for ``-``, lengths in millimetres, angles in degrees:
-    ``paper_size="a5"``, ``landscape=True``, ``at=[210, 20]``, ``pen_down=-40``. ``paper="a5"`` is short for
-    ``paper_size="a5", fit=True``: as large as the sheet allows. Raises :class:`TypeError` for an option that there is not, :class:`ValueError` for a
-    value that is not allowed or a drawing that cannot be made so, :class:`OSError` for a file that
-    cannot be read.
+    The options are keyword arguments, with lengths in millimetres and angles in degrees: ``paper_size="a5"``,
+    ``landscape=True``, ``at=[210, 20]``, ``pen_down=-40``; ``dobot draw --help`` describes all of them (with
+    ``-`` for ``_``). ``paper="a5"`` is short for ``paper_size="a5", fit=True``: as large as the sheet allows.
+
+    Raises :class:`TypeError` for an unknown option, :class:`ValueError` for an invalid value or a drawing that
+    cannot be planned, :class:`OSError` for a file that cannot be read.
     """
     if isinstance(options.get("paper"), str):
         if "paper_size" in options:
-            raise TypeError("paper and paper_size say the same; give one")
+            raise TypeError("paper and paper_size have the same meaning; give one of them")
         options["paper_size"] = options.pop("paper")
         if "scale" not in options:
             options.setdefault("fit", True)
     name = None if file is None else os.fspath(file)
-    drawn = None if lines is None else _taken(lines)
+    drawn = None if lines is None else _copied(lines)
     return Plan(Drawing(name, drawn, json.dumps(options, allow_nan=False)))
 
 
-def _taken(lines: Iterable[Points]) -> Lines:
-    """The points of all lines, copied once, piece by piece."""
-    taken = Lines()
+def _copied(lines: Iterable[Points]) -> Lines:
+    """Copies the points of all lines once, piece by piece."""
+    copied = Lines()
     for line in lines:
         if hasattr(line, "__array_interface__"):
             import numpy as np
 
             points = np.asarray(line)
             if points.ndim != 2 or points.shape[1] != 2:
-                raise ValueError(f"a line is an array of the shape {points.shape}; allowed is (n, 2)")
-            taken.begin(len(points))
+                raise ValueError(f"a line has the shape {points.shape}; allowed is (n, 2)")
+            copied.begin(len(points))
             for begin in range(0, len(points), _PIECE):
-                taken.extend(np.ascontiguousarray(points[begin : begin + _PIECE], dtype="<f8").tobytes())
+                copied.extend(np.ascontiguousarray(points[begin : begin + _PIECE], dtype="<f8").tobytes())
         else:
-            taken.begin(0)
+            copied.begin(0)
             pairs = iter(line)
             while piece := b"".join(_PAIR.pack(x, y) for x, y in islice(pairs, _PIECE)):
-                taken.extend(piece)
-    return taken
+                copied.extend(piece)
+    return copied
 
 
 def bar(completed: int, commands: int) -> None:
-    """Shows progress on the terminal, if standard error is one."""
+    """Shows the progress on the terminal, if standard error is one."""
     if sys.stderr.isatty():
         end = "\n" if completed == commands else ""
         print(f"\r{completed} of {commands} commands", end=end, file=sys.stderr, flush=True)

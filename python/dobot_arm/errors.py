@@ -1,4 +1,4 @@
-"""What goes wrong, and what to do about it."""
+"""Exceptions."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ Kind = Literal[
     "too-many-requests", "unauthorised", "unguarded", "unknown-path", "upgrade", "work-file",
     "work-phase", "work-refused",
 ]
-"""Why something is refused: the kinds of problems of the API."""
+"""The kind of a refusal: a problem type of the API."""
 
 
 def kinds() -> dict[Kind, str]:
-    """What each kind of refusal means and what helps, in sentences."""
+    """Returns what each kind of refusal means, and the remedy."""
     from ._core import problem_kinds
 
     return {name: explanation for name, _, explanation in problem_kinds()}
 
 
 class Error(Exception):
-    """Something was not done; ``hint`` tells what to do about it."""
+    """An operation failed; ``hint`` describes the remedy."""
 
     hint: str | None
 
@@ -45,16 +45,16 @@ class Error(Exception):
 
 
 class Refused(Error):
-    """The rules refuse it; nothing was sent to the arm."""
+    """The rules refuse the operation; nothing was sent to the arm."""
 
     kind: Kind
-    """Why, in a word: ``policy``, ``stopped``, ``no-lease``. :func:`kinds` tells what each means."""
+    """The kind: ``policy``, ``stopped``, ``no-lease``. :func:`kinds` describes each of them."""
     rule: str | None
-    """The rule of the policy that it would break."""
+    """The rule of the policy that would be violated."""
     at_mm: tuple[float, float, float] | None
-    """Where on its way the motion would break the rule: x, y, z in millimetres."""
+    """The position on the path where the rule would be violated: x, y, z in millimetres."""
     nearest_mm: tuple[float, float, float] | None
-    """The nearest place that is allowed: x, y, z in millimetres."""
+    """The nearest allowed position: x, y, z in millimetres."""
 
     def __init__(
         self,
@@ -74,13 +74,14 @@ class Refused(Error):
 
 
 class Failed(Error):
-    """It was begun, and not done."""
+    """The operation was started, but did not finish."""
 
 
 class Paused(Failed):
-    """A job rests: a step of a program waits for a person, a drawing for another pen, or somebody paused it.
+    """A job is paused: a step of a program waits for a person, a drawing for another pen, or somebody paused
+    it.
 
-    ``arm.resume()`` goes on with it, ``arm.cancel()`` gives it up.
+    ``arm.resume()`` resumes it, ``arm.cancel()`` cancels it.
     """
 
     job: int
@@ -92,12 +93,12 @@ class Paused(Failed):
 
 
 class LinkLost(Error):
-    """The station cannot be reached, or does not answer any more."""
+    """The station cannot be reached, or does not respond any more."""
 
 
 class Stopped(Error):
-    """The arm was stopped while this was under way."""
+    """The arm was stopped during the operation."""
 
 
 class Closed(Error):
-    """The arm was let go of, or belongs to another process."""
+    """The arm was disconnected, or belongs to another process."""

@@ -1,4 +1,4 @@
-"""Where the arm is."""
+"""Addresses of arms."""
 
 from __future__ import annotations
 
@@ -21,23 +21,24 @@ def connect(
     faults: Sequence[str] = (),
     seed: int = 0,
 ) -> Core:
-    """Connects with an arm.
+    """Connects to an arm.
 
-    ``virtual:`` or ``virtual:firmware-1.1`` is a virtual one in this process, ``station`` that of the station
-    that runs on this machine, ``http://127.0.0.1:8642`` that of the station there; ``serial:/dev/ttyUSB0`` or
-    ``tcp:host:port`` is one whose rules are kept in this process, guarded by the program ``dobot``, which has
-    to be installed.
+    ``virtual:`` or ``virtual:firmware-1.1`` is a virtual arm in this process, ``station`` the arm of the
+    station on this machine, ``http://127.0.0.1:8642`` that of another station; with ``serial:/dev/ttyUSB0`` or
+    ``tcp:host:port`` the rules are applied in this process, with the program ``dobot`` as the watchdog, which
+    must be installed.
 
-    ``name`` is what others see; ``token`` allows more than watching (default: the environment variable
-    ``DOBOT_TOKEN``, then that of the station of this person); ``dialect`` is what an arm at an address
-    understands, ``specification`` or ``firmware-1.1``. The certificate of a station at ``https://`` is trusted by
-    ``fingerprint``, its SHA-256 digest, which the station tells at its start; or by ``ca``, a PEM file with who issued it.
+    ``name`` is shown to other clients; ``token`` is required for more than watching (default: the environment
+    variable ``DOBOT_TOKEN``, then the token of this user's station); ``dialect`` is the protocol dialect of an
+    arm at an address, ``specification`` or ``firmware-1.1``. The certificate of a station at ``https://`` is
+    checked with ``fingerprint``, its SHA-256 digest, which the station prints at its start; or with ``ca``, a
+    PEM file of the issuer.
 
-    A virtual arm of this process may stand in a ``world`` (a scene file that ends in ``.toml``, or the text of one) and
-    have ``faults`` such as ``drop=1%`` or ``zero=fore:2``; the same ``seed`` gives the same chances.
+    A virtual arm of this process may have a ``world`` (a scene file that ends in ``.toml``, or the text of one)
+    and ``faults`` such as ``drop=1%`` or ``zero=fore:2``; ``seed`` is their random seed.
 
-    Raises :class:`LinkLost` where nothing answers, :class:`Refused` where a station does not let it in,
-    :class:`ValueError` for a value that is not allowed.
+    Raises :class:`LinkLost` if nothing responds, :class:`Refused` if a station refuses access,
+    :class:`ValueError` for an invalid value.
     """
     return Core(
         where,
@@ -50,7 +51,7 @@ def connect(
 
 
 def scene(world: str | os.PathLike[str] | None) -> str | None:
-    """The text of a scene: of a file, where it is the name of one."""
+    """Returns the text of a scene, reading it if it is the name of a file."""
     if world is None or (isinstance(world, str) and not world.endswith(".toml")):
         return world
     with open(world, encoding="utf-8") as file:
@@ -58,22 +59,22 @@ def scene(world: str | os.PathLike[str] | None) -> str | None:
 
 
 def listed(faults: Sequence[str]) -> list[str]:
-    """Faults as a list."""
+    """Returns faults as a list."""
     if isinstance(faults, str):
-        raise TypeError(f"faults is the text {faults!r}; allowed is a list of them: [{faults!r}]")
+        raise TypeError(f"faults is a string; allowed is a list of strings: [{faults!r}]")
     return list(faults)
 
 
 def watchdog(where: str) -> str | None:
-    """The program that guards an arm at an address."""
+    """Returns the watchdog program for an arm at an address."""
     if not where.startswith(("serial:", "tcp:")):
         return None
-    import shutil  # Only here: it takes as long to import as much of this package.
+    import shutil  # Imported here because it is slow to import.
 
     found = shutil.which("dobot")
     if found is None:
         raise Failed(
-            "nothing guards the arm: the program `dobot` is not in the search path",
+            "there is no watchdog for the arm: the program `dobot` is not in the search path",
             hint="install it, or start a station with it (`dobot up`) and connect with `station`",
         )
     return found

@@ -1,4 +1,4 @@
-"""Programs: named points, and steps that go to them."""
+"""Taught programs: named points, and steps that move to them."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from typing import Any, Literal, TypedDict
 from ._core import Taught
 
 ProgramProgress = Callable[[int, int, int, int | None], object]
-"""Called with the step, how many there are, the cycle, and how many there are."""
+"""Called with the step, the number of steps, the cycle, and the number of cycles."""
 
 
 class Point(TypedDict, total=False):
-    """``x``, ``y`` and ``z`` (mm), with ``rotation`` (degrees) and ``frame`` if wanted; or ``base``, ``rear``,
-    ``fore`` and ``servo`` (degrees)."""
+    """``x``, ``y`` and ``z`` (mm), optionally with ``rotation`` (degrees) and ``frame``; or ``base``, ``rear``,
+    ``fore`` and ``servo`` (degrees).
+    """
 
     x: float
     y: float
@@ -31,7 +32,7 @@ class Point(TypedDict, total=False):
 
 
 class Step(TypedDict, total=False):
-    """A step, with the words of a program's text: one key says what it does, others say how."""
+    """A step, with the keys of a program's text: one key is the action, others are its parameters."""
 
     go: str | Point
     path: Literal["jump", "movl", "movj"]
@@ -55,36 +56,36 @@ class Step(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class ProgramStep:
-    """A step as it is done; those of a repeat at the end stand here once."""
+    """A step in execution order; the steps of a final repeat are listed once."""
 
     label: str
-    """What it does."""
+    """Its description."""
     file: str | None
-    """The called program in which it stands; None in the program itself."""
+    """The called program that contains it; None for the program itself."""
     line: int
     """The line on which it begins, counted from 1."""
     takes_s: float
-    """How long it takes the first time, in seconds."""
+    """Its duration the first time, in seconds."""
 
 
 @dataclass(frozen=True)
 class ProgramProblem:
-    """Something that is wrong with a program."""
+    """A problem of a program."""
 
     step: int
-    """The step, counted from 1 in the order in which they are done."""
+    """The step, counted from 1 in execution order."""
     file: str | None
-    """The called program in which it stands; None in the program itself."""
+    """The called program that contains it; None for the program itself."""
     line: int
     """The line on which the step begins, counted from 1."""
     label: str
-    """What the step does."""
+    """The description of the step."""
     rule: str
-    """The rule of the policy, or ``arm`` where the arm itself cannot do it."""
+    """The rule of the policy, or ``arm`` for a limit of the arm itself."""
     message: str
-    """What is wrong, and what is allowed."""
+    """The problem, and what is allowed."""
     remedy: str
-    """What helps."""
+    """The remedy."""
 
     def __str__(self) -> str:
         return f"step {self.step} ({self.label}): {self.message}; {self.remedy}"
@@ -92,39 +93,39 @@ class ProgramProblem:
 
 @dataclass(frozen=True)
 class ProgramReport:
-    """What a program does, what is wrong with it, and how long it takes by the motion model."""
+    """The steps, problems and durations of a program, by the motion model."""
 
     steps: tuple[ProgramStep, ...]
-    """Its steps, in the order in which they are done."""
+    """Its steps, in execution order."""
     problems: tuple[ProgramProblem, ...]
-    """All that is wrong; nothing where it can be done."""
+    """All problems; empty if the program can be run."""
     once_s: float
-    """How long all of it takes once, in seconds."""
+    """The duration of the first pass through all steps, in seconds."""
     cycle_s: float | None
-    """How long a cycle takes that follows another one, in seconds; None where nothing is done again."""
+    """The duration of a repeated cycle, in seconds; None if nothing is repeated."""
     total_s: float | None
-    """How long all of it takes, in seconds; None where it goes on until somebody ends it."""
+    """The total duration, in seconds; None for endless programs."""
 
     @classmethod
-    def _of(cls, told: str) -> ProgramReport:
-        report = json.loads(told)
-        problems = [{key: it[key] for key in ProgramProblem.__annotations__} for it in report.pop("problems")]
+    def _of(cls, text: str) -> ProgramReport:
+        report = json.loads(text)
+        problems = [{key: problem[key] for key in ProgramProblem.__annotations__} for problem in report.pop("problems")]
         return cls(
-            steps=tuple(ProgramStep(**it) for it in report.pop("steps")),
-            problems=tuple(ProgramProblem(**it) for it in problems),
+            steps=tuple(ProgramStep(**step) for step in report.pop("steps")),
+            problems=tuple(ProgramProblem(**problem) for problem in problems),
             **report,
         )
 
 
 class Program:
-    """A program. ``arm.run(...)`` does it; :func:`program` reads or makes one."""
+    """A program. ``arm.run(...)`` runs it; :func:`program` reads or creates one."""
 
     def __init__(self, taught: Taught) -> None:
         self._taught = taught
 
     @property
     def title(self) -> str:
-        """What it calls itself, or the name of its file."""
+        """Its title, or the name of its file."""
         return self._taught.title
 
     @property
@@ -134,20 +135,21 @@ class Program:
 
     @property
     def warnings(self) -> list[str]:
-        """What was surprising in a file of the vendor's program, each a sentence."""
+        """Unexpected contents of a file of the vendor's software, a sentence each."""
         return self._taught.warnings
 
     def check(self, *, dialect: str | None = None) -> ProgramReport:
-        """Looks at it for any arm as drawn, with ``specification`` or ``firmware-1.1`` as its ``dialect``.
+        """Checks the program for a nominal arm with the ``dialect`` ``specification`` or ``firmware-1.1``.
 
-        ``arm.check(program)`` does it for an arm where that stands. Raises :class:`ValueError` where a file that
-        it names cannot be used.
+        ``arm.check(program)`` checks it for an arm at its current position. Raises :class:`ValueError` if a
+        file that the program uses cannot be read.
         """
         return ProgramReport._of(self._taught.check(dialect))
 
     def save(self, file: str | os.PathLike[str]) -> list[str]:
-        """Writes it, over what is there: its text (``.toml``), or its points for the vendor's program
-        (``.xml``, ``.play``). Gives what that form cannot carry, each a sentence."""
+        """Writes the program, replacing an existing file: its text (``.toml``), or its points for the vendor's
+        software (``.xml``, ``.play``). Returns what that format cannot represent, a sentence each.
+        """
         return self._taught.save(os.fspath(file))
 
     def __len__(self) -> int:
@@ -165,28 +167,28 @@ def program(
     folder: str | os.PathLike[str] = ".",
     **named: Any,
 ) -> Program:
-    """Reads a program or makes one of its steps.
+    """Reads a program, or creates one from its steps.
 
-    ``file`` ends in ``.toml``, or in ``.xml`` or ``.play`` as those of the vendor's program. ``text`` is what would
-    stand in a TOML file. ``steps`` are dictionaries with the words of that text, and so are ``points``, ``grids``,
-    ``frames``, ``tools``, ``title`` and ``start_speed_percent``:
-    ``program(points={"tray": {"x": 200, "y": 0, "z": 0}}, steps=[{"go": "tray", "suction": True}])``.
-    Files that a text or steps name are in ``folder``, those that a file names are beside it.
+    ``file`` ends in ``.toml``, or in ``.xml`` or ``.play`` for files of the vendor's software. ``text`` is the
+    contents of a TOML file. ``steps`` are dictionaries with the keys of that text, and so are ``points``,
+    ``grids``, ``frames``, ``tools``, ``title`` and ``start_speed_percent``: ``program(points={"tray": {"x":
+    200, "y": 0, "z": 0}}, steps=[{"go": "tray", "suction": True}])``. Files used by a text or by steps are in
+    ``folder``, those used by a file are next to it.
 
-    Raises :class:`ValueError` with the line or the step where it is no program, :class:`OSError` where
-    the file cannot be read.
+    Raises :class:`ValueError` with the line or the step if it is not a valid program, :class:`OSError` if the
+    file cannot be read.
     """
     if [file, text, steps].count(None) != 2:
-        raise TypeError("give a file, text= or steps=, and one of them only")
+        raise TypeError("give exactly one of file, text= and steps=")
     if steps is None:
         if named:
-            raise TypeError(f"{', '.join(named)}: these come with steps= only")
+            raise TypeError(f"{', '.join(named)}: allowed only with steps=")
         if file is not None:
             return Program(Taught.read(os.fspath(file)))
         assert text is not None
         return Program(Taught.of_text(text, os.fspath(folder)))
-    told = json.dumps({**named, "steps": list(steps)}, allow_nan=False)
-    return Program(Taught.of_json(told, os.fspath(folder)))
+    document = json.dumps({**named, "steps": list(steps)}, allow_nan=False)
+    return Program(Taught.of_json(document, os.fspath(folder)))
 
 
 def program_bar(step: int, steps: int, cycle: int, cycles: int | None) -> None:

@@ -1,4 +1,6 @@
-"""Arms for tests: the fixture ``virtual_arm``, whose time passes only while something waits, and ``served_arm`` on a serial port."""
+"""Arms for tests: the fixture ``virtual_arm``, whose time passes only while a test waits, and ``served_arm`` on
+a serial port.
+"""
 
 from __future__ import annotations
 
@@ -20,46 +22,46 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("dobot", "virtual Dobot Arms")
     group.addoption(
         "--dobot-personality", default="specification", metavar="NAME",
-        help="how virtual arms behave: specification, or firmware-1.1 as the arms that were sold do",
+        help="behaviour of virtual arms: specification, or firmware-1.1 like the arms that were sold",
     )
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Tells of the marker ``dobot``."""
+    """Registers the marker ``dobot``."""
     config.addinivalue_line(
         "markers",
-        "dobot(personality, world, faults, seed): the arm of the fixtures virtual_arm and served_arm: how it behaves, whatever "
-        "--dobot-personality says; its scene, a file beside the test or its text; what goes wrong with it",
+        "dobot(personality, world, faults, seed): the arm of the fixtures virtual_arm and served_arm: its behaviour, which "
+        "overrides --dobot-personality; its scene, a file next to the test or its text; its faults",
     )
 
 
 @pytest.fixture
 def virtual_arm(request: pytest.FixtureRequest) -> Iterator[Arm]:
-    """A virtual arm of this test's own, under the default rules; an hour of its time takes milliseconds."""
-    personality, options = _told(request)
+    """A virtual arm for this test, with the default rules; an hour of its time takes milliseconds."""
+    personality, options = _options(request)
     with connect(f"virtual:{personality}", name="pytest", **options) as arm:
         yield arm
 
 
 @pytest.fixture
 def served_arm(request: pytest.FixtureRequest) -> Iterator[Served]:
-    """A virtual arm of this test's own for programs that speak serial: ``served_arm.serial`` is the name of its port.
+    """A virtual arm for this test, for programs that use a serial port: ``served_arm.serial`` is its path.
 
-    It lives as fast as the program answers.
+    Its time runs as fast as the program responds.
     """
-    personality, options = _told(request)
+    personality, options = _options(request)
     with serve(personality, speed="max", **options) as served:
         yield served
 
 
-def _told(request: pytest.FixtureRequest) -> tuple[str, Mapping[str, Any]]:
-    """What the marker says of the arm: how it behaves, and the rest."""
+def _options(request: pytest.FixtureRequest) -> tuple[str, Mapping[str, Any]]:
+    """Returns the personality and the other options of the marker."""
     marker = request.node.get_closest_marker("dobot")
-    said = dict(marker.kwargs) if marker else {}
-    if marker and (marker.args or not said or set(said) - set(_KEYS)):
-        raise pytest.UsageError(f"the marker is written as {_MARKER}, with one of these at least")
-    personality = said.pop("personality", request.config.getoption("--dobot-personality"))
-    world = said.get("world")
+    options = dict(marker.kwargs) if marker else {}
+    if marker and (marker.args or not options or set(options) - set(_KEYS)):
+        raise pytest.UsageError(f"the marker must be {_MARKER}, with at least one of these arguments")
+    personality = options.pop("personality", request.config.getoption("--dobot-personality"))
+    world = options.get("world")
     if isinstance(world, os.PathLike) or (isinstance(world, str) and world.endswith(".toml")):
-        said["world"] = Path(request.path).parent / world
-    return personality, said
+        options["world"] = Path(request.path).parent / world
+    return personality, options

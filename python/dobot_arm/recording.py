@@ -15,25 +15,28 @@ if TYPE_CHECKING:
 
 
 class Recording:
-    """A recording of a station, or a stretch of it."""
+    """A recording of a station, or a part of it."""
 
     def __init__(self, log: Log) -> None:
         self._log = log
 
     @property
     def statuses(self) -> Table:
-        """What the arm told: ``time`` (UTC), ``at_s`` since the recorder was started, the place (mm), the angles (degrees),
-        suction and gripper."""
+        """The statuses of the arm: ``time`` (UTC), ``at_s`` since the recorder was started, the position (mm),
+        the angles (degrees), suction and gripper.
+        """
         return Table(self._read[0])
 
     @property
     def commands(self) -> Table:
-        """What was sent to the arm: ``time``, ``at_s``, what it is, its fields as JSON, why it is none, and its ten floats."""
+        """The packets to the arm: ``time``, ``at_s``, the command, its fields as JSON, why it is invalid, and
+        its ten floats.
+        """
         return Table(self._read[1])
 
     @property
     def damage(self) -> str | None:
-        """What is wrong with the file; the tables hold what could be read."""
+        """The damage of the file; the tables contain what could be read."""
         return self._read[2]
 
     @cached_property
@@ -43,16 +46,17 @@ class Recording:
     def export(
         self, out: str | os.PathLike[str], *, task: str | None = None, overwrite: bool = False
     ) -> list[str]:
-        """Writes it as tables: statuses to a file that ends in ``.csv`` or ``.parquet``, commands to one beside it.
+        """Writes tables: statuses to a file that ends in ``.csv`` or ``.parquet``, commands to a second file
+        next to it.
 
-        With ``task``, in words what the arm does, ``out`` is the new folder of a dataset that LeRobot loads. Gives the names
-        of what was written. Raises :class:`FileExistsError` for what is there already (``overwrite`` writes over
-        files), :class:`ValueError` where there is nothing to export.
+        With ``task``, a description of what the arm does, ``out`` is the new folder of a dataset for LeRobot.
+        Returns the names of the written files. Raises :class:`FileExistsError` for existing files (unless
+        ``overwrite`` is true), :class:`ValueError` if there is nothing to export.
         """
         name = os.fspath(out)
         if task is not None:
             if overwrite:
-                raise ValueError("overwrite is given, but the folder of a dataset is never written over")
+                raise ValueError("overwrite is not allowed for a dataset, which needs a new folder")
             self._log.export_lerobot(name, task)
             return [name]
         if not name.endswith((".csv", ".parquet")):
@@ -63,6 +67,6 @@ class Recording:
 def log(file: str | os.PathLike[str], *, start: float = 0.0, end: float = math.inf) -> Recording:
     """Opens a recording (MCAP), from ``start`` to ``end`` in seconds since the recorder was started.
 
-    Raises :class:`OSError` where it cannot be read, :class:`ValueError` where it is none.
+    Raises :class:`OSError` if it cannot be read, :class:`ValueError` if it is not a recording.
     """
     return Recording(Log(os.fspath(file), start, end))

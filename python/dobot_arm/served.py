@@ -1,4 +1,4 @@
-"""Virtual arms for programs that speak serial."""
+"""Virtual arms for programs that use a serial port."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ from .world import World
 
 
 class Served:
-    """A virtual arm on a serial port and on TCP, as a ``with`` lasts: what speaks to a real arm can speak to it.
+    """A virtual arm on a serial port and on TCP, for the duration of a ``with`` block: any program for a real
+    arm can use it.
 
-    No rules are between the program and this arm. It serves one program at a time, at 9600 baud.
+    There are no safety rules between the program and this arm. It serves one program at a time, at 9600 baud.
     """
 
     def __init__(self, served: _core.Served) -> None:
@@ -34,31 +35,31 @@ class Served:
 
     @property
     def serial(self) -> str:
-        """The name of its serial port, as ``/dev/pts/3``; Windows has none."""
+        """The path of its serial port, such as ``/dev/pts/3``; not available on Windows."""
         if self._served.serial is None:
-            raise Failed("this system has no virtual serial ports", hint="`tcp` is the same arm")
+            raise Failed("this system has no virtual serial ports", hint="use `tcp`, which is the same arm")
         return self._served.serial
 
     @property
     def tcp(self) -> str:
-        """Its address, as ``tcp:127.0.0.1:40123``."""
+        """Its address, such as ``tcp:127.0.0.1:40123``."""
         return self._served.tcp
 
     @property
     def events(self) -> list[str]:
-        """What its controller refused and which faults struck, each a sentence, the oldest first."""
+        """What its controller refused and which faults occurred, a sentence each, the oldest first."""
         return self._served.events
 
     @property
     def world(self) -> World:
-        """What is around it now."""
-        told = self._served.world()
-        if told is None:
-            raise Failed("nothing is around this virtual arm", hint="`world=` says what is")
-        return World._of(told)
+        """Its current world."""
+        world = self._served.world()
+        if world is None:
+            raise Failed("this virtual arm has no world", hint="set it with `world=`")
+        return World._of(world)
 
     def close(self) -> None:
-        """Switches it off; leaving ``with`` does it, too."""
+        """Switches it off; also called at the end of ``with``."""
         self._served.close()
 
 
@@ -70,9 +71,10 @@ def serve(
     seed: int = 0,
     speed: float | str = 1.0,
 ) -> Served:
-    """Serves a virtual arm to programs that speak serial, also to those that know nothing of this package.
+    """Serves a virtual arm to programs that use a serial port, also to those without this package.
 
-    ``world``, ``faults`` and ``seed`` are as in :func:`connect`. ``speed`` is how many times as fast as a clock it
-    lives, 0.1 to 1000, or ``"max"``: time runs on to the next status and waits for the program's answer, for a millisecond at most.
+    ``world``, ``faults`` and ``seed`` are as in :func:`connect`. ``speed`` is the simulation speed, 0.1 to 1000
+    times real time, or ``"max"``: time advances to the next status and then waits at most a millisecond for the
+    program's response.
     """
     return Served(_core.Served(personality, scene(world), listed(faults), seed, str(speed)))

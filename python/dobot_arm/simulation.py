@@ -9,25 +9,26 @@ from .table import Table
 
 
 class Simulation:
-    """What came of a script. In a notebook it shows itself."""
+    """The result of a script. Displays its picture in a notebook."""
 
     def __init__(self, simulated: Simulated) -> None:
         self._simulated = simulated
 
     @property
     def statuses(self) -> Table:
-        """What the arm uploaded: ``at_s``, the place (mm), the angles (degrees), suction and gripper."""
+        """The uploaded statuses: ``at_s``, the position (mm), the angles (degrees), suction and gripper."""
         return Table(self._simulated.statuses())
 
     @property
     def ticks(self) -> Table:
-        """Where the arm truly was at every control tick (20 ms): ``at_s``, the place (mm), the angles (degrees), motor
-        pulses since power-up, pump and laser."""
+        """The true state at every control tick (20 ms): ``at_s``, the position (mm), the angles (degrees),
+        motor pulses since power-up, pump and laser.
+        """
         return Table(self._simulated.ticks())
 
     @property
     def refused(self) -> list[tuple[float, str]]:
-        """What the controller refused: when, in seconds, and why."""
+        """What the controller refused: the time in seconds, and the reason."""
         return self._simulated.refused
 
     @property
@@ -37,12 +38,12 @@ class Simulation:
 
     @property
     def end_s(self) -> float:
-        """When it ended, in seconds."""
+        """The time at its end, in seconds."""
         return self._simulated.end_s
 
     @property
     def other_port(self) -> str:
-        """What the arm printed on the port that is not in use."""
+        """The output of the arm on the unused port."""
         return self._simulated.other_port
 
     def svg(self) -> str:
@@ -59,15 +60,16 @@ class Simulation:
 def simulate(
     file: str | os.PathLike[str] | None = None, *, text: str | None = None, personality: str = "specification"
 ) -> Simulation:
-    """Runs a script of packets in virtual time, without any rules: what would an arm do with them?
+    """Runs a script of packets in virtual time, without any rules.
 
-    A line is a packet, ``T f1 f2 ... f10``: T is when its first byte starts, in milliseconds, or ``credit`` for when
-    the next status has arrived; the ten floats are those of the protocol. ``dobot simulate --help`` tells what else there is.
+    A line is a packet, ``T f1 f2 ... f10``: T is the time of its first byte in milliseconds, or ``credit`` for
+    the arrival of the next status; the ten floats are those of the protocol. ``dobot simulate --help``
+    describes the rest.
 
-    Raises :class:`ValueError` with the line that is no script, :class:`OSError` where the file cannot be read.
+    Raises :class:`ValueError` with the invalid line, :class:`OSError` if the file cannot be read.
     """
     if (file is None) == (text is None):
-        raise TypeError("give a file or text=, and one of them only")
+        raise TypeError("give either a file or text=")
     if file is not None:
         with open(file, encoding="utf-8") as opened:
             text = opened.read()

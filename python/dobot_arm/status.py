@@ -1,4 +1,4 @@
-"""What an arm tells."""
+"""The status of an arm."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Status:
-    """Where the arm is and what its tool does, in millimetres and degrees."""
+    """The pose of the arm and the state of its tool, in millimetres and degrees."""
 
     x_mm: float
     y_mm: float

@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 
 class Table(Mapping[str, "np.ndarray[Any, Any]"]):
-    """Rows by columns: ``table["x_mm"]`` is a numpy array, which shares the memory of the table and cannot be written to.
+    """Rows and columns: ``table["x_mm"]`` is a read-only numpy array, which shares the memory of the table.
 
-    numpy is needed for the columns, pandas for :meth:`to_pandas`.
+    The columns need numpy, :meth:`to_pandas` needs pandas.
     """
 
     def __init__(self, columns: Columns) -> None:
@@ -38,11 +38,11 @@ class Table(Mapping[str, "np.ndarray[Any, Any]"]):
 
     @property
     def rows(self) -> int:
-        """How many rows there are."""
+        """The number of rows."""
         return next((len(self[name]) for name in self), 0)
 
     def to_pandas(self) -> pd.DataFrame:
-        """The table as a frame of pandas, with its columns."""
+        """Returns the table as a pandas DataFrame."""
         import pandas as pd
 
         return pd.DataFrame({name: self[name] for name in self})

@@ -1,4 +1,4 @@
-"""Assertions on what a virtual arm did to the world around it."""
+"""Assertions on the effects of a virtual arm on its world."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ Expected = Plan | Sequence[Sequence[tuple[float, float]]]
 
 
 def assert_ink(seen: Arm | Served | World, expected: Expected, *, within_mm: float = 0.5) -> None:
-    """Asserts that ink is where it is expected and nowhere else, both within so many millimetres.
+    """Asserts that there is ink where it is expected and nowhere else, both within this many millimetres.
 
-    Raises :class:`AssertionError` with the places that are farthest off.
+    Raises :class:`AssertionError` with the positions of the largest deviations.
     """
     drawn = _world(seen).ink
     wanted = expected.strokes if isinstance(expected, Plan) else expected
@@ -27,9 +27,9 @@ def assert_ink(seen: Arm | Served | World, expected: Expected, *, within_mm: flo
     astray, missed = ink_deviation(_tuples(wanted), drawn)
     found = []
     if astray[2] > within_mm:
-        found.append(f"there is ink at {_place(astray)}, {_far(astray, 'any that is expected')}")
+        found.append(f"there is ink at {_place(astray)}, {_far(astray, 'expected ink')}")
     if missed[2] > within_mm:
-        found.append(f"ink is expected at {_place(missed)}, {_far(missed, 'any that there is')}")
+        found.append(f"ink is expected at {_place(missed)}, {_far(missed, 'existing ink')}")
     if found:
         raise AssertionError(f"{'; '.join(found)}; allowed are {within_mm} mm")
 
@@ -43,24 +43,24 @@ def assert_object(
     held: bool | None = None,
     within_mm: float = 1.0,
 ) -> None:
-    """Asserts where an object is: ``at`` is its middle (x and y, mm), ``bottom_mm`` how high its underside is above the
-    table, ``held`` whether it moves with the tool. What is left out does not matter.
+    """Asserts the state of an object: ``at`` is its centre (x and y, mm), ``bottom_mm`` the height of its
+    underside above the table, ``held`` whether it moves with the tool. Omitted values are not checked.
 
-    Raises :class:`AssertionError` with all that differs.
+    Raises :class:`AssertionError` with all differences.
     """
     objects = _world(seen).objects
     if name not in objects:
         raise AssertionError(f"there is no object {name!r}; there are {', '.join(objects) or 'none'}")
-    it = objects[name]
+    found_object = objects[name]
     found = []
     if at is not None:
-        off_mm = math.dist(at, (it.x_mm, it.y_mm))
+        off_mm = math.dist(at, (found_object.x_mm, found_object.y_mm))
         if off_mm > within_mm:
-            found.append(f"it is at ({it.x_mm:.2f}, {it.y_mm:.2f}), {off_mm:.2f} mm from ({at[0]:g}, {at[1]:g})")
-    if bottom_mm is not None and abs(it.bottom_mm - bottom_mm) > within_mm:
-        found.append(f"its underside is {it.bottom_mm:.2f} mm above the table, not {bottom_mm:g}")
-    if held is not None and it.held != held:
-        found.append("the tool holds it" if it.held else "the tool does not hold it")
+            found.append(f"it is at ({found_object.x_mm:.2f}, {found_object.y_mm:.2f}), {off_mm:.2f} mm from ({at[0]:g}, {at[1]:g})")
+    if bottom_mm is not None and abs(found_object.bottom_mm - bottom_mm) > within_mm:
+        found.append(f"its underside is {found_object.bottom_mm:.2f} mm above the table, not {bottom_mm:g}")
+    if held is not None and found_object.held != held:
+        found.append("the tool holds it" if found_object.held else "the tool does not hold it")
     if found:
         raise AssertionError(f"{name}: {'; '.join(found)}; allowed are {within_mm} mm")
 
@@ -81,5 +81,5 @@ def _place(found: tuple[float, float, float]) -> str:
 
 def _far(found: tuple[float, float, float], other: str) -> str:
     if math.isinf(found[2]):
-        return f"and not {other}"
-    return f"{found[2]:.2f} mm from {other}"
+        return f"but there is no {other}"
+    return f"{found[2]:.2f} mm from the nearest {other}"

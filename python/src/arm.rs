@@ -1,4 +1,4 @@
-//! An arm for Python: what is asked of it goes to the thread that owns it.
+//! The arm object for Python: requests go to the worker thread.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -18,11 +18,12 @@ use crate::pending::{Pending, Statuses};
 use crate::place::{ConnectOptions, place};
 use crate::program::{Run, Taught};
 use crate::virtual_arm::{read_faults, world_json};
-use crate::worker::{Operation, Outcome, Told, Worker};
+use crate::worker::{Operation, Outcome, Report, Worker};
 
-/// An arm under its rules. Any thread may use it; what moves it is done one after the other.
+/// An arm with its safety rules. Any thread may use it; motions are carried out one after the
+/// other.
 ///
-/// What takes its time is begun, and gives a [`Pending`]: a call waits for it, and so does a coroutine.
+/// A slow operation returns a [`Pending`], which a call or a coroutine waits for.
 #[pyclass(frozen)]
 pub(crate) struct Core {
     worker: Arc<Worker>,
@@ -30,7 +31,7 @@ pub(crate) struct Core {
 
 #[pymethods]
 impl Core {
-    /// Begins to connect.
+    /// Starts to connect.
     #[new]
     fn new(at: &str, options: ConnectOptions) -> PyResult<Self> {
         let name = options.name.clone();
@@ -41,12 +42,12 @@ impl Core {
         })
     }
 
-    /// Over when the arm is connected.
+    /// Returns an operation that ends when the arm is connected.
     fn connected(&self) -> Pending {
         self.begin(Operation::Connected)
     }
 
-    /// What the arm tells next.
+    /// Returns the next status.
     fn status(&self) -> Pending {
         self.begin(Operation::Status)
     }
@@ -70,7 +71,7 @@ impl Core {
         self.go(TargetPlace::Joints(joints_deg), servo_deg, &how)
     }
 
-    /// Switches the pump where the arm is.
+    /// Switches the pump at the current position.
     fn suction(&self, on: bool) -> Pending {
         self.switch(if on {
             JointJogAxis::SuctionOn
@@ -79,7 +80,7 @@ impl Core {
         })
     }
 
-    /// Switches the laser where the arm is, as far as the rules allow it.
+    /// Switches the laser at the current position, if the rules allow it.
     fn laser(&self, on: bool) -> Pending {
         self.switch(if on {
             JointJogAxis::LaserOn
@@ -88,7 +89,7 @@ impl Core {
         })
     }
 
-    /// Turns the gripper where the arm is.
+    /// Turns the gripper at the current position.
     fn gripper(&self, gripper_deg: f32) -> Pending {
         let command = move |from: &Status| {
             let target = Target {
@@ -104,7 +105,7 @@ impl Core {
         self.begin(Operation::CarryOut(Box::new(command)))
     }
 
-    /// Shares of the speeds and accelerations of moves.
+    /// Sets the percentages of speed and acceleration of moves.
     fn speed(&self, speed_percent: f32, acceleration_percent: f32) -> Pending {
         let command = move |_: &Status| {
             PlaybackAdjustment {
@@ -117,7 +118,7 @@ impl Core {
         self.begin(Operation::CarryOut(Box::new(command)))
     }
 
-    /// Holds a jog button until it is released, and at most so long.
+    /// Holds a jog button until it is released, within a maximum time.
     fn press(&self, button: &str, speed_percent: f32, at_most_s: f64) -> PyResult<Pending> {
         let found = button
             .parse::<Button>()
@@ -125,7 +126,7 @@ impl Core {
             .filter(|button| button.moves());
         let found = found.ok_or_else(|| {
             PyValueError::new_err(format!(
-                "the button is `{button}`; allowed are x y z base rear fore servo gripper, each with + or - behind it"
+                "the button is `{button}`; allowed are x y z base rear fore servo gripper, each followed by + or -"
             ))
         })?;
         if !(0.02..=60.0).contains(&at_most_s) {
@@ -154,7 +155,7 @@ impl Core {
         self.begin(Operation::Draw(Box::new(request)))
     }
 
-    /// Does a program; `times` is how often, 0 for ever.
+    /// Runs a program; `times` is the number of repetitions, 0 for endless.
     fn run(&self, program: &Bound<'_, Taught>, times: Option<u64>, from_step: usize) -> Pending {
         self.begin(Operation::Run(Box::new(Run {
             source: Arc::clone(&program.get().source),
@@ -181,23 +182,23 @@ impl Core {
 
     fn wait(&self, seconds: f64) -> PyResult<Pending> {
         let time = Duration::try_from_secs_f64(seconds).map_err(|_| {
-            PyValueError::new_err(format!("seconds is {seconds}; allowed is 0 or more"))
+            PyValueError::new_err(format!("seconds is {seconds}; allowed are 0 or more"))
         })?;
         Ok(self.begin(Operation::Wait(time)))
     }
 
-    /// What is around a virtual arm of this process: a JSON object.
+    /// Returns the world of a virtual arm of this process as a JSON object.
     fn world(&self) -> Pending {
-        self.look(|arm, _| {
-            let world = world_json(arm).ok_or("nothing is around this virtual arm")?;
+        self.inspect(|arm, _| {
+            let world = world_json(arm).ok_or("this virtual arm has no world")?;
             Ok(Outcome::Json(world))
         })
     }
 
-    /// Lets other things go wrong with a virtual arm of this process, and nothing else any more.
+    /// Replaces the faults of a virtual arm of this process.
     fn set_faults(&self, faults: Vec<String>, seed: u64) -> PyResult<Pending> {
         let faults = read_faults(&faults)?;
-        Ok(self.look(move |arm, power_up| {
+        Ok(self.inspect(move |arm, power_up| {
             let set = arm.set_faults(power_up, &faults, seed);
             set.map_err(|error| error.to_string())?;
             Ok(Outcome::Nothing)
@@ -212,20 +213,20 @@ impl Core {
         self.begin(Operation::Plain(Request::ResetStop))
     }
 
-    /// Stops the arm, whatever another thread has it do.
+    /// Stops the arm, whatever another thread is doing with it.
     fn stop(&self, reason: Option<String>) -> Pending {
         self.pending(self.worker.stop(reason))
     }
 
-    /// Every status from now on.
+    /// Returns all statuses from now on.
     fn statuses(&self) -> Statuses {
         Statuses {
-            heard: self.worker.listen(),
+            statuses: self.worker.subscribe(),
             worker: Arc::clone(&self.worker),
         }
     }
 
-    /// Lets go of the arm and waits until that is done.
+    /// Disconnects and waits until that is done.
     fn close(&self, py: Python<'_>) {
         py.detach(|| self.worker.close());
     }
@@ -250,11 +251,11 @@ impl Core {
         Ok(self.begin(Operation::CarryOut(Box::new(command))))
     }
 
-    fn look(
+    fn inspect(
         &self,
-        look: impl FnOnce(&mut VirtualArm, PowerUp) -> Result<Outcome, String> + Send + 'static,
+        inspect: impl FnOnce(&mut VirtualArm, PowerUp) -> Result<Outcome, String> + Send + 'static,
     ) -> Pending {
-        self.begin(Operation::Look(Box::new(look)))
+        self.begin(Operation::Inspect(Box::new(inspect)))
     }
 
     fn switch(&self, axis: JointJogAxis) -> Pending {
@@ -266,15 +267,15 @@ impl Core {
         self.pending(self.worker.ask(operation))
     }
 
-    fn pending(&self, told: Arc<Mailbox<Told>>) -> Pending {
+    fn pending(&self, reports: Arc<Mailbox<Report>>) -> Pending {
         Pending {
-            told,
+            reports,
             worker: Arc::clone(&self.worker),
         }
     }
 }
 
-/// The way there, and what the tool does then: a tuple of Python.
+/// The path, and the tool state after the move: a Python tuple.
 #[derive(FromPyObject)]
 struct MoveOptions {
     #[pyo3(item(0))]

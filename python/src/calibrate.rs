@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 
 use crate::failure::value_error;
 
-/// What touches tell of an arm.
+/// A calibration fitted to touches.
 #[pyclass(frozen)]
 pub(crate) struct Calibrated {
     touches: Vec<Touch>,
@@ -17,8 +17,8 @@ pub(crate) struct Calibrated {
     file: CalibrationFile,
 }
 
-/// A touched point: its place on the sheet and its height above the paper, in mm; and what the arm said of its base, rear arm
-/// and forearm, in degrees.
+/// A touched point: its position on the sheet and its height above the paper, in mm; and the
+/// reported angles of base, rear arm and forearm, in degrees.
 type Touched = (f64, f64, f64, f64, f64, f64);
 
 #[pymethods]
@@ -33,20 +33,20 @@ impl Calibrated {
         })
     }
 
-    /// How much further base, rear arm and forearm stand than the arm says, in degrees.
+    /// Returns the zero offsets of base, rear arm and forearm, in degrees.
     #[getter]
     const fn zeros_deg(&self) -> (f64, f64, f64) {
         let zeros = &self.file.zeros;
         (zeros.base, zeros.rear, zeros.fore)
     }
 
-    /// How far the tool is further out and to the left, in mm.
+    /// Returns the offset of the tool outward and to the left, in mm.
     #[getter]
     const fn tool_mm(&self) -> (f64, f64) {
         (self.file.tool.out_mm, self.file.tool.left_mm)
     }
 
-    /// How far each touch is from where it should be, in mm.
+    /// Returns the residual of each touch, in mm.
     #[getter]
     fn residuals_mm(&self) -> Vec<f64> {
         let all = 0..self.touches.len();
@@ -77,20 +77,20 @@ impl Calibrated {
         }
     }
 
-    /// What `dobot calibrate FILE --use` reads.
+    /// Returns the text for `dobot calibrate FILE --use`.
     #[getter]
     fn text(&self) -> String {
         write_calibration(&self.file)
     }
 
-    /// The place that the arm has to be told for its tool to be at a true one, in mm.
+    /// Returns the raw position to command for a calibrated position of the tool, in mm.
     fn told_place(&self, x_mm: f64, y_mm: f64, z_mm: f64) -> PyResult<(f64, f64, f64)> {
         let place = Position::new(x_mm, y_mm, z_mm);
-        let told = self.fit.arm.told_place(place, TOOL);
-        Ok(numbers(told.map_err(|error| value_error(&error))?))
+        let raw = self.fit.arm.told_place(place, TOOL);
+        Ok(numbers(raw.map_err(|error| value_error(&error))?))
     }
 
-    /// Where the tool is when the arm says this place, in mm.
+    /// Returns the calibrated position for a raw position, in mm.
     fn true_place(&self, x_mm: f64, y_mm: f64, z_mm: f64) -> PyResult<(f64, f64, f64)> {
         let place = Position::new(x_mm, y_mm, z_mm);
         let there = self.fit.arm.true_place(place, TOOL);
@@ -102,7 +102,7 @@ impl Calibrated {
     }
 }
 
-/// Where the points of the sheet are, in the order in which they are touched: x and y in mm.
+/// Returns the points of the sheet, in the order of touching: x and y in mm.
 #[pyfunction]
 pub(crate) fn sheet_points() -> Vec<(f64, f64)> {
     SHEET_POINTS.into_iter().map(<(f64, f64)>::from).collect()
@@ -116,10 +116,10 @@ fn touch((x_mm, y_mm, height_mm, base_deg, rear_deg, fore_deg): Touched) -> Touc
     }
 }
 
-const fn numbers(it: Position) -> (f64, f64, f64) {
-    let (Millimeters(x), Millimeters(y), Millimeters(z)) = (it.x, it.y, it.z);
+const fn numbers(position: Position) -> (f64, f64, f64) {
+    let (Millimeters(x), Millimeters(y), Millimeters(z)) = (position.x, position.y, position.z);
     (x, y, z)
 }
 
-/// That with which a pen is held, too.
+/// The tool that also holds a pen.
 const TOOL: Tool = Tool::SuctionCup;

@@ -1,10 +1,10 @@
-//! Columns of tables for Python: the bytes of a numpy array, or a list of texts.
+//! Table columns for Python: the bytes of a numpy array, or a list of texts.
 
 use dobot_record::tables::{TableColumn, Values};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 
-/// Rows column by column: the name of each, its dtype as numpy calls it, and its bytes.
+/// Columns of rows: the name of each, its numpy dtype, and its bytes.
 pub(crate) struct Columns<'py> {
     py: Python<'py>,
     columns: Bound<'py, PyDict>,
@@ -16,27 +16,27 @@ impl<'py> Columns<'py> {
         Self { py, columns }
     }
 
-    /// Numbers of eight bytes.
+    /// Adds a column of 64-bit floats.
     pub(crate) fn doubles(self, name: &str, all: impl Iterator<Item = f64>) -> PyResult<Self> {
         self.bytes(name, "<f8", all.map(f64::to_le_bytes))
     }
 
-    /// Numbers of four bytes, as packets hold them.
+    /// Adds a column of 32-bit floats, as in packets.
     pub(crate) fn floats(self, name: &str, all: impl Iterator<Item = f32>) -> PyResult<Self> {
         self.bytes(name, "<f4", all.map(f32::to_le_bytes))
     }
 
-    /// Whole numbers.
+    /// Adds a column of integers.
     pub(crate) fn integers(self, name: &str, all: impl Iterator<Item = i64>) -> PyResult<Self> {
         self.bytes(name, "<i8", all.map(i64::to_le_bytes))
     }
 
-    /// Times in nanoseconds since 1970.
+    /// Adds a column of times in nanoseconds since 1970.
     fn times(self, name: &str, all: impl Iterator<Item = i64>) -> PyResult<Self> {
         self.bytes(name, "<M8[ns]", all.map(i64::to_le_bytes))
     }
 
-    /// Whether it is so.
+    /// Adds a column of Booleans.
     pub(crate) fn truths(self, name: &str, all: impl Iterator<Item = bool>) -> PyResult<Self> {
         self.bytes(name, "?", all.map(|value| [u8::from(value)]))
     }
@@ -47,7 +47,7 @@ impl<'py> Columns<'py> {
         Ok(self)
     }
 
-    /// A column of a recording.
+    /// Adds a column of a recording.
     pub(crate) fn column(self, it: TableColumn) -> PyResult<Self> {
         let name = it.name.as_str();
         match it.values {

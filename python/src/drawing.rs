@@ -1,4 +1,4 @@
-//! A drawing that was planned: what it will be, before any arm moves.
+//! Planned drawings.
 
 use std::path::Path;
 
@@ -13,14 +13,14 @@ use serde_json::{Map, Value};
 
 use crate::failure::value_error;
 
-/// The formats of files that can be drawn: the name and the extensions of each.
+/// Returns the supported file formats: the name and the extensions of each.
 #[pyfunction]
 pub(crate) fn drawing_formats() -> Vec<(&'static str, Vec<&'static str>)> {
     let row = |format: &'static dobot_draw::Format| (format.name, format.extensions.to_vec());
     FORMATS.iter().map(row).collect()
 }
 
-/// A drawing, planned for any arm; for the one that draws it, it is planned anew.
+/// A drawing, planned for any arm; it is planned again for the arm that draws it.
 #[pyclass(frozen)]
 pub(crate) struct Drawing {
     pub(crate) request: DrawingRequest,
@@ -28,7 +28,7 @@ pub(crate) struct Drawing {
     settings: Settings,
 }
 
-/// Lines as Python has calculated them. They come in pieces, so that nobody needs a whole copy on the way.
+/// Lines computed in Python, passed in pieces to avoid a complete copy.
 #[pyclass]
 #[derive(Default)]
 pub(crate) struct Lines(Vec<Vec<Point>>);
@@ -40,12 +40,12 @@ impl Lines {
         Self::default()
     }
 
-    /// Begins a line with so many points; more may come.
+    /// Begins a line with this number of points; more may follow.
     fn begin(&mut self, points: usize) {
         self.0.push(Vec::with_capacity(points.min(MOST_FORESEEN)));
     }
 
-    /// Takes the bytes of points behind those of the line that was begun last: x and y, numbers of eight bytes.
+    /// Appends points to the last line: the bytes of x and y as 64-bit floats.
     fn extend(&mut self, bytes: &[u8]) {
         let number = |bytes: &[u8]| bytes.try_into().map_or(f64::NAN, f64::from_le_bytes);
         let point = |bytes: &[u8]| {
@@ -64,13 +64,13 @@ impl Lines {
     }
 }
 
-/// Room for so many points of a line is made before they come.
+/// The maximum number of points for which memory is reserved in advance.
 const MOST_FORESEEN: usize = 10_000_000;
 
 #[pymethods]
 impl Drawing {
-    /// Plans a file (its name), lines, or what the options tell; the options are a JSON object. The lines are taken out of
-    /// what they come in.
+    /// Plans a file (by name), lines, or the contents of the options, a JSON object. The lines are
+    /// moved out of their argument.
     #[new]
     fn new(
         py: Python<'_>,
@@ -134,7 +134,7 @@ impl Drawing {
             .collect()
     }
 
-    /// What becomes ink, in the base frame, in mm.
+    /// Returns the ink, in the base frame, in mm.
     fn strokes(&self) -> Vec<Vec<(f64, f64)>> {
         let strokes = self.prepared.planned().into_iter();
         strokes
@@ -166,12 +166,12 @@ impl Drawing {
     }
 }
 
-/// What is wrong with options, by the names that they have in Python.
+/// Returns the error of invalid options, with their Python names.
 fn refused(why: &OptionsError) -> PyErr {
     value_error(&Options::rename_fields(&why.to_string(), str::to_owned))
 }
 
-/// The options of `dobot draw` under their own names, as Python has them: without groups.
+/// Parses the options with their Python names: those of `dobot draw`, without groups.
 fn grouped(json: &str) -> PyResult<Options> {
     let flat: Map<String, Value> =
         serde_json::from_str(json).map_err(|error| value_error(&error))?;
@@ -186,7 +186,7 @@ fn grouped(json: &str) -> PyResult<Options> {
                 .flat_map(Map::keys);
             let names: Vec<&str> = names.map(String::as_str).collect();
             return Err(PyTypeError::new_err(format!(
-                "there is no option `{name}`; allowed are {}",
+                "unknown option `{name}`; allowed are {}",
                 names.join(", ")
             )));
         };

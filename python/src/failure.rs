@@ -1,4 +1,4 @@
-//! Why something was not done, and the exception for it.
+//! Failures, and their exceptions.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Why something was not done.
+/// The reason why an operation failed.
 #[derive(Debug)]
 pub(crate) enum Failure {
     Refused(Box<Problem>),
@@ -16,7 +16,7 @@ pub(crate) enum Failure {
         text: String,
         hint: Option<String>,
     },
-    /// A job rests and can be gone on with.
+    /// A job is paused and can be resumed.
     Paused {
         job: u64,
         text: String,
@@ -32,7 +32,7 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// The name of its exception.
+    /// Returns the name of its exception.
     pub(crate) const fn class(&self) -> &'static str {
         match self {
             Self::Refused(_) => "Refused",
@@ -44,17 +44,17 @@ impl Failure {
         }
     }
 
-    /// What to do about it.
+    /// Returns the remedy.
     pub(crate) fn hint(&self) -> Option<&str> {
         match self {
             Self::Refused(problem) => problem.hint.as_deref(),
             Self::Failed { hint, .. } | Self::LinkLost { hint, .. } => hint.as_deref(),
             Self::Paused { .. } => {
-                Some("go on with `arm.resume()`, or give it up with `arm.cancel()`")
+                Some("resume it with `arm.resume()`, or cancel it with `arm.cancel()`")
             }
-            Self::Stopped => Some("when it may move again: `arm.reset_stop()`"),
+            Self::Stopped => Some("when the arm may move again, call `arm.reset_stop()`"),
             Self::Closed | Self::Forked | Self::Unheard => {
-                Some("connect again: `dobot_arm.connect(...)`")
+                Some("connect again with `dobot_arm.connect(...)`")
             }
         }
     }
@@ -67,10 +67,10 @@ impl fmt::Display for Failure {
             Self::Failed { text, .. } | Self::Paused { text, .. } | Self::LinkLost { text, .. } => {
                 f.write_str(text)
             },
-            Self::Stopped => f.write_str("the arm was stopped while this was under way"),
-            Self::Closed => f.write_str("the arm was let go of"),
+            Self::Stopped => f.write_str("the arm was stopped during the operation"),
+            Self::Closed => f.write_str("the arm was disconnected"),
             Self::Unheard => f.write_str(
-                "there are no more statuses: the arm was let go of, or more than an hour of them was not taken",
+                "there are no more statuses: the arm was disconnected, or more than an hour of statuses was not read",
             ),
             Self::Forked => f.write_str(
                 "the arm belongs to the process that connected to it, and this is a fork of it",
@@ -113,7 +113,7 @@ impl From<NoArm> for Failure {
     }
 }
 
-/// Every kind of problem: its name, what it is, and what it means and what helps.
+/// Returns all problem types: name, title, and explanation.
 #[pyfunction]
 #[pyo3(name = "problem_kinds")]
 pub(crate) fn kinds() -> Vec<(&'static str, &'static str, &'static str)> {
@@ -123,7 +123,7 @@ pub(crate) fn kinds() -> Vec<(&'static str, &'static str, &'static str)> {
         .collect()
 }
 
-/// The exception of `dobot_arm.errors` for a failure.
+/// Returns the exception of `dobot_arm.errors` for a failure.
 pub(crate) fn exception(py: Python<'_>, failure: &Failure) -> PyErr {
     let made = || -> PyResult<PyErr> {
         let fields = PyDict::new(py);
@@ -156,7 +156,7 @@ pub(crate) const fn failed(text: String) -> Failure {
     Failure::Failed { text, hint: None }
 }
 
-/// What Python gets for a value that is not allowed.
+/// Returns the exception for an invalid value.
 pub(crate) fn value_error(why: &dyn fmt::Display) -> PyErr {
     PyValueError::new_err(why.to_string())
 }

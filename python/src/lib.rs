@@ -1,4 +1,5 @@
-//! The arm for Python: a thread of its own owns the client of the rules, and Python talks to it by messages.
+//! The arm for Python: a worker thread owns the client of the rules, and Python communicates with
+//! it by messages.
 
 mod arm;
 mod calibrate;

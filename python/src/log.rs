@@ -19,14 +19,14 @@ use crate::columns::Columns;
 #[cfg(feature = "full")]
 use crate::failure::value_error;
 
-/// A stretch of a recording; times are seconds since its recorder was started.
+/// A part of a recording; times are in seconds since its recorder was started.
 #[pyclass(frozen)]
 pub(crate) struct Log {
     file: PathBuf,
     stretch: RangeInclusive<Duration>,
 }
 
-/// Statuses and commands, and what is wrong with the file.
+/// Statuses and commands, and the damage of the file.
 type Read<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, Option<String>);
 
 #[pymethods]
@@ -40,7 +40,7 @@ impl Log {
         };
         let (Ok(begin), Ok(end)) = (begin, end) else {
             return Err(PyValueError::new_err(format!(
-                "start is {from_s} and end is {to_s}; allowed is 0 or more, in seconds"
+                "start is {from_s} and end is {to_s}; allowed are 0 or more, in seconds"
             )));
         };
         let log = Self {
@@ -66,7 +66,8 @@ impl Log {
         Ok((made(tables.statuses)?, made(tables.commands)?, damage))
     }
 
-    /// Writes the statuses to a file and the commands to one beside it, whose name is given.
+    /// Writes the statuses to a file and the commands to a second file next to it, whose name is
+    /// returned.
     fn export_files(
         &self,
         py: Python<'_>,
@@ -85,7 +86,7 @@ impl Log {
             if same[0].is_some() && same[0] == same[1] {
                 let out = out.display();
                 return Err(PyValueError::new_err(format!(
-                    "{out} is the recording itself; it is never written over"
+                    "{out} is the recording itself, which is never overwritten"
                 )));
             }
             let written = export_files(&mut self.open()?, &self.stretch, form, &out, overwrite);
@@ -99,7 +100,7 @@ impl Log {
         Err(not_built())
     }
 
-    /// Writes a dataset of LeRobot into a new folder; gives its episodes and frames.
+    /// Writes a LeRobot dataset into a new folder; returns the numbers of episodes and frames.
     #[cfg(feature = "full")]
     fn export_lerobot(&self, py: Python<'_>, out: PathBuf, task: &str) -> PyResult<(u32, u32)> {
         py.detach(|| {
@@ -119,14 +120,14 @@ impl Log {
         })
     }
 
-    /// Nothing is written for a recording that tells nothing.
+    /// Checks that the recording contains data.
     fn check(&self) -> PyResult<()> {
         if holds_packets(&mut self.open()?, &self.stretch) {
             return Ok(());
         }
         let file = self.file.display();
         Err(PyValueError::new_err(format!(
-            "{file} holds no packet in that stretch; there is nothing to export"
+            "{file} contains no packets in this time range; there is nothing to export"
         )))
     }
 }
@@ -153,7 +154,7 @@ fn failed(error: ExportError) -> PyErr {
     match error {
         ExportError::File { file, source } if source.kind() == ErrorKind::AlreadyExists => {
             let file = file.display();
-            PyFileExistsError::new_err(format!("{file} is there; overwrite=True writes over it"))
+            PyFileExistsError::new_err(format!("{file} exists; replace it with overwrite=True"))
         }
         ExportError::File { source, .. } | ExportError::Io(source) => source.into(),
         #[cfg(feature = "full")]

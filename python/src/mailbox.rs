@@ -1,64 +1,64 @@
-//! What the worker tells a waiting call, from one thread to the other.
+//! A queue from the worker thread to a waiting call.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// What was told and not taken yet.
+/// Messages that were sent and not received yet.
 pub(crate) struct Mailbox<T> {
     inner: Mutex<Inner<T>>,
-    came: Condvar,
+    changed: Condvar,
 }
 
 struct Inner<T> {
-    told: VecDeque<T>,
-    /// How much was told in all.
+    messages: VecDeque<T>,
+    /// The number of messages sent.
     count: u64,
     closed: bool,
     wake: Option<Box<dyn FnOnce() + Send>>,
 }
 
-/// What is found in a mailbox.
-pub(crate) enum Taken<T> {
-    It(T),
+/// The result of reading a mailbox.
+pub(crate) enum Received<T> {
+    Message(T),
     Nothing,
-    /// Nothing more will come.
+    /// There are no more messages.
     Closed,
 }
 
-/// The end that tells; nothing more comes when it is dropped.
-pub(crate) struct Teller<T>(Arc<Mailbox<T>>);
+/// The sending half; there are no more messages after it is dropped.
+pub(crate) struct Sender<T>(Arc<Mailbox<T>>);
 
 impl<T> Mailbox<T> {
-    pub(crate) fn new() -> (Teller<T>, Arc<Self>) {
+    pub(crate) fn new() -> (Sender<T>, Arc<Self>) {
         let mailbox = Arc::new(Self {
             inner: Mutex::new(Inner {
-                told: VecDeque::new(),
+                messages: VecDeque::new(),
                 count: 0,
                 closed: false,
                 wake: None,
             }),
-            came: Condvar::new(),
+            changed: Condvar::new(),
         });
-        (Teller(Arc::clone(&mailbox)), mailbox)
+        (Sender(Arc::clone(&mailbox)), mailbox)
     }
 
-    /// What came first, waited for at most so long.
-    pub(crate) fn take(&self, time: Duration) -> Taken<T> {
-        let waiting = |queue: &mut Inner<T>| queue.told.is_empty() && !queue.closed;
-        let waited = self.came.wait_timeout_while(self.lock(), time, waiting);
+    /// Returns the first message, within a timeout.
+    pub(crate) fn receive(&self, time: Duration) -> Received<T> {
+        let waiting = |queue: &mut Inner<T>| queue.messages.is_empty() && !queue.closed;
+        let waited = self.changed.wait_timeout_while(self.lock(), time, waiting);
         let mut inner = waited.unwrap_or_else(PoisonError::into_inner).0;
-        match inner.told.pop_front() {
-            Some(it) => Taken::It(it),
-            None if inner.closed => Taken::Closed,
-            None => Taken::Nothing,
+        match inner.messages.pop_front() {
+            Some(message) => Received::Message(message),
+            None if inner.closed => Received::Closed,
+            None => Received::Nothing,
         }
     }
 
-    /// Calls this once when there is something to take, or nothing more comes.
-    pub(crate) fn when_told(&self, wake: Box<dyn FnOnce() + Send>) {
+    /// Calls this once when there is a message, or there are no more messages.
+    pub(crate) fn when_ready(&self, wake: Box<dyn FnOnce() + Send>) {
         let mut inner = self.lock();
-        if inner.told.is_empty() && !inner.closed {
+        if inner.messages.is_empty() && !inner.closed {
             inner.wake = Some(wake);
             return;
         }
@@ -66,13 +66,13 @@ impl<T> Mailbox<T> {
         wake();
     }
 
-    /// How much was told in all, also what was taken already.
+    /// Returns the number of messages sent, including those received.
     pub(crate) fn count(&self) -> u64 {
         self.lock().count
     }
 
     pub(crate) fn len(&self) -> usize {
-        self.lock().told.len()
+        self.lock().messages.len()
     }
 
     fn lock(&self) -> MutexGuard<'_, Inner<T>> {
@@ -84,33 +84,33 @@ impl<T> Mailbox<T> {
         change(&mut inner);
         let wake = inner.wake.take();
         drop(inner);
-        self.came.notify_all();
+        self.changed.notify_all();
         if let Some(wake) = wake {
             wake();
         }
     }
 }
 
-impl<T> Teller<T> {
-    pub(crate) fn tell(&self, it: T) {
+impl<T> Sender<T> {
+    pub(crate) fn send(&self, message: T) {
         self.0.change(|inner| {
-            inner.told.push_back(it);
+            inner.messages.push_back(message);
             inner.count += 1;
         });
     }
 
-    /// How much was told and not taken yet.
-    pub(crate) fn untaken(&self) -> usize {
+    /// Returns the number of messages that were not received yet.
+    pub(crate) fn unread(&self) -> usize {
         self.0.len()
     }
 
-    /// Whether nobody is left who could take anything.
-    pub(crate) fn is_alone(&self) -> bool {
+    /// Whether there is no receiver left.
+    pub(crate) fn has_no_receiver(&self) -> bool {
         Arc::strong_count(&self.0) == 1
     }
 }
 
-impl<T> Drop for Teller<T> {
+impl<T> Drop for Sender<T> {
     fn drop(&mut self) {
         self.0.change(|inner| inner.closed = true);
     }

@@ -1,4 +1,5 @@
-//! What goes on, and the statuses that come: a call waits for them without the interpreter's lock.
+//! Operations in progress, and incoming statuses: a call waits for them without the interpreter's
+//! lock.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -8,67 +9,72 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
 
 use crate::failure::{Failure, exception};
-use crate::mailbox::{Mailbox, Taken};
-use crate::worker::{Operation, Outcome, Progress, Told, Worker};
+use crate::mailbox::{Mailbox, Received};
+use crate::worker::{Operation, Outcome, Progress, Report, Worker};
 
-/// Something that goes on.
+/// An operation in progress.
 #[pyclass(frozen)]
 pub(crate) struct Pending {
-    pub(crate) told: Arc<Mailbox<Told>>,
+    pub(crate) reports: Arc<Mailbox<Report>>,
     pub(crate) worker: Arc<Worker>,
 }
 
 #[pymethods]
 impl Pending {
-    /// Waits without the interpreter's lock. Ctrl-C stops the arm first, and so does what goes wrong in
-    /// `progress`, which is called with how many commands of how many are over.
+    /// Waits without the interpreter's lock. Ctrl-C stops the arm first, and so does an exception
+    /// in `progress`, which is called with the number of completed commands and the number of
+    /// commands.
     fn wait<'py>(
         &self,
         py: Python<'py>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         loop {
-            let called = match py.detach(|| self.told.take(SIGNALS)) {
-                Taken::It(Told::Over(Ok(outcome))) => return read(py, outcome),
-                Taken::It(Told::Over(Err(failure))) => return Err(exception(py, &failure)),
-                Taken::It(Told::Progress(part)) => match progress {
-                    Some(it) => counts(py, part).and_then(|part| it.call1(part)).map(drop),
+            let called = match py.detach(|| self.reports.receive(SIGNALS)) {
+                Received::Message(Report::Over(Ok(outcome))) => return read(py, outcome),
+                Received::Message(Report::Over(Err(failure))) => {
+                    return Err(exception(py, &failure));
+                }
+                Received::Message(Report::Progress(part)) => match progress {
+                    Some(callback) => counts(py, part)
+                        .and_then(|part| callback.call1(part))
+                        .map(drop),
                     None => Ok(()),
                 },
-                Taken::Closed => return Err(exception(py, &Failure::Closed)),
-                Taken::Nothing => Ok(()),
+                Received::Closed => return Err(exception(py, &Failure::Closed)),
+                Received::Nothing => Ok(()),
             };
             if let Err(interrupt) = called.and_then(|()| py.check_signals()) {
                 let reason = format!("Python was interrupted: {interrupt}");
                 let stopped = self.worker.stop(Some(reason));
-                // Whatever comes of it, the interrupt is what is told.
-                py.detach(|| stopped.take(STOPPED));
+                // Whatever the result, the interrupt is raised.
+                py.detach(|| stopped.receive(STOPPED));
                 return Err(interrupt);
             }
         }
     }
 
-    /// What was told, without waiting: nothing, how far it is, or the end.
+    /// Returns the latest message without waiting: nothing, the progress, or the result.
     fn poll<'py>(&self, py: Python<'py>) -> PyResult<Polled<'py>> {
-        match self.told.take(Duration::ZERO) {
-            Taken::It(Told::Over(Ok(outcome))) => Ok((None, Some(read(py, outcome)?))),
-            Taken::It(Told::Over(Err(failure))) => Err(exception(py, &failure)),
-            Taken::It(Told::Progress(part)) => Ok((Some(counts(py, part)?), None)),
-            Taken::Closed => Err(exception(py, &Failure::Closed)),
-            Taken::Nothing => Ok((None, None)),
+        match self.reports.receive(Duration::ZERO) {
+            Received::Message(Report::Over(Ok(outcome))) => Ok((None, Some(read(py, outcome)?))),
+            Received::Message(Report::Over(Err(failure))) => Err(exception(py, &failure)),
+            Received::Message(Report::Progress(part)) => Ok((Some(counts(py, part)?), None)),
+            Received::Closed => Err(exception(py, &Failure::Closed)),
+            Received::Nothing => Ok((None, None)),
         }
     }
 
     /// Calls this once, in another thread, when there is something to poll.
-    fn when_told(&self, wake: Py<PyAny>) {
-        self.told.when_told(calling(wake));
+    fn when_ready(&self, wake: Py<PyAny>) {
+        self.reports.when_ready(calling(wake));
     }
 }
 
-/// How far it is, and what came of it.
+/// The progress, and the result.
 type Polled<'py> = (Option<Bound<'py, PyTuple>>, Option<Bound<'py, PyAny>>);
 
-/// What came of it: an empty dictionary, a status as one, or the text of a JSON value.
+/// Converts a result: an empty dictionary, a status as one, or the text of a JSON value.
 fn read(py: Python<'_>, outcome: Outcome) -> PyResult<Bound<'_, PyAny>> {
     Ok(match outcome {
         Outcome::Nothing => PyDict::new(py).into_any(),
@@ -77,7 +83,7 @@ fn read(py: Python<'_>, outcome: Outcome) -> PyResult<Bound<'_, PyAny>> {
     })
 }
 
-/// What `progress` is called with.
+/// Returns the arguments of `progress`.
 fn counts(py: Python<'_>, part: Progress) -> PyResult<Bound<'_, PyTuple>> {
     match part {
         Progress::Commands {
@@ -93,16 +99,17 @@ fn counts(py: Python<'_>, part: Progress) -> PyResult<Bound<'_, PyTuple>> {
     }
 }
 
-/// Every status from when it was asked for.
+/// All statuses from the time of the request.
 #[pyclass(frozen)]
 pub(crate) struct Statuses {
-    pub(crate) heard: Arc<Mailbox<Status>>,
+    pub(crate) statuses: Arc<Mailbox<Status>>,
     pub(crate) worker: Arc<Worker>,
 }
 
 #[pymethods]
 impl Statuses {
-    /// Waits for the next one; virtual time passes meanwhile. Gives nothing where Ctrl-C may have been pressed.
+    /// Waits for the next status; virtual time passes meanwhile. Returns an empty dictionary to
+    /// check for Ctrl-C.
     fn next<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let mut asked = None;
         loop {
@@ -111,41 +118,43 @@ impl Statuses {
             } else {
                 SIGNALS
             };
-            match py.detach(|| self.heard.take(time)) {
-                Taken::It(status) => return dict(py, status),
-                Taken::Closed => return Err(exception(py, &Failure::Unheard)),
-                Taken::Nothing => py.check_signals()?,
+            match py.detach(|| self.statuses.receive(time)) {
+                Received::Message(status) => return dict(py, status),
+                Received::Closed => return Err(exception(py, &Failure::Unheard)),
+                Received::Nothing => py.check_signals()?,
             }
-            let asked: &Arc<Mailbox<Told>> = asked.get_or_insert_with(|| self.pass());
-            if let Taken::It(Told::Over(Err(failure))) = asked.take(Duration::ZERO) {
+            let asked: &Arc<Mailbox<Report>> = asked.get_or_insert_with(|| self.pass());
+            if let Received::Message(Report::Over(Err(failure))) = asked.receive(Duration::ZERO) {
                 return Err(exception(py, &failure));
             }
         }
     }
 
-    /// A status that was told already, without waiting.
+    /// Returns a received status, without waiting.
     fn poll<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        match self.heard.take(Duration::ZERO) {
-            Taken::It(status) => dict(py, status).map(Some),
-            Taken::Closed => Err(exception(py, &Failure::Unheard)),
-            Taken::Nothing => Ok(None),
+        match self.statuses.receive(Duration::ZERO) {
+            Received::Message(status) => dict(py, status).map(Some),
+            Received::Closed => Err(exception(py, &Failure::Unheard)),
+            Received::Nothing => Ok(None),
         }
     }
 
-    /// Calls this once, in another thread, when there is something to poll; virtual time passes meanwhile.
-    fn when_told(&self, wake: Py<PyAny>) {
+    /// Calls this once, in another thread, when there is something to poll; virtual time passes
+    /// meanwhile.
+    fn when_ready(&self, wake: Py<PyAny>) {
         self.pass();
-        self.heard.when_told(calling(wake));
+        self.statuses.when_ready(calling(wake));
     }
 }
 
 impl Statuses {
-    fn pass(&self) -> Arc<Mailbox<Told>> {
-        self.worker.ask(Operation::Hear(Arc::clone(&self.heard)))
+    fn pass(&self) -> Arc<Mailbox<Report>> {
+        self.worker
+            .ask(Operation::Subscribe(Arc::clone(&self.statuses)))
     }
 }
 
-/// Calls it from a thread of ours; an interpreter that ends is left alone.
+/// Calls a Python function from a worker thread, unless the interpreter is shutting down.
 fn calling(wake: Py<PyAny>) -> Box<dyn FnOnce() + Send> {
     Box::new(move || {
         Python::try_attach(|py| {
@@ -156,22 +165,22 @@ fn calling(wake: Py<PyAny>) -> Box<dyn FnOnce() + Send> {
     })
 }
 
-fn dict(py: Python<'_>, it: Status) -> PyResult<Bound<'_, PyDict>> {
-    let told = PyDict::new(py);
-    told.set_item("x_mm", it.x_mm)?;
-    told.set_item("y_mm", it.y_mm)?;
-    told.set_item("z_mm", it.z_mm)?;
-    told.set_item("rotation_deg", it.rotation_deg)?;
-    told.set_item("base_deg", it.base_deg)?;
-    told.set_item("rear_deg", it.rear_deg)?;
-    told.set_item("fore_deg", it.fore_deg)?;
-    told.set_item("servo_deg", it.servo_deg)?;
-    told.set_item("suction", it.suction)?;
-    told.set_item("gripper_deg", it.gripper_deg)?;
-    Ok(told)
+fn dict(py: Python<'_>, status: Status) -> PyResult<Bound<'_, PyDict>> {
+    let fields = PyDict::new(py);
+    fields.set_item("x_mm", status.x_mm)?;
+    fields.set_item("y_mm", status.y_mm)?;
+    fields.set_item("z_mm", status.z_mm)?;
+    fields.set_item("rotation_deg", status.rotation_deg)?;
+    fields.set_item("base_deg", status.base_deg)?;
+    fields.set_item("rear_deg", status.rear_deg)?;
+    fields.set_item("fore_deg", status.fore_deg)?;
+    fields.set_item("servo_deg", status.servo_deg)?;
+    fields.set_item("suction", status.suction)?;
+    fields.set_item("gripper_deg", status.gripper_deg)?;
+    Ok(fields)
 }
 
-/// How often a waiting call looks whether Ctrl-C was pressed.
+/// The interval at which a waiting call checks for Ctrl-C.
 const SIGNALS: Duration = Duration::from_millis(20);
-/// How long Ctrl-C waits until the arm is stopped.
+/// The time for which Ctrl-C waits until the arm is stopped.
 const STOPPED: Duration = Duration::from_secs(5);

@@ -1,4 +1,4 @@
-//! From what a user names to where the rules are kept.
+//! Parsing of arm addresses.
 
 use std::path::PathBuf;
 
@@ -14,19 +14,19 @@ use crate::failure::value_error;
 use crate::virtual_arm::VirtualSetup;
 use crate::worker::Where;
 
-/// How to connect: a dictionary of Python.
+/// The options of a connection: a Python dictionary.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct ConnectOptions {
-    /// What others see.
+    /// The name shown to other clients.
     pub(crate) name: String,
     token: Option<String>,
     dialect: Option<String>,
-    /// The program that guards an arm at an address.
+    /// The watchdog program for an arm at an address.
     watchdog: Option<PathBuf>,
     /// The SHA-256 digest of a station's certificate.
     fingerprint: Option<String>,
-    /// A PEM file with who issued it.
+    /// A PEM file of the certificate's issuer.
     ca: Option<PathBuf>,
     /// The text of a scene, for a virtual arm of this process.
     world: Option<String>,
@@ -48,7 +48,7 @@ impl ConnectOptions {
     }
 }
 
-/// From what a user names to where the rules are kept.
+/// Parses the address of an arm.
 pub(crate) fn place(at: &str, options: ConnectOptions) -> PyResult<Where> {
     if let Some(personality) = at.strip_prefix("virtual:") {
         let scene = options.world.as_deref();
@@ -57,7 +57,7 @@ pub(crate) fn place(at: &str, options: ConnectOptions) -> PyResult<Where> {
     }
     if options.world.is_some() || !options.faults.is_empty() {
         return Err(PyValueError::new_err(format!(
-            "world and faults are those of a virtual arm in this process (virtual:), and the arm is at `{at}`"
+            "world and faults require a virtual arm in this process (virtual:), but the arm is at `{at}`"
         )));
     }
     let trust = options.trust()?;
@@ -85,12 +85,15 @@ pub(crate) fn place(at: &str, options: ConnectOptions) -> PyResult<Where> {
             address,
             dialect: dialect.map_err(|error| value_error(&error))?,
             policy: Policy::default(),
-            folders: folders
-                .ok_or_else(|| value_error(&"this person has no home folder; set DOBOT_DATA"))?,
+            folders: folders.ok_or_else(|| {
+                value_error(
+                    &"this user has no home folder; set the environment variable DOBOT_DATA",
+                )
+            })?,
             watchdog: options.watchdog,
         })));
     }
     Err(PyValueError::new_err(format!(
-        "the arm is at `{at}`; allowed are virtual:, virtual:firmware-1.1, station (the one that runs here; `dobot up` starts one), http://HOST:PORT, serial:PORT and tcp:HOST:PORT"
+        "the arm is at `{at}`; allowed are virtual:, virtual:firmware-1.1, station (the one on this machine, started with `dobot up`), http://HOST:PORT, serial:PORT and tcp:HOST:PORT"
     )))
 }

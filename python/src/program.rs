@@ -1,4 +1,4 @@
-//! Taught programs: read, made of steps, checked, and made into jobs.
+//! Taught programs: read, created from steps, checked, and converted to jobs.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 
 use crate::failure::value_error;
 
-/// A program, with the folder in which the files are that it names.
+/// A program, with the folder of the files that it uses.
 #[pyclass(frozen)]
 pub(crate) struct Taught {
     pub(crate) source: Arc<Source>,
@@ -25,43 +25,43 @@ pub(crate) struct Taught {
     warnings: Vec<String>,
 }
 
-/// What jobs are made of.
+/// The source of jobs.
 pub(crate) struct Source {
     program: Program,
-    /// What it is called where it does not say so itself.
+    /// Its name if it has no title.
     name: String,
     folder: PathBuf,
 }
 
 #[pymethods]
 impl Taught {
-    /// Reads a file, whose form is told by the end of its name.
+    /// Reads a file, whose format is determined by its extension.
     #[staticmethod]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
         let form = form_of(&file)?;
         let bytes = fs::read(&file)?;
-        let told = |program_error: ProgramError| {
+        let in_file = |program_error: ProgramError| {
             PyValueError::new_err(format!("{}: {program_error}", file.display()))
         };
         py.detach(|| {
-            let read = form.read(&bytes).map_err(told)?;
+            let read = form.read(&bytes).map_err(in_file)?;
             let text = match form {
                 ProgramForm::Toml => String::from_utf8_lossy(&bytes).into_owned(),
                 _ => read.it.to_toml(),
             };
             let name = file.file_stem().unwrap_or_default().to_string_lossy();
             let folder = file.parent().unwrap_or(Path::new(""));
-            Self::new(text, &name, folder, read.warnings).map_err(told)
+            Self::new(text, &name, folder, read.warnings).map_err(in_file)
         })
     }
 
-    /// Takes the text of a program; the files that it names are in a folder.
+    /// Parses the text of a program; the files that it uses are in a folder.
     #[staticmethod]
     fn of_text(text: String, folder: PathBuf) -> PyResult<Self> {
         Self::new(text, UNNAMED, &folder, Vec::new()).map_err(|error| value_error(&error))
     }
 
-    /// Makes a program of a JSON object with the names of a program's text.
+    /// Creates a program from a JSON object with the keys of a program's text.
     #[staticmethod]
     fn of_json(json: &str, folder: PathBuf) -> PyResult<Self> {
         let value: Value = serde_json::from_str(json).map_err(|error| value_error(&error))?;
@@ -72,7 +72,7 @@ impl Taught {
             .map_err(|error| value_error(&error))
     }
 
-    /// The JSON Schema of a program.
+    /// Returns the JSON Schema of a program.
     #[staticmethod]
     fn schema() -> String {
         Program::schema().to_string()
@@ -98,7 +98,7 @@ impl Taught {
         self.warnings.clone()
     }
 
-    /// Writes a file, and gives what its form cannot carry.
+    /// Writes a file, and returns what its format cannot represent.
     fn save(&self, file: PathBuf) -> PyResult<Vec<String>> {
         let (text, lost) = match form_of(&file)? {
             ProgramForm::Toml => (self.text.clone(), Vec::new()),
@@ -112,7 +112,7 @@ impl Taught {
         Ok(lost)
     }
 
-    /// What is wrong with it for any arm of a dialect, and how long it takes: a JSON object.
+    /// Returns the problems and durations for any arm of a dialect, as a JSON object.
     fn check(&self, py: Python<'_>, dialect: Option<&str>) -> PyResult<String> {
         let dialect = dialect.map(str::parse::<Dialect>).transpose();
         let dialect = dialect.map_err(|error| value_error(&error))?;
@@ -153,7 +153,7 @@ impl Source {
         }
     }
 
-    /// Its commands for an arm.
+    /// Returns its commands for an arm.
     fn compile(&self, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
         let read = |path: &str| {
             fs::read(self.folder.join(path)).map_err(|error| format!("cannot read {path}: {error}"))
@@ -164,13 +164,13 @@ impl Source {
         Ok(compiled)
     }
 
-    /// What is wrong with it for an arm, and how long it takes: a JSON object.
+    /// Returns the problems and durations for an arm, as a JSON object.
     pub(crate) fn report(&self, arm: &PlannedFor) -> Result<String, ProgramError> {
         let compiled = self.compile(arm)?;
         let report = check(&compiled, &arm.rules.policy, arm.model());
         let steps = compiled.steps.iter().zip(&report.steps_s);
         let steps: Vec<Value> = steps
-            .map(|(it, takes_s)| json!({"label": *it.label, "file": it.file.as_deref(), "line": it.line, "takes_s": takes_s}))
+            .map(|(step, takes_s)| json!({"label": *step.label, "file": step.file.as_deref(), "line": step.line, "takes_s": takes_s}))
             .collect();
         Ok(json!({
             "steps": steps,
@@ -183,17 +183,17 @@ impl Source {
     }
 }
 
-/// A program that is to be done.
+/// A program to be run.
 pub(crate) struct Run {
     pub(crate) source: Arc<Source>,
-    /// How often; as often as it says itself, where nothing is said.
+    /// The number of repetitions; by default that of the program.
     pub(crate) times: Option<Times>,
-    /// With which step it begins, counted from 1.
+    /// The first step to execute, counted from 1.
     pub(crate) from_step: usize,
 }
 
 impl Run {
-    /// The job for an arm, where nothing is wrong with it.
+    /// Returns the job for an arm, if the program has no problems.
     pub(crate) fn job(&self, arm: &PlannedFor) -> Result<NewJob, Problem> {
         let compiled = self.source.compile(arm);
         let mut compiled = compiled.map_err(|error| BAD_PROGRAM.problem(error.to_string()))?;
@@ -210,7 +210,7 @@ impl Run {
             .checked_sub(1)
             .and_then(|step| compiled.from_step(step));
         let rest = rest.ok_or_else(|| {
-            OUT_OF_RANGE.problem(format!("from_step is {from}; allowed is 1 to {steps}"))
+            OUT_OF_RANGE.problem(format!("from_step is {from}; allowed are 1 to {steps}"))
         })?;
         Ok(rest.job())
     }
@@ -220,12 +220,12 @@ fn form_of(file: &Path) -> PyResult<ProgramForm> {
     let name = file.to_string_lossy();
     ProgramForm::of_name(&name).ok_or_else(|| {
         PyValueError::new_err(format!(
-            "{name} is no program by its name; programs end in .toml, .xml or .play"
+            "{name} is not a program; program files end in .toml, .xml or .play"
         ))
     })
 }
 
-/// What is wrong, with the number of the step instead of a line that nobody has seen.
+/// Returns the error with the number of the step, since the generated text has no visible lines.
 fn numbered(text: &str, error: &ProgramError) -> String {
     let lines = text.lines().take(error.line.unwrap_or(0));
     match lines.filter(|line| *line == "[[steps]]").count() {
@@ -234,5 +234,5 @@ fn numbered(text: &str, error: &ProgramError) -> String {
     }
 }
 
-/// What a program is called that has neither a title nor a file.
+/// The name of a program with neither a title nor a file.
 const UNNAMED: &str = "program";

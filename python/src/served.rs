@@ -1,4 +1,4 @@
-//! Virtual arms for programs that speak serial: on a port of their own, by a clock.
+//! Virtual arms for programs that use a serial port, in real time.
 
 use std::net::Ipv4Addr;
 use std::sync::mpsc::{Sender, channel};
@@ -16,7 +16,7 @@ use crate::failure::value_error;
 use crate::virtual_arm::{VirtualSetup, world_json};
 use crate::worker::lock;
 
-/// A virtual arm on a virtual serial port and on TCP, run by a thread of its own.
+/// A virtual arm on a virtual serial port and on TCP, run by a worker thread.
 #[pyclass(frozen)]
 pub(crate) struct Served {
     asked: Mutex<Option<UnboundedSender<Sender<Option<String>>>>>,
@@ -26,11 +26,11 @@ pub(crate) struct Served {
     serial: Option<String>,
     #[pyo3(get)]
     tcp: String,
-    /// The process whose thread it is; a fork of it has none.
+    /// The process of the thread; a fork of it has no thread.
     pid: u32,
 }
 
-/// What was told, the oldest first.
+/// The events, the oldest first.
 type Events = Arc<Mutex<Vec<String>>>;
 
 #[pymethods]
@@ -48,10 +48,10 @@ impl Served {
         let factor: Speed = factor.parse().map_err(|error| value_error(&error))?;
         let events = Events::default();
         let (asked, questions) = unbounded_channel();
-        let (tell, told) = channel();
-        let heard = Arc::clone(&events);
-        let thread = thread::spawn(move || serve(&arm, factor, questions, &tell, &heard));
-        let places = py.detach(move || told.recv());
+        let (sender, places) = channel();
+        let shared = Arc::clone(&events);
+        let thread = thread::spawn(move || serve(&arm, factor, questions, &sender, &shared));
+        let places = py.detach(move || places.recv());
         let places = places.map_err(|_| PyRuntimeError::new_err("its thread has ended"))?;
         let (serial, tcp) = places?;
         Ok(Self {
@@ -64,7 +64,7 @@ impl Served {
         })
     }
 
-    /// What is around it, as JSON, and nothing where nothing is.
+    /// Returns the world as JSON; `None` if there is none.
     fn world(&self, py: Python<'_>) -> Option<String> {
         if process::id() != self.pid {
             return None;
@@ -76,13 +76,13 @@ impl Served {
         })
     }
 
-    /// What was refused, and which faults struck, each a sentence, the oldest first.
+    /// Returns refusals and faults, a sentence each, the oldest first.
     #[getter]
     fn events(&self) -> Vec<String> {
         lock(&self.events).clone()
     }
 
-    /// Switches it off.
+    /// Switches the arm off.
     fn close(&self, py: Python<'_>) {
         if process::id() != self.pid {
             return;
@@ -97,14 +97,14 @@ impl Served {
     }
 }
 
-/// Where it is served: a virtual serial port, where the system has them, and TCP.
+/// Its addresses: a virtual serial port, if the system has them, and TCP.
 type Places = (Option<String>, String);
 
 fn serve(
     setup: &VirtualSetup,
     speed: Speed,
     mut asks: UnboundedReceiver<Sender<Option<String>>>,
-    tell: &Sender<io::Result<Places>>,
+    sender: &Sender<io::Result<Places>>,
     events: &Events,
 ) {
     let runtime = tokio::runtime::Builder::new_current_thread()
@@ -117,11 +117,11 @@ fn serve(
     let (runtime, mut server, places) = match begun {
         Ok((runtime, (server, places))) => (runtime, server, places),
         Err(error) => {
-            let _ = tell.send(Err(error));
+            let _ = sender.send(Err(error));
             return;
         }
     };
-    let _ = tell.send(Ok(places));
+    let _ = sender.send(Ok(places));
     runtime.block_on(async {
         loop {
             let asked = tokio::select! {
@@ -152,8 +152,8 @@ async fn open(setup: &VirtualSetup, speed: Speed) -> io::Result<(Server, Places)
 
 fn note(events: &Events, event: &ServerEvent) {
     let text = match event {
-        ServerEvent::Refused(it) => it.to_string(),
-        ServerEvent::Struck(it) => it.to_string(),
+        ServerEvent::Refused(refusal) => refusal.to_string(),
+        ServerEvent::Struck(fault) => fault.to_string(),
         ServerEvent::Overrun => "the program sends faster than the line carries".to_owned(),
         _ => return,
     };

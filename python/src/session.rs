@@ -1,4 +1,4 @@
-//! The client of the rules, and what goes on with it.
+//! The client of the rules, and its operations.
 
 mod job;
 
@@ -13,45 +13,49 @@ use tokio::sync::mpsc::UnboundedReceiver;
 use tokio::time::timeout;
 
 use crate::failure::Failure;
-use crate::mailbox::{Mailbox, Taken, Teller};
-use crate::worker::{Answer, Ears, Job, Look, Operation, Outcome, Stop, Told, lock};
+use crate::mailbox::{Mailbox, Received, Sender};
+use crate::worker::{Answer, Inspect, Job, Operation, Outcome, Report, Stop, Subscribers, lock};
 
 use self::job::Rests;
 
-/// A jog button that is held.
+/// A held jog button.
 struct Held {
     jog: Jog,
-    /// When it is said again, by the arm's clock.
+    /// The time of the next repetition, by the arm's clock.
     next: Duration,
-    /// When it is let go.
+    /// The time of the release.
     until: Duration,
-    /// Why it is not held any more.
+    /// The reason why it is not held any more.
     over: Option<Failure>,
 }
 
-/// The client, and what goes on.
+/// The client, and the state of its operations.
 pub(crate) struct Session {
     client: StationClient,
-    /// How the virtual arm of this process was switched on.
+    /// The power-up state of the virtual arm of this process.
     power_up: Option<PowerUp>,
-    ears: Ears,
+    subscribers: Subscribers,
     held: Option<Held>,
     rests: Option<Rests>,
 }
 
 impl Session {
-    pub(crate) const fn new(client: StationClient, power_up: Option<PowerUp>, ears: Ears) -> Self {
+    pub(crate) const fn new(
+        client: StationClient,
+        power_up: Option<PowerUp>,
+        subscribers: Subscribers,
+    ) -> Self {
         Self {
             client,
             power_up,
-            ears,
+            subscribers,
             held: None,
             rests: None,
         }
     }
 
-    /// Does what is asked for, one after the other. The connection with a station is read in between, too;
-    /// virtual time passes only while somebody waits.
+    /// Carries out operations, one after the other. Messages of a station are also received in
+    /// between; virtual time passes only while a call waits.
     pub(crate) async fn serve(
         mut self,
         jobs: &mut UnboundedReceiver<Job>,
@@ -64,24 +68,24 @@ impl Session {
             let beat = self.time_to_beat();
             tokio::select! {
                 biased;
-                Some(it) = stops.recv() => self.stop(it).await,
+                Some(stop) = stops.recv() => self.stop(stop).await,
                 job = jobs.recv() => {
                     let Some(Job { operation, answer }) = job else { break };
                     let stopped = tokio::select! {
                         biased;
-                        Some(it) = stops.recv() => it,
+                        Some(stop) = stops.recv() => stop,
                         done = self.act(operation, &answer) => {
-                            answer.tell(Told::Over(done));
+                            answer.send(Report::Over(done));
                             continue;
                         }
                     };
                     self.stop(stopped).await;
-                    answer.tell(Told::Over(Err(Failure::Stopped)));
+                    answer.send(Report::Over(Err(Failure::Stopped)));
                 }
                 () = tokio::time::sleep(beat), if beats => self.beat().await,
-                // A connection that broke is told to whoever asks next.
-                heard = self.client.next(), if listens => match heard {
-                    Ok(event) => self.hear(&event),
+                // A broken connection is reported to the next call.
+                event = self.client.next(), if listens => match event {
+                    Ok(event) => self.handle_event(&event),
                     Err(_) => listens = false,
                 },
             }
@@ -100,16 +104,16 @@ impl Session {
             }) => Err(Failure::Failed {
                 text: "the stop was NOT DELIVERED: there is no link to the arm".to_owned(),
                 hint: Some(
-                    "switch the arm off by hand; the stop is sent as soon as the link is back"
+                    "switch the arm off by hand; the stop is sent when the link is restored"
                         .to_owned(),
                 ),
             }),
             done => done.map(|_| Outcome::Nothing).map_err(Failure::from),
         };
-        answer.tell(Told::Over(done));
+        answer.send(Report::Over(done));
     }
 
-    async fn act(&mut self, operation: Operation, told: &Teller<Told>) -> Answer {
+    async fn act(&mut self, operation: Operation, reports: &Sender<Report>) -> Answer {
         let moves = matches!(
             operation,
             Operation::CarryOut(_)
@@ -132,8 +136,8 @@ impl Session {
                 self.carry_out(command).await?;
                 return Ok(Outcome::Status(self.status().await?));
             }
-            Operation::Draw(request) => self.draw(*request, told).await?,
-            Operation::Run(run) => self.run(*run, told).await?,
+            Operation::Draw(request) => self.draw(*request, reports).await?,
+            Operation::Run(run) => self.run(*run, reports).await?,
             Operation::Check(source) => {
                 let (_, arm) = self.planned_for().await?;
                 let report = source.report(&arm);
@@ -142,14 +146,14 @@ impl Session {
                     report.map_err(|error| Failure::Refused(error.into()))?,
                 ));
             }
-            Operation::Look(look) => return self.look(look),
-            Operation::Resume { as_person } => self.resume(as_person, told).await?,
+            Operation::Inspect(inspect) => return self.inspect(inspect),
+            Operation::Resume { as_person } => self.resume(as_person, reports).await?,
             Operation::Cancel => self.cancel().await?,
             Operation::Wait(time) => self.wait(time).await?,
             Operation::Press(jog, at_most) => self.press(jog, at_most).await?,
             Operation::Release => self.release().await?,
-            Operation::Hear(mailbox) => {
-                // What comes may be taken before anybody looks here.
+            Operation::Subscribe(mailbox) => {
+                // A status may be received before this thread continues.
                 let count = mailbox.count();
                 while mailbox.len() == 0 && mailbox.count() == count {
                     self.pass(BEAT).await?;
@@ -160,7 +164,7 @@ impl Session {
                 self.client.request_at_rest(request).await?;
             }
             Operation::Plain(request) => {
-                // There is no pose before the arm has told one.
+                // The pose is unknown before the first status.
                 if matches!(request, Request::ConfirmPose) {
                     self.status().await?;
                 }
@@ -170,16 +174,16 @@ impl Session {
         Ok(Outcome::Nothing)
     }
 
-    fn look(&mut self, look: Box<Look>) -> Answer {
+    fn inspect(&mut self, inspect: Box<Inspect>) -> Answer {
         let (Some(power_up), Some(arm)) = (self.power_up, self.client.virtual_arm_mut()) else {
             return Err(Failure::Failed {
-                text: "this arm is no virtual one of this process".to_owned(),
-                hint: Some("`dobot_arm.connect(\"virtual:\")` has one".to_owned()),
+                text: "this arm is not a virtual arm of this process".to_owned(),
+                hint: Some("use `dobot_arm.connect(\"virtual:\")`".to_owned()),
             });
         };
-        look(arm, power_up).map_err(|text| Failure::Failed {
+        inspect(arm, power_up).map_err(|text| Failure::Failed {
             text,
-            hint: Some("`dobot_arm.connect(\"virtual:\", world=..., faults=[...])` says what is around it and what goes wrong".to_owned()),
+            hint: Some("use `dobot_arm.connect(\"virtual:\", world=..., faults=[...])`".to_owned()),
         })
     }
 
@@ -187,25 +191,25 @@ impl Session {
         self.client.request(Request::TakeLease).await?;
         let request = Request::Command { command };
         if let Reply::Accepted { command, .. } = self.client.request_at_rest(request).await? {
-            let ears = &self.ears;
-            let see = |state: &State| tell(ears, state);
+            let subscribers = &self.subscribers;
+            let see = |state: &State| publish(subscribers, state);
             self.client.finished_watched(command, see).await?;
         }
         Ok(())
     }
 
-    /// What the arm tells next.
+    /// Waits for the next status.
     async fn status(&mut self) -> Result<Status, Failure> {
         if self.held.is_none() {
             let state = self.client.first_state().await?;
-            tell(&self.ears, &state);
+            publish(&self.subscribers, &state);
             let arm = state.arm.ok_or(RemoteError::Silent)?;
             return Ok(arm.status);
         }
-        let (teller, heard) = Mailbox::new();
-        lock(&self.ears).push(teller);
+        let (sender, statuses) = Mailbox::new();
+        lock(&self.subscribers).push(sender);
         loop {
-            if let Taken::It(status) = heard.take(Duration::ZERO) {
+            if let Received::Message(status) = statuses.receive(Duration::ZERO) {
                 return Ok(status);
             }
             self.pass(BEAT).await?;
@@ -221,17 +225,17 @@ impl Session {
         Ok(())
     }
 
-    /// Lets a little time pass: no more than this, and less where something is told. A button stays held.
+    /// Lets at most this time pass, and less if there is a message. A button stays held.
     async fn pass(&mut self, time: Duration) -> Result<(), Failure> {
         if self.client.virtual_arm().is_some() {
             self.client.wait(time).await;
             while let Some(event) = self.client.buffered() {
-                self.hear(&event);
+                self.handle_event(&event);
             }
-            // A stop gets its turn.
+            // Lets a stop be received.
             tokio::task::yield_now().await;
         } else if let Ok(event) = timeout(time, self.client.next()).await {
-            self.hear(&event?);
+            self.handle_event(&event?);
         }
         if self.time_to_beat().is_zero() {
             self.beat().await;
@@ -239,7 +243,7 @@ impl Session {
         Ok(())
     }
 
-    /// The first press waits until an arm that runs down has come to rest.
+    /// The first press waits until a decelerating arm is at rest.
     async fn press(&mut self, jog: Jog, at_most: Duration) -> Result<(), Failure> {
         self.client.request(Request::TakeLease).await?;
         self.client.request_at_rest(Request::Jog { jog }).await?;
@@ -253,7 +257,7 @@ impl Session {
         Ok(())
     }
 
-    /// Lets go of the button, and waits until the arm rests.
+    /// Releases the button, and waits until the arm is at rest.
     async fn release(&mut self) -> Result<(), Failure> {
         let Some(held) = self.held.take() else {
             return Ok(());
@@ -265,7 +269,7 @@ impl Session {
         let until = self.client.now() + REST;
         loop {
             let state = self.client.state().await?;
-            tell(&self.ears, &state);
+            publish(&self.subscribers, &state);
             let moves = state.arm.is_some_and(|arm| arm.moving);
             if !moves || self.client.now() >= until {
                 return Ok(());
@@ -273,7 +277,7 @@ impl Session {
         }
     }
 
-    /// How long until the button is said again.
+    /// Returns the time until the button is pressed again.
     fn time_to_beat(&self) -> Duration {
         match &self.held {
             Some(Held {
@@ -283,7 +287,7 @@ impl Session {
         }
     }
 
-    /// Says the button again, or lets it go when its time is over.
+    /// Presses the button again, or releases it at the end of its time.
     async fn beat(&mut self) {
         let now = self.client.now();
         let Some(held) = self.held.as_mut().filter(|held| held.over.is_none()) else {
@@ -293,9 +297,9 @@ impl Session {
             let released = self.client.request(Request::Release).await;
             held.over = Some(match released {
                 Ok(_) => Failure::Failed {
-                    text: "the button was let go of before its `with` ended: its time was over"
+                    text: "the button was released before the end of the `with` block: its time was over"
                         .to_owned(),
-                    hint: Some("`at_most` says how long it may be held, in seconds".to_owned()),
+                    hint: Some("set the maximum time with `at_most`, in seconds".to_owned()),
                 },
                 Err(error) => error.into(),
             });
@@ -308,26 +312,26 @@ impl Session {
         }
     }
 
-    fn hear(&self, event: &StationEvent) {
+    fn handle_event(&self, event: &StationEvent) {
         if let StationEvent::State(state) = event {
-            tell(&self.ears, state);
+            publish(&self.subscribers, state);
         }
     }
 }
 
-/// Tells all who listen. Who does not take what is told is not told any more, and finds that out.
-fn tell(ears: &Ears, state: &State) {
+/// Sends a status to all subscribers. A subscriber that does not read is dropped, and notices that.
+fn publish(subscribers: &Subscribers, state: &State) {
     let Some(arm) = &state.arm else { return };
-    let mut ears = lock(ears);
-    ears.retain(|subscriber| !subscriber.is_alone() && subscriber.untaken() < LONGEST);
-    for ear in &*ears {
-        ear.tell(arm.status);
+    let mut subscribers = lock(subscribers);
+    subscribers.retain(|subscriber| !subscriber.has_no_receiver() && subscriber.unread() < LONGEST);
+    for subscriber in &*subscribers {
+        subscriber.send(arm.status);
     }
 }
 
-/// A third of the time after which a station lets a button go.
+/// A third of the time after which a station releases a button.
 const BEAT: Duration = Duration::from_millis(50);
-/// No motion takes longer to run down.
+/// The maximum time of a deceleration.
 const REST: Duration = Duration::from_secs(5);
-/// So many statuses are kept for one who does not take them: more than an hour of them.
+/// The number of statuses that are kept for a slow subscriber: more than an hour.
 const LONGEST: usize = 65_536;

@@ -9,7 +9,7 @@ use pyo3::types::PyDict;
 use crate::columns::Columns;
 use crate::failure::value_error;
 
-/// What came of a script.
+/// The result of a script.
 #[pyclass(frozen)]
 pub(crate) struct Simulated {
     simulation: Simulation,
@@ -20,7 +20,7 @@ pub(crate) struct Simulated {
 
 #[pymethods]
 impl Simulated {
-    /// Runs a script; `name` stands in messages, and above its picture.
+    /// Runs a script; `name` is used in messages, and above its picture.
     #[new]
     fn new(py: Python<'_>, script: &str, name: &str, personality: &str) -> PyResult<Self> {
         let personality: Personality = personality.parse().map_err(|error| value_error(&error))?;
@@ -40,7 +40,7 @@ impl Simulated {
         })
     }
 
-    /// The statuses, by the time of the control tick that queued each.
+    /// Returns the statuses, by the time of the control tick that queued each.
     fn statuses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = &self.simulation.trace.statuses;
         #[allow(clippy::cast_precision_loss)] // A run has no 2^53 milliseconds.
@@ -54,7 +54,7 @@ impl Simulated {
         Ok(columns.finish())
     }
 
-    /// Where the arm truly is, and what is set, at every control tick.
+    /// Returns the true position and the outputs of the arm at every control tick.
     fn ticks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = &self.snapshots;
         let mut columns =
@@ -75,7 +75,7 @@ impl Simulated {
         Ok(columns.finish())
     }
 
-    /// What the controller refused: when, in seconds, and why.
+    /// Returns the refusals of the controller: the time in seconds, and the reason.
     #[getter]
     fn refused(&self) -> Vec<(f64, String)> {
         let all = self.simulation.refused.iter();
@@ -93,7 +93,7 @@ impl Simulated {
         self.simulation.end.as_secs_f64()
     }
 
-    /// What it printed on the port that is not in use.
+    /// Returns the output on the unused port.
     #[getter]
     fn other_port(&self) -> String {
         String::from_utf8_lossy(&self.simulation.trace.other_port).into_owned()

@@ -1,4 +1,4 @@
-//! Virtual arms: how they behave, what is around them, and what goes wrong with them.
+//! Virtual arms: their behaviour, world and faults.
 
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_geometry::{Point, Stroke, WorstPoint, deviation};
@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 
 use crate::failure::value_error;
 
-/// How a virtual arm is switched on.
+/// The setup of a virtual arm.
 pub(crate) struct VirtualSetup {
     pub(crate) power_up: PowerUp,
     scene: Option<Scene>,
@@ -17,7 +17,8 @@ pub(crate) struct VirtualSetup {
 }
 
 impl VirtualSetup {
-    /// By the name of a personality, the text of a scene, and faults as `dobot arm --fault` takes them.
+    /// Parses the name of a personality, the text of a scene, and faults in the format of `dobot
+    /// arm --fault`.
     pub(crate) fn new(
         personality: &str,
         scene: Option<&str>,
@@ -36,7 +37,7 @@ impl VirtualSetup {
         })
     }
 
-    /// The arm, switched on.
+    /// Returns the arm after power-up.
     pub(crate) fn arm(&self) -> VirtualArm {
         let mut arm = VirtualArm::new(Controller::power_up(self.power_up), SerialLine::STOCK);
         if !self.faults.is_empty() {
@@ -60,13 +61,13 @@ fn parsed(scene: &str) -> PyResult<Scene> {
     Scene::parse(scene).map_err(|error| value_error(&format!("the world: {error}")))
 }
 
-/// What is around an arm, as JSON, and nothing where nothing is.
+/// Returns the world of an arm as JSON; `None` if there is none.
 pub(crate) fn world_json(arm: &VirtualArm) -> Option<String> {
     let state = arm.world()?.state();
-    Some(serde_json::to_string(&state).expect("a world has no keys that are no texts"))
+    Some(serde_json::to_string(&state).expect("all keys of a world are texts"))
 }
 
-/// The picture of a world, told as JSON: an SVG document.
+/// Returns the picture of a world, given as JSON: an SVG document.
 #[pyfunction]
 pub(crate) fn world_svg(py: Python<'_>, json: &str) -> PyResult<String> {
     py.detach(|| {
@@ -75,8 +76,8 @@ pub(crate) fn world_svg(py: Python<'_>, json: &str) -> PyResult<String> {
     })
 }
 
-/// The drawn point that lies farthest from what was wanted, and the wanted one that lies farthest from what was drawn:
-/// x, y and the distance, all in mm.
+/// Returns the drawn point farthest from the expected lines, and the expected point farthest from
+/// the drawn ones: x, y and the distance, all in mm.
 #[pyfunction]
 pub(crate) fn ink_deviation(
     py: Python<'_>,
@@ -84,13 +85,13 @@ pub(crate) fn ink_deviation(
     drawn: Vec<Vec<(f64, f64)>>,
 ) -> ([f64; 3], [f64; 3]) {
     py.detach(|| {
-        let told = |point: WorstPoint| [point.at.x, point.at.y, point.distance_mm];
+        let numbers = |point: WorstPoint| [point.at.x, point.at.y, point.distance_mm];
         let found = deviation(&strokes(wanted), &strokes(drawn));
-        (told(found.astray), told(found.missed))
+        (numbers(found.astray), numbers(found.missed))
     })
 }
 
-/// Strokes of points.
+/// Converts lines of points to strokes.
 fn strokes(lines: Vec<Vec<(f64, f64)>>) -> Vec<Stroke> {
     let lines = lines.into_iter().filter(|points| !points.is_empty());
     lines

@@ -15,59 +15,59 @@ use dobot_wire::{Command, Status};
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 
 use crate::failure::{Failure, failed, lost};
-use crate::mailbox::{Mailbox, Teller};
+use crate::mailbox::{Mailbox, Sender};
 use crate::program::{Run, Source};
 use crate::session::Session;
 use crate::virtual_arm::VirtualSetup;
 
-/// Where the rules are kept.
+/// The place where the rules are applied.
 pub(crate) enum Where {
     /// In this process, with an arm in virtual time.
     Virtual(Box<VirtualSetup>),
-    /// In a station that runs.
+    /// In a running station.
     Station(StationSearch),
     /// In this process, for an arm at an address.
     Local(Box<LocalArm>),
 }
 
-/// What the arm is to do.
+/// An operation of the arm.
 pub(crate) enum Operation {
-    /// Nothing: whoever asks waits for the connection.
+    /// Nothing: waits for the connection.
     Connected,
     Status,
-    /// A command made from how the arm stands.
+    /// A command computed from the current status.
     CarryOut(Box<dyn FnOnce(&Status) -> Command + Send>),
     Draw(Box<DrawingRequest>),
     Run(Box<Run>),
-    /// Look at a program for this arm.
+    /// Check a program for this arm.
     Check(Arc<Source>),
-    /// Look at the virtual arm of this process, or do something to it.
-    Look(Box<Look>),
-    /// Go on with the job that rests; a person has done what it waits for, or not.
+    /// Inspect or change the virtual arm of this process.
+    Inspect(Box<Inspect>),
+    /// Resume the paused job; whether a person has done what it waits for.
     Resume {
         as_person: bool,
     },
-    /// Give up the job that rests.
+    /// Cancel the paused job.
     Cancel,
     Wait(Duration),
-    /// Hold a jog button until it is released, and at most so long.
+    /// Hold a jog button until it is released, within a maximum time.
     Press(Jog, Duration),
     Release,
-    /// Let time pass until this mailbox holds something.
-    Hear(Arc<Mailbox<Status>>),
-    /// What takes control of the arm.
+    /// Let time pass until this mailbox has a message.
+    Subscribe(Arc<Mailbox<Status>>),
+    /// A request that needs control of the arm.
     Controlled(Request),
-    /// What takes none.
+    /// A request without control.
     Plain(Request),
 }
 
-/// Looks at a virtual arm, whose controller was switched on so; or why it cannot.
-pub(crate) type Look = dyn FnOnce(&mut VirtualArm, PowerUp) -> Result<Outcome, String> + Send;
+/// Inspects or changes a virtual arm, given its power-up state.
+pub(crate) type Inspect = dyn FnOnce(&mut VirtualArm, PowerUp) -> Result<Outcome, String> + Send;
 
-/// What comes of it.
+/// The result of an operation.
 pub(crate) type Answer = Result<Outcome, Failure>;
 
-/// What is told at the end.
+/// The value of a finished operation.
 pub(crate) enum Outcome {
     Nothing,
     /// The arm's last status.
@@ -76,18 +76,18 @@ pub(crate) enum Outcome {
     Json(String),
 }
 
-/// What is heard of an operation.
-pub(crate) enum Told {
+/// A message about an operation.
+pub(crate) enum Report {
     Progress(Progress),
     Over(Answer),
 }
 
-/// How far a job is.
+/// The progress of a job.
 #[derive(Clone, Copy)]
 pub(crate) enum Progress {
-    /// So many commands of so many are over.
+    /// The number of completed commands and the number of commands.
     Commands { completed: usize, commands: usize },
-    /// It is at this step of so many, in this cycle of so many; all of them are counted from 1.
+    /// The step, the number of steps, the cycle and the number of cycles, counted from 1.
     Steps {
         step: usize,
         steps: usize,
@@ -96,31 +96,31 @@ pub(crate) enum Progress {
     },
 }
 
-/// An operation, and who hears of it.
+/// An operation, and the sender for its messages.
 pub(crate) struct Job {
     pub(crate) operation: Operation,
-    pub(crate) answer: Teller<Told>,
+    pub(crate) answer: Sender<Report>,
 }
 
-/// That the arm is to stop, and who hears of it.
+/// A request to stop the arm, and the sender for its messages.
 pub(crate) struct Stop {
     pub(crate) reason: Option<String>,
-    pub(crate) answer: Teller<Told>,
+    pub(crate) answer: Sender<Report>,
 }
 
-struct Doors {
+struct Channels {
     jobs: UnboundedSender<Job>,
     stops: UnboundedSender<Stop>,
 }
 
-/// Those who want to hear every status.
-pub(crate) type Ears = Arc<Mutex<Vec<Teller<Status>>>>;
+/// The subscribers of all statuses.
+pub(crate) type Subscribers = Arc<Mutex<Vec<Sender<Status>>>>;
 
 pub(crate) struct Worker {
-    doors: Mutex<Option<Doors>>,
+    channels: Mutex<Option<Channels>>,
     thread: Mutex<Option<JoinHandle<()>>>,
-    ears: Ears,
-    /// The process whose thread it is; a fork of it has none.
+    subscribers: Subscribers,
+    /// The process of the thread; a fork of it has no thread.
     pid: u32,
 }
 
@@ -129,68 +129,68 @@ impl Worker {
     pub(crate) fn start(at: Where, name: String) -> Self {
         let (jobs, wanted) = unbounded_channel();
         let (stops, stopped) = unbounded_channel();
-        let ears = Ears::default();
-        let heard = Arc::clone(&ears);
-        let thread = thread::spawn(move || run(at, &name, &heard, wanted, stopped));
+        let subscribers = Subscribers::default();
+        let shared = Arc::clone(&subscribers);
+        let thread = thread::spawn(move || run(at, &name, &shared, wanted, stopped));
         Self {
-            doors: Mutex::new(Some(Doors { jobs, stops })),
+            channels: Mutex::new(Some(Channels { jobs, stops })),
             thread: Mutex::new(Some(thread)),
-            ears,
+            subscribers,
             pid: process::id(),
         }
     }
 
-    /// Asks for something; nothing is heard where the thread has ended.
-    pub(crate) fn ask(&self, operation: Operation) -> Arc<Mailbox<Told>> {
-        let (answer, told) = Mailbox::new();
+    /// Requests an operation; there are no messages if the thread has ended.
+    pub(crate) fn ask(&self, operation: Operation) -> Arc<Mailbox<Report>> {
+        let (answer, reports) = Mailbox::new();
         if process::id() != self.pid {
-            answer.tell(Told::Over(Err(Failure::Forked)));
-        } else if let Some(doors) = &*lock(&self.doors) {
-            let _ = doors.jobs.send(Job { operation, answer });
+            answer.send(Report::Over(Err(Failure::Forked)));
+        } else if let Some(channels) = &*lock(&self.channels) {
+            let _ = channels.jobs.send(Job { operation, answer });
         }
-        told
+        reports
     }
 
-    /// Stops the arm, before anything else that was asked for.
-    pub(crate) fn stop(&self, reason: Option<String>) -> Arc<Mailbox<Told>> {
-        let (answer, told) = Mailbox::new();
+    /// Stops the arm, before all other requests.
+    pub(crate) fn stop(&self, reason: Option<String>) -> Arc<Mailbox<Report>> {
+        let (answer, reports) = Mailbox::new();
         if process::id() != self.pid {
-            answer.tell(Told::Over(Err(Failure::Forked)));
-        } else if let Some(doors) = &*lock(&self.doors) {
-            let _ = doors.stops.send(Stop { reason, answer });
+            answer.send(Report::Over(Err(Failure::Forked)));
+        } else if let Some(channels) = &*lock(&self.channels) {
+            let _ = channels.stops.send(Stop { reason, answer });
         }
-        told
+        reports
     }
 
-    /// Hears every status from now on.
-    pub(crate) fn listen(&self) -> Arc<Mailbox<Status>> {
-        let (teller, heard) = Mailbox::new();
-        lock(&self.ears).push(teller);
-        heard
+    /// Subscribes to all statuses from now on.
+    pub(crate) fn subscribe(&self) -> Arc<Mailbox<Status>> {
+        let (sender, statuses) = Mailbox::new();
+        lock(&self.subscribers).push(sender);
+        statuses
     }
 
-    /// Lets go of the arm and waits until that is done.
+    /// Disconnects and waits until that is done.
     pub(crate) fn close(&self) {
         if process::id() != self.pid {
             return;
         }
-        drop(lock(&self.doors).take());
+        drop(lock(&self.channels).take());
         let thread = lock(&self.thread).take();
         if let Some(thread) = thread {
             let _ = thread.join();
         }
-        lock(&self.ears).clear();
+        lock(&self.subscribers).clear();
     }
 }
 
-pub(crate) fn lock<T>(it: &Mutex<T>) -> MutexGuard<'_, T> {
-    it.lock().unwrap_or_else(PoisonError::into_inner)
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 fn run(
     at: Where,
     name: &str,
-    ears: &Ears,
+    subscribers: &Subscribers,
     mut jobs: UnboundedReceiver<Job>,
     stops: UnboundedReceiver<Stop>,
 ) {
@@ -198,14 +198,14 @@ fn run(
         .enable_all()
         .build();
     let served = match runtime {
-        Err(error) => Err(failed(format!("no runtime can be started: {error}"))),
+        Err(error) => Err(failed(format!("cannot start a runtime: {error}"))),
         Ok(runtime) => runtime.block_on(async {
             let power_up = match &at {
                 Where::Virtual(setup) => Some(setup.power_up),
                 Where::Station(_) | Where::Local(_) => None,
             };
             let client = connect(at, name).await?;
-            let session = Session::new(client, power_up, Arc::clone(ears));
+            let session = Session::new(client, power_up, Arc::clone(subscribers));
             session.serve(&mut jobs, stops).await;
             Ok(())
         }),
@@ -213,9 +213,9 @@ fn run(
     if let Err(failure) = served
         && let Some(job) = jobs.blocking_recv()
     {
-        job.answer.tell(Told::Over(Err(failure)));
+        job.answer.send(Report::Over(Err(failure)));
     }
-    lock(ears).clear();
+    lock(subscribers).clear();
 }
 
 async fn connect(at: Where, name: &str) -> Result<StationClient, Failure> {
@@ -230,7 +230,7 @@ async fn connect(at: Where, name: &str) -> Result<StationClient, Failure> {
             let found = search.find().await.map_err(|error| lost(&error, None))?;
             let address = found.ok_or_else(|| Failure::LinkLost {
                 text: "no station runs on this machine".to_owned(),
-                hint: Some("`dobot up` starts one".to_owned()),
+                hint: Some("start one with `dobot up`".to_owned()),
             })?;
             Ok(StationClient::connect(&address, name).await?)
         }

@@ -43,7 +43,7 @@ def test_a_program_is_done_as_often_as_asked() -> None:
         arm.run(program, from_step=2)
         assert arm.status().y_mm == pytest.approx(-60, abs=0.5)
         for wrong in (0, 3):
-            with pytest.raises(dobot.Refused, match="allowed is 1 to 2"):
+            with pytest.raises(dobot.Refused, match="allowed are 1 to 2"):
                 arm.run(program, from_step=wrong)
         for never in (0, -1, "sometimes"):
             with pytest.raises(ValueError, match="forever"):

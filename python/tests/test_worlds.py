@@ -46,16 +46,16 @@ def test_ink_is_where_the_plan_has_it(virtual_arm: dobot.Arm) -> None:
 @pytest.mark.dobot(world=DESK)
 def test_ink_that_is_elsewhere_or_missing_is_told_with_its_place(virtual_arm: dobot.Arm) -> None:
     dobot.assert_ink(virtual_arm, [])
-    with pytest.raises(AssertionError, match="ink is expected at .* and not any that there is"):
+    with pytest.raises(AssertionError, match="ink is expected at .* but there is no existing ink"):
         dobot.assert_ink(virtual_arm, [[(200, 0), (210, 0)]])
     virtual_arm.move_to(200, 0, -20)
     virtual_arm.move_to(200, 0, -40, path="movl")
     virtual_arm.move_to(220, 0, -40, path="movl")
     virtual_arm.move_to(220, 0, -20, path="movl")
     dobot.assert_ink(virtual_arm, [[(200, 0), (220, 0)]])
-    with pytest.raises(AssertionError, match=r"there is ink at \(220.*10\.\d+ mm from any that is expected"):
+    with pytest.raises(AssertionError, match=r"there is ink at \(220.*10\.\d+ mm from the nearest expected ink"):
         dobot.assert_ink(virtual_arm, [[(200, 0), (210, 0)]], within_mm=0.5)
-    with pytest.raises(AssertionError, match=r"ink is expected at \(240.*20\.\d+ mm from any that there is"):
+    with pytest.raises(AssertionError, match=r"ink is expected at \(240.*20\.\d+ mm from the nearest existing ink"):
         dobot.assert_ink(virtual_arm, [[(200, 0), (240, 0)]], within_mm=0.5)
 
 
@@ -100,7 +100,7 @@ def test_a_scene_file_is_read() -> None:
         assert arm.objects["coffee"].size_mm == (70, 70, 90)
     with pytest.raises(ValueError, match="line 2: width_mm"):
         dobot.connect("virtual:", world="[pen]\nwidth_mm = -1")
-    with dobot.connect("virtual:") as arm, pytest.raises(dobot.Failed, match="nothing is around"):
+    with dobot.connect("virtual:") as arm, pytest.raises(dobot.Failed, match="has no world"):
         arm.world()
     with pytest.raises(TypeError, match=r"\['drop=1%'\]"):
         dobot.connect("virtual:", faults="drop=1%")
@@ -171,7 +171,7 @@ def test_a_program_that_speaks_serial_moves_a_served_arm(served_arm: dobot.Serve
 def test_a_served_arm_can_be_had_by_anyone_who_speaks_tcp() -> None:
     with dobot.serve("specification", speed="max") as served:
         assert served.tcp.startswith("tcp:127.0.0.1:") and served.events == []
-        with pytest.raises(dobot.Failed, match="nothing is around"):
+        with pytest.raises(dobot.Failed, match="has no world"):
             served.world
     served.close()
     with pytest.raises(ValueError, match="max"):

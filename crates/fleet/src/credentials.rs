@@ -396,7 +396,7 @@ fn authority() -> CertificateParams {
 fn der(pem: &str) -> Result<Vec<u8>, CredentialsError> {
     let parsed = parse_x509_pem(pem.as_bytes());
     let unusable = |_| CredentialsError::Unusable("a certificate file is not in PEM format");
-    parsed.map(|(_, it)| it.contents).map_err(unusable)
+    parsed.map(|(_, pem)| pem.contents).map_err(unusable)
 }
 
 /// Returns the revoked certificates in a file if it has changed since `before`.

@@ -6,23 +6,23 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use dobot_api::{ApiAnswer, Member, MemberAbout, MemberAnswer};
 use dobot_host::StationHandle;
-use dobot_station::{FleetEnd, FleetPort, FleetWish, StationApi, UNSETTLED};
+use dobot_station::{FleetChannels, FleetCommand, FleetPort, StationApi, UNSETTLED};
 use tokio::sync::oneshot;
 use tokio::task::{JoinHandle, JoinSet};
 use tokio::time::{MissedTickBehavior, interval};
 use zenoh::sample::{Sample, SampleKind};
 
 use crate::CredentialsError;
-use crate::asking::{self, Answering, Way};
 use crate::config::{FleetConfig, FleetConfigError};
 use crate::identity::Identity;
-use crate::keys::{Alive, MESSAGES, MemberKey, TOLD};
+use crate::key_expressions::{Alive, MESSAGES, MemberKey, STATE};
 use crate::network::{Incoming, Network, Opening, ask_all, incoming};
+use crate::publisher::{self, Pace};
+use crate::requests::{self, Requester, Responder};
 use crate::roster::Roster;
 use crate::session::FleetSession;
-use crate::stops::{self, StopTelling};
-use crate::telling::{self, Pace};
-use crate::work::Working;
+use crate::stops::{self, StopExchange};
+use crate::work::WorkTasks;
 
 /// A station's membership in a fleet; the station leaves when this is dropped.
 #[derive(Debug)]
@@ -91,7 +91,7 @@ impl Fleet {
         let alive = Alive::signed(&own, identity, now_ms());
         let mut roster = Roster::new(own.clone());
         let at_s = api.handle().state().state().at_s;
-        roster.came(alive.clone(), Some(identity.own().clone()), at_s);
+        roster.handle_arrival(alive.clone(), Some(identity.own().clone()), at_s);
         let opening = Network::open(session.clone(), alive, roster.peers().clone());
         let mut opening: Opening = Box::pin(opening);
         if session.is_open() {
@@ -105,8 +105,8 @@ impl Fleet {
         end.is_settled.send_replace(false);
         let member = Joined {
             api: api.clone(),
-            stops: StopTelling::new(own.clone(), Duration::ZERO, SystemTime::now()),
-            telling_stops: JoinSet::new(),
+            stops: StopExchange::new(own.clone(), Duration::ZERO, SystemTime::now()),
+            stop_exchanges: JoinSet::new(),
             own,
             identity: identity.clone(),
             about: config.about.clone(),
@@ -114,8 +114,8 @@ impl Fleet {
             roster,
             network,
             work,
-            hearing: JoinSet::new(),
-            looking: Vec::new(),
+            state_queries: JoinSet::new(),
+            waiting: Vec::new(),
             pace: Pace::default(),
             since: (Instant::now(), at_s),
         };
@@ -144,8 +144,8 @@ fn now_ms() -> u64 {
 }
 
 /// Opens the jobs that were submitted before this start.
-fn open_work(config: &FleetConfig, api: &StationApi) -> Result<Working, FleetError> {
-    let opened = Working::open(config.work.as_deref());
+fn open_work(config: &FleetConfig, api: &StationApi) -> Result<WorkTasks, FleetError> {
+    let opened = WorkTasks::open(config.work.as_deref());
     let (work, wrong) = opened.map_err(|source| FleetError::Work {
         folder: config.work.clone().unwrap_or_default(),
         source,
@@ -163,20 +163,20 @@ struct Joined {
     own: MemberKey,
     identity: Arc<Identity>,
     about: MemberAbout,
-    end: FleetEnd,
+    end: FleetChannels,
     roster: Roster,
     /// Absent until the router is connected.
     network: Option<Network>,
     /// The jobs that were submitted here for any arm.
-    work: Working,
+    work: WorkTasks,
     /// The members to which the fleet's stops have to be sent, and when.
-    stops: StopTelling,
+    stops: StopExchange,
     /// In-flight exchanges of stops; each returns the members that did not answer.
-    telling_stops: JoinSet<Vec<MemberKey>>,
+    stop_exchanges: JoinSet<Vec<MemberKey>>,
     /// In-flight state queries to all members.
-    hearing: JoinSet<Vec<Sample>>,
+    state_queries: JoinSet<Vec<Sample>>,
     /// The callers that wait for these responses.
-    looking: Vec<oneshot::Sender<()>>,
+    waiting: Vec<oneshot::Sender<()>>,
     pace: Pace,
     /// When the station joined, by the system's and by its own clock.
     since: (Instant, f64),
@@ -184,7 +184,7 @@ struct Joined {
 
 impl Joined {
     async fn run(mut self, mut opening: Opening, mut leaving: oneshot::Receiver<()>) {
-        let answering = Answering::new(self.api.clone(), self.own.clone(), self.identity.clone());
+        let responder = Responder::new(self.api.clone(), self.own.clone(), self.identity.clone());
         let mut asking = JoinSet::new();
         let mut looks = interval(LOOK_EVERY);
         looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -202,45 +202,45 @@ impl Joined {
                     }
                 }
                 came = incoming(self.network.as_mut()) => match came {
-                    Incoming::Life(sample) => self.hear_of_lives(&sample),
+                    Incoming::Life(sample) => self.handle_presence(&sample),
                     Incoming::Asked(query) => {
-                        asking.spawn(answering.clone().answer(query));
+                        asking.spawn(responder.clone().answer(query));
                     }
                     Incoming::Sealed(query) => {
-                        asking.spawn(answering.clone().answer_sealed(query));
+                        asking.spawn(responder.clone().answer_sealed(query));
                     }
                     Incoming::Stops(query) => {
-                        asking.spawn(stops::answer(self.api.handle().clone(), answering.clone(), query));
+                        asking.spawn(stops::answer(self.api.handle().clone(), responder.clone(), query));
                     }
                     Incoming::About(query) => {
-                        let told = telling::told(&self.about, &self.api.handle().state());
+                        let message = publisher::state_message(&self.about, &self.api.handle().state());
                         if let Some(network) = &self.network {
-                            asking.spawn(network.answer_about(query, told));
+                            asking.spawn(network.answer_about(query, message));
                         }
                     }
-                    Incoming::Told(sample) => self.hear(&sample),
+                    Incoming::State(sample) => self.handle_state(&sample),
                 },
                 Some(wish) = self.end.wishes.recv() => match wish {
-                    FleetWish::Look(seen) => self.look(seen).await,
-                    FleetWish::Ask(ask) => {
-                        let way = self.network.as_ref().map(|network| network.way().clone());
+                    FleetCommand::Look(seen) => self.look(seen).await,
+                    FleetCommand::Ask(ask) => {
+                        let requester = self.network.as_ref().map(|network| network.requester().clone());
                         let api = self.api.clone();
-                        asking.spawn(async move { asking::ask(way.as_ref(), &api, ask).await });
+                        asking.spawn(async move { requests::ask(requester.as_ref(), &api, ask).await });
                     }
-                    FleetWish::TellStops(to, answers) => self.tell_stops(to, answers),
-                    FleetWish::Work(wish) => self.work.handle(wish),
+                    FleetCommand::SendStops(to, answers) => self.send_stops(to, answers),
+                    FleetCommand::Work(wish) => self.work.handle(wish),
                 },
                 Some(_) = asking.join_next() => {}
-                Some(silent) = self.telling_stops.join_next() => {
+                Some(silent) = self.stop_exchanges.join_next() => {
                     // The task does not panic.
                     for member in silent.unwrap_or_default() {
                         self.stops.handle_silent(&member, self.since.0.elapsed());
                     }
                 }
-                Some(heard) = self.hearing.join_next() => {
+                Some(samples) = self.state_queries.join_next() => {
                     // The task does not panic.
-                    for sample in &heard.unwrap_or_default() {
-                        self.hear(sample);
+                    for sample in &samples.unwrap_or_default() {
+                        self.handle_state(sample);
                     }
                     self.show_to_all();
                 }
@@ -255,11 +255,11 @@ impl Joined {
                 }
                 _ = &mut leaving => break,
             }
-            self.go_on_telling_stops();
+            self.exchange_due_stops();
             let held = self.held();
-            let way = self.network.as_ref().map(Network::way);
+            let requester = self.network.as_ref().map(Network::requester);
             let members = || self.roster.members();
-            self.work.go_on(way, &self.api, members, held);
+            self.work.start_due(requester, &self.api, members, held);
         }
         if let Some(network) = self.network {
             network.leave().await;
@@ -268,19 +268,19 @@ impl Joined {
 
     /// Handles an arrival or a departure, and those queued behind it: many come together when this
     /// station joins or a router returns.
-    fn hear_of_lives(&mut self, sample: &Sample) {
-        self.hear_of_life(sample);
+    fn handle_presence(&mut self, sample: &Sample) {
+        self.handle_life(sample);
         for _ in 0..LIVES_AT_ONCE {
             let Some(more) = self.network.as_mut().and_then(Network::poll_life) else {
                 break;
             };
-            self.hear_of_life(&more);
+            self.handle_life(&more);
         }
         self.show();
     }
 
     /// Handles an arrival or a departure.
-    fn hear_of_life(&mut self, sample: &Sample) {
+    fn handle_life(&mut self, sample: &Sample) {
         let Some(alive) = Alive::of(sample.key_expr().as_str()) else {
             return;
         };
@@ -301,10 +301,11 @@ impl Joined {
                     }
                 };
                 if alive.messages == MESSAGES {
-                    self.stops.came(&alive.member, self.since.0.elapsed());
+                    self.stops
+                        .handle_arrival(&alive.member, self.since.0.elapsed());
                 }
                 let was_full = self.roster.is_full();
-                self.roster.came(alive, peer, at_s);
+                self.roster.handle_arrival(alive, peer, at_s);
                 if self.roster.is_full() && !was_full {
                     let many =
                         "the fleet has more stations than this one can track; some are not shown";
@@ -313,14 +314,14 @@ impl Joined {
             }
             SampleKind::Delete if alive.member == self.own => {}
             SampleKind::Delete => {
-                self.stops.went(&alive.member);
-                self.roster.went(&alive);
+                self.stops.handle_departure(&alive.member);
+                self.roster.handle_departure(&alive);
             }
         }
     }
 
     /// Sends the stops of the fleet to the members that joined or returned.
-    fn go_on_telling_stops(&mut self) {
+    fn exchange_due_stops(&mut self) {
         let now = self.since.0.elapsed();
         self.stops.handle_time(now, SystemTime::now());
         let is_settled = self.stops.is_settled(now);
@@ -329,9 +330,9 @@ impl Joined {
             was_settled != is_settled
         });
         while let Some(member) = self.stops.poll_due(now) {
-            let (way, handle) = self.to_tell();
-            self.telling_stops.spawn(async move {
-                let answer = stops::exchange(way.as_ref(), &handle, &member).await;
+            let (requester, handle) = self.to_tell();
+            self.stop_exchanges.spawn(async move {
+                let answer = stops::exchange(requester.as_ref(), &handle, &member).await;
                 Some(member)
                     .filter(|_| !answer.is_success())
                     .into_iter()
@@ -341,11 +342,11 @@ impl Joined {
     }
 
     /// Sends the stops of the fleet to these members immediately.
-    fn tell_stops(&mut self, to: Vec<Arc<Member>>, answers: oneshot::Sender<Vec<MemberAnswer>>) {
-        let mut telling = JoinSet::new();
+    fn send_stops(&mut self, to: Vec<Arc<Member>>, answers: oneshot::Sender<Vec<MemberAnswer>>) {
+        let mut exchanges = JoinSet::new();
         for member in to {
-            let (way, handle) = self.to_tell();
-            telling.spawn(async move {
+            let (requester, handle) = self.to_tell();
+            exchanges.spawn(async move {
                 let began = Instant::now();
                 let key = MemberKey {
                     name: member.name.clone(),
@@ -357,7 +358,7 @@ impl Joined {
                         body: serde_json::json!({}),
                     }
                 } else {
-                    stops::exchange(way.as_ref(), &handle, &key).await
+                    stops::exchange(requester.as_ref(), &handle, &key).await
                 };
                 let answer = MemberAnswer {
                     member: key.name.clone(),
@@ -368,8 +369,8 @@ impl Joined {
                 (key, answer)
             });
         }
-        self.telling_stops.spawn(async move {
-            let mut answered = telling.join_all().await;
+        self.stop_exchanges.spawn(async move {
+            let mut answered = exchanges.join_all().await;
             answered.sort_by(|one, other| one.0.cmp(&other.0));
             let silent = answered.iter().filter(|entry| !entry.1.answer.is_success());
             let silent = silent.map(|entry| entry.0.clone()).collect();
@@ -379,9 +380,9 @@ impl Joined {
         });
     }
 
-    fn to_tell(&self) -> (Option<Way>, StationHandle) {
-        let way = self.network.as_ref().map(Network::way).cloned();
-        (way, self.api.handle().clone())
+    fn to_tell(&self) -> (Option<Requester>, StationHandle) {
+        let requester = self.network.as_ref().map(Network::requester).cloned();
+        (requester, self.api.handle().clone())
     }
 
     /// Returns the reason why no job is offered from here at present.
@@ -406,14 +407,14 @@ impl Joined {
     }
 
     /// Handles a published state.
-    fn hear(&mut self, sample: &Sample) {
-        let Some(member) = MemberKey::of_resource(sample.key_expr().as_str(), TOLD) else {
+    fn handle_state(&mut self, sample: &Sample) {
+        let Some(member) = MemberKey::of_resource(sample.key_expr().as_str(), STATE) else {
             return;
         };
-        let signed = sample.attachment().map(|attachment| attachment.to_bytes());
-        let (told, signed) = (sample.payload().to_bytes(), signed.unwrap_or_default());
+        let signature = sample.attachment().map(|attachment| attachment.to_bytes());
+        let (report, signature) = (sample.payload().to_bytes(), signature.unwrap_or_default());
         let at_s = self.at_s();
-        if let Err(why) = self.roster.hear(&member, &told, &signed, at_s) {
+        if let Err(why) = self.roster.handle_state(&member, &report, &signature, at_s) {
             let name = member.name;
             tracing::info!(name, why, "ignored the published state of a station");
         }
@@ -421,25 +422,26 @@ impl Joined {
 
     /// Queries the state of all members for a caller. Does not delay stops.
     async fn look(&mut self, seen: oneshot::Sender<()>) {
-        self.looking.push(seen);
+        self.waiting.push(seen);
         if let Some(network) = &mut self.network
             && network.follow().await
         {
-            self.hearing.spawn(ask_all(network.way().session.clone()));
+            self.state_queries
+                .spawn(ask_all(network.requester().session.clone()));
         }
-        if self.hearing.is_empty() {
+        if self.state_queries.is_empty() {
             self.show_to_all();
         }
     }
 
     /// Publishes the members to the waiting callers.
     fn show_to_all(&mut self) {
-        let own = telling::told(&self.about, &self.api.handle().state());
-        if let Ok(told) = serde_json::from_slice(&own) {
-            self.roster.told(&self.own.clone(), told, self.at_s());
+        let own = publisher::state_message(&self.about, &self.api.handle().state());
+        if let Ok(report) = serde_json::from_slice(&own) {
+            self.roster.store(&self.own.clone(), report, self.at_s());
         }
         self.show();
-        for seen in self.looking.drain(..) {
+        for seen in self.waiting.drain(..) {
             // The caller may be gone.
             let _ = seen.send(());
         }
@@ -465,12 +467,12 @@ impl Joined {
         let network = self.network.as_ref().filter(|_| is_due);
         let network = network.filter(|network| network.is_followed());
         if is_due && (is_watched || network.is_some()) {
-            let own = telling::told(&self.about, &state);
-            if is_watched && let Ok(told) = serde_json::from_slice(&own) {
-                self.roster.told(&self.own.clone(), told, self.at_s());
+            let own = publisher::state_message(&self.about, &state);
+            if is_watched && let Ok(report) = serde_json::from_slice(&own) {
+                self.roster.store(&self.own.clone(), report, self.at_s());
             }
             if let Some(network) = network {
-                network.tell(own);
+                network.publish(own);
             }
         }
         if is_watched {

@@ -47,20 +47,20 @@
 //!
 //! `2` is the version of these messages ([`MESSAGES`]), `VERSION` that of the program.
 
-mod asking;
 mod config;
 mod credentials;
 mod id;
 mod identity;
 mod join;
-mod keys;
+mod key_expressions;
 mod network;
+mod publisher;
+mod requests;
 mod roster;
 mod router;
 mod sealing;
 mod session;
 mod stops;
-mod telling;
 pub mod together;
 mod virtual_arms;
 mod work;
@@ -69,7 +69,7 @@ pub use config::{FleetConfig, FleetConfigError};
 pub use credentials::{Credentials, CredentialsError, Holder};
 pub use id::{IdError, own_id};
 pub use join::{Fleet, FleetError};
-pub use keys::MESSAGES;
+pub use key_expressions::MESSAGES;
 pub use router::Router;
 pub use session::FleetSession;
 pub use virtual_arms::{VirtualArms, VirtualArmsConfig, page_of};

@@ -13,14 +13,14 @@ use zenoh::sample::Sample;
 use zenoh::{Session, Wait};
 
 use crate::FleetError;
-use crate::asking::{self, Peers, Way};
-use crate::keys::{ALL_ALIVE, API, Alive, SEALED, STOPS, TOLD, of_all};
+use crate::key_expressions::{ALL_ALIVE, API, Alive, SEALED, STATE, STOPS, of_all};
+use crate::publisher::StateSigner;
+use crate::requests::{self, Peers, Requester};
 use crate::session::FleetSession;
-use crate::telling::Teller;
 
 /// The connection to the other members.
 pub(crate) struct Network {
-    way: Way,
+    requester: Requester,
     /// Arrivals and departures. Unbounded, since stations of this program may share the session.
     lives: mpsc::UnboundedReceiver<Sample>,
     /// Stops, and stops of the fleet: they do not wait for other requests.
@@ -30,8 +30,8 @@ pub(crate) struct Network {
     /// The published states of the members, while somebody watches.
     others: Option<Others>,
     /// Publishes this station's state.
-    telling: Publisher<'static>,
-    teller: Teller,
+    publisher: Publisher<'static>,
+    signer: StateSigner,
     /// The liveliness token and the resources of this station.
     declared: (LivelinessToken, [Queryable<()>; 4], Subscriber<()>),
 }
@@ -47,7 +47,7 @@ pub(crate) enum Incoming {
     Stops(Query),
     /// A query for this station's state.
     About(Query),
-    Told(Sample),
+    StateReport(Sample),
 }
 
 /// The timeout for state queries.
@@ -56,7 +56,7 @@ const TELL_WITHIN: Duration = Duration::from_secs(1);
 const FOLLOW_FOR: Duration = Duration::from_secs(10);
 /// The capacity of the queue of published states; beyond it the oldest is dropped, since each
 /// member publishes every second.
-const TOLD_AT_ONCE: usize = 4096;
+const STATES_AT_ONCE: usize = 4096;
 /// The capacity of the request queue; requests beyond it get no response.
 const REQUESTS_AT_ONCE: usize = 256;
 
@@ -68,18 +68,18 @@ impl Network {
         alive: Alive,
         peers: Peers,
     ) -> Result<Self, FleetError> {
-        let way = Way {
+        let requester = Requester {
             session: session.opened().await?,
             identity: session.identity().clone(),
             peers,
         };
-        let declared = Self::declare(way, alive).await;
+        let declared = Self::declare(requester, alive).await;
         declared.map_err(|error| FleetError::zenoh(&error))
     }
 
-    async fn declare(way: Way, alive: Alive) -> Result<Self, zenoh::Error> {
-        let (session, own) = (&way.session, &alive.member);
-        let teller = Teller::new(way.identity.clone(), own.clone(), alive.run);
+    async fn declare(requester: Requester, alive: Alive) -> Result<Self, zenoh::Error> {
+        let (session, own) = (&requester.session, &alive.member);
+        let signer = StateSigner::new(requester.identity.clone(), own.clone(), alive.run);
         let (tells, lives) = mpsc::unbounded_channel();
         let liveliness = session.liveliness();
         let others = liveliness.declare_subscriber(ALL_ALIVE).history(true);
@@ -95,7 +95,7 @@ impl Network {
             let (to_urgent, to_requests) = (to_urgent.clone(), to_requests.clone());
             let queryable = session.declare_queryable(own.resource(what));
             let queryable = queryable.callback(move |query| {
-                let is_urgent = what == STOPS || (what == API && asking::asks_to_stop(&query));
+                let is_urgent = what == STOPS || (what == API && requests::asks_to_stop(&query));
                 let queue = if is_urgent { &to_urgent } else { &to_requests };
                 if queue.try_send(put(query)).is_err() {
                     tracing::info!(what, "dropped a request of the fleet: the queue is full");
@@ -107,25 +107,25 @@ impl Network {
             queue(API, Incoming::Asked).await?,
             queue(SEALED, Incoming::Sealed).await?,
             queue(STOPS, Incoming::Stops).await?,
-            queue(TOLD, Incoming::About).await?,
+            queue(STATE, Incoming::About).await?,
         ];
-        let telling = session.declare_publisher(own.resource(TOLD)).await?;
+        let publisher = session.declare_publisher(own.resource(STATE)).await?;
         let token = liveliness.declare_token(alive.key()).await?;
         Ok(Self {
-            way,
+            requester,
             lives,
             urgent,
             requests,
             others: None,
-            telling,
-            teller,
+            publisher,
+            signer,
             declared: (token, queryables, others),
         })
     }
 
     /// Returns the session and identity for requests.
-    pub(crate) const fn way(&self) -> &Way {
-        &self.way
+    pub(crate) const fn requester(&self) -> &Requester {
+        &self.requester
     }
 
     /// Returns the next message.
@@ -134,7 +134,7 @@ impl Network {
             Some(request) = self.urgent.recv() => request,
             Some(sample) = self.lives.recv() => Incoming::Life(sample),
             Some(request) = self.requests.recv() => request,
-            Ok(sample) = told(self.others.as_ref()) => Incoming::Told(sample),
+            Ok(sample) = next_state(self.others.as_ref()) => Incoming::State(sample),
             else => std::future::pending().await,
         }
     }
@@ -151,10 +151,10 @@ impl Network {
             others.looked = looked;
             return false;
         }
-        let told = self.way.session.declare_subscriber(of_all(TOLD));
-        let told = told.with(RingChannel::new(TOLD_AT_ONCE)).await;
+        let states = self.requester.session.declare_subscriber(of_all(STATE));
+        let states = states.with(RingChannel::new(STATES_AT_ONCE)).await;
         // Without a network there are no other members.
-        self.others = told.ok().map(|told| Others { told, looked });
+        self.others = states.ok().map(|states| Others { states, looked });
         true
     }
 
@@ -169,15 +169,15 @@ impl Network {
 
     /// Whether anybody subscribes to this station's state.
     pub(crate) fn is_followed(&self) -> bool {
-        let status = self.telling.matching_status().wait();
+        let status = self.publisher.matching_status().wait();
         // If that is unknown, assume a subscriber.
         status.map_or(true, |status| status.matching())
     }
 
     /// Publishes this station's state.
-    pub(crate) fn tell(&self, told: Vec<u8>) {
-        let signed = self.teller.sign(&told);
-        if let Err(error) = self.telling.put(told).attachment(signed).wait() {
+    pub(crate) fn publish(&self, state: Vec<u8>) {
+        let signature = self.signer.sign(&state);
+        if let Err(error) = self.publisher.put(state).attachment(signature).wait() {
             tracing::info!(%error, "cannot publish the state to the fleet");
         }
     }
@@ -186,12 +186,12 @@ impl Network {
     pub(crate) fn answer_about(
         &self,
         query: Query,
-        told: Vec<u8>,
+        state: Vec<u8>,
     ) -> impl Future<Output = ()> + Send + 'static {
-        let signed = self.teller.sign(&told);
-        let key = self.telling.key_expr().clone();
+        let signature = self.signer.sign(&state);
+        let key = self.publisher.key_expr().clone();
         async move {
-            let reply = query.reply(key, told).attachment(signed);
+            let reply = query.reply(key, state).attachment(signature);
             if let Err(error) = reply.await {
                 tracing::info!(%error, "cannot send a response to the fleet");
             }
@@ -208,7 +208,7 @@ impl Network {
 
 /// The subscription to the members' states.
 struct Others {
-    told: Subscriber<RingChannelHandler<Sample>>,
+    states: Subscriber<RingChannelHandler<Sample>>,
     /// When it was last used.
     looked: Instant,
 }
@@ -216,22 +216,22 @@ struct Others {
 /// Queries the state of all members, and waits until those present have answered.
 pub(crate) async fn ask_all(session: Session) -> Vec<Sample> {
     let replies = session
-        .get(of_all(TOLD))
+        .get(of_all(STATE))
         .target(QueryTarget::All)
         .consolidation(ConsolidationMode::None)
         .timeout(TELL_WITHIN)
         .await;
-    let mut heard = Vec::new();
+    let mut samples = Vec::new();
     if let Ok(replies) = replies {
         // A member that does not answer delays the others no longer than this.
         let _ = timeout(TELL_WITHIN, async {
             while let Ok(reply) = replies.recv_async().await {
-                heard.extend(reply.into_result());
+                samples.extend(reply.into_result());
             }
         })
         .await;
     }
-    heard
+    samples
 }
 
 /// Returns the next message of a connected network.
@@ -243,9 +243,9 @@ pub(crate) async fn incoming(network: Option<&mut Network>) -> Incoming {
 }
 
 /// Returns the next published state; never, without a subscription.
-async fn told(others: Option<&Others>) -> Result<Sample, zenoh::Error> {
+async fn next_state(others: Option<&Others>) -> Result<Sample, zenoh::Error> {
     match others {
-        Some(others) => others.told.recv_async().await,
+        Some(others) => others.states.recv_async().await,
         None => std::future::pending().await,
     }
 }

@@ -9,14 +9,14 @@ use dobot_api::{Member, MemberAbout, Presence, Problem, State};
 use dobot_station::Members;
 use serde::{Deserialize, Serialize};
 
-use crate::asking::Peers;
 use crate::identity::Peer;
-use crate::keys::{Alive, MESSAGES, MemberKey};
-use crate::telling;
+use crate::key_expressions::{Alive, MESSAGES, MemberKey};
+use crate::publisher;
+use crate::requests::Peers;
 
 /// The published description and state of a station.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Told {
+pub(crate) struct StateReport {
     pub(crate) about: MemberAbout,
     pub(crate) state: Option<Box<State>>,
 }
@@ -25,7 +25,7 @@ pub(crate) struct Told {
 #[derive(Debug)]
 pub(crate) struct Roster {
     own: MemberKey,
-    seen: BTreeMap<MemberKey, Seen>,
+    seen: BTreeMap<MemberKey, KnownStation>,
     /// The members, cached until a change.
     members: Option<Members>,
     /// Whether stations were left out for lack of space.
@@ -36,17 +36,17 @@ pub(crate) struct Roster {
 
 /// A station that has been seen.
 #[derive(Debug)]
-struct Seen {
+struct KnownStation {
     member: Arc<Member>,
     /// Its liveliness token, while it exists.
     alive: Option<Alive>,
     /// The signer of the token; absent with other versions of the messages.
     peer: Option<Arc<Peer>>,
     /// The sequence number of its last published state.
-    told: u64,
+    last_state: u64,
 }
 
-impl Seen {
+impl KnownStation {
     /// Returns how strong the station's claim to its name is: strongest with a certificate for it,
     /// weakest without a certificate.
     fn claim(&self) -> Claim {
@@ -109,11 +109,11 @@ impl Roster {
 
     /// Handles an arrival, with the certificate that signed it; none with other versions of the
     /// messages.
-    pub(crate) fn came(&mut self, alive: Alive, peer: Option<Arc<Peer>>, at_s: f64) {
+    pub(crate) fn handle_arrival(&mut self, alive: Alive, peer: Option<Arc<Peer>>, at_s: f64) {
         let key = alive.member.clone();
         let claims = claim(peer.as_deref(), &key.name);
         // A token of another signer or of an earlier start is ignored.
-        let is_passed_over = |seen: &Seen| {
+        let is_passed_over = |seen: &KnownStation| {
             let is_others = claims == Claim::Given && seen.peer != peer;
             let last = seen.alive.as_ref().map(|alive| alive.run);
             let is_old = seen.claim() == claims && last.is_some_and(|run| run > alive.run);
@@ -128,21 +128,24 @@ impl Roster {
         }
         self.members = None;
         let here = key == self.own;
-        let seen = self.seen.entry(key.clone()).or_insert_with(|| Seen {
-            member: Arc::new(Member {
-                name: key.name.clone(),
-                id: key.id.clone(),
-                here,
-                presence: Presence::Away,
-                heard_at_s: at_s,
-                about: None,
-                state: None,
-            }),
-            alive: None,
-            peer: None,
-            told: 0,
-        });
-        seen.told = 0;
+        let seen = self
+            .seen
+            .entry(key.clone())
+            .or_insert_with(|| KnownStation {
+                member: Arc::new(Member {
+                    name: key.name.clone(),
+                    id: key.id.clone(),
+                    here,
+                    presence: Presence::Away,
+                    heard_at_s: at_s,
+                    about: None,
+                    state: None,
+                }),
+                alive: None,
+                peer: None,
+                last_state: 0,
+            });
+        seen.last_state = 0;
         seen.alive = Some(alive);
         seen.peer.clone_from(&peer);
         Arc::make_mut(&mut seen.member).heard_at_s = at_s;
@@ -150,13 +153,13 @@ impl Roster {
             self.known().insert(key.clone(), peer);
         }
         // A replaced station of the same name is not reported as away.
-        let replaced = |(it, seen): &(&MemberKey, &mut Seen)| {
-            **it != key && seen.alive.is_none() && **it != self.own && seen.claim() <= claims
+        let replaced = |(other, seen): &(&MemberKey, &mut KnownStation)| {
+            **other != key && seen.alive.is_none() && **other != self.own && seen.claim() <= claims
         };
         let replaced = self.seen.range_mut(of_name(&key.name)).filter(replaced);
-        let replaced: Vec<_> = replaced.map(|(it, _)| it.clone()).collect();
-        for it in replaced {
-            self.forget(&it);
+        let replaced: Vec<_> = replaced.map(|(other, _)| other.clone()).collect();
+        for other in replaced {
+            self.forget(&other);
         }
         self.judge(&key.name);
     }
@@ -173,7 +176,7 @@ impl Roster {
     /// Makes room for one more station: drops one of another message version or one that is away. A
     /// certificate cannot take the room of all others.
     fn makes_room(&mut self, peer: Option<&Peer>) -> bool {
-        let by_same = |seen: &&Seen| seen.peer.as_deref() == peer;
+        let by_same = |seen: &&KnownStation| seen.peer.as_deref() == peer;
         if peer.is_some() && self.seen.values().filter(by_same).count() >= MOST_OF_ONE {
             return false;
         }
@@ -181,9 +184,9 @@ impl Roster {
             return true;
         }
         self.is_full = true;
-        let is_other = |entry: &Seen| peer.is_some() && entry.peer.is_none();
+        let is_other = |entry: &KnownStation| peer.is_some() && entry.peer.is_none();
         let old = self.seen.iter();
-        let mut old = old.filter(|(_, it)| it.alive.is_none() || is_other(it));
+        let mut old = old.filter(|(_, station)| station.alive.is_none() || is_other(station));
         let Some(old) = old.next().map(|(key, _)| key.clone()) else {
             return false;
         };
@@ -193,7 +196,7 @@ impl Roster {
 
     /// Handles a departure, if the token is the current one. A hosted virtual arm is not reported
     /// as away: it ends when it is unused.
-    pub(crate) fn went(&mut self, alive: &Alive) {
+    pub(crate) fn handle_departure(&mut self, alive: &Alive) {
         let member = &alive.member;
         let seen = self.seen.get_mut(member);
         if let Some(seen) = seen.filter(|seen| seen.alive.as_ref() == Some(alive)) {
@@ -208,11 +211,12 @@ impl Roster {
 
     /// Forgets the stations whose certificates are no longer valid; `counts` decides.
     pub(crate) fn forget_strangers(&mut self, counts: impl Fn(&Peer) -> bool) {
-        let is_stranger = |seen: &Seen| seen.peer.as_deref().is_some_and(|peer| !counts(peer));
+        let is_stranger =
+            |seen: &KnownStation| seen.peer.as_deref().is_some_and(|peer| !counts(peer));
         let strangers = self
             .seen
             .iter()
-            .filter(|(key, it)| **key != self.own && is_stranger(it));
+            .filter(|(key, station)| **key != self.own && is_stranger(station));
         let strangers: Vec<_> = strangers.map(|(key, _)| key.clone()).collect();
         for member in strangers {
             self.members = None;
@@ -223,11 +227,11 @@ impl Roster {
 
     /// Handles a published state and its signature. Replays and states of other signers are
     /// ignored.
-    pub(crate) fn hear(
+    pub(crate) fn handle_state(
         &mut self,
         member: &MemberKey,
-        told: &[u8],
-        signed: &[u8],
+        report: &[u8],
+        signature: &[u8],
         at_s: f64,
     ) -> Result<(), String> {
         let seen = self.seen.get(member);
@@ -236,21 +240,21 @@ impl Roster {
         else {
             return Ok(());
         };
-        let number = telling::number_of(peer, member, alive.run, told, signed);
+        let number = publisher::number_of(peer, member, alive.run, report, signature);
         let number = number.ok_or("its signature is invalid")?;
-        if seen.is_some_and(|seen| seen.told >= number) {
+        if seen.is_some_and(|seen| seen.last_state >= number) {
             return Err("it is a replay".into());
         }
-        let read = telling::read(told, &member.name, &peer.name)?;
-        self.told(member, read, at_s);
+        let read = publisher::read(report, &member.name, &peer.name)?;
+        self.store(member, read, at_s);
         if let Some(seen) = self.seen.get_mut(member) {
-            seen.told = number;
+            seen.last_state = number;
         }
         Ok(())
     }
 
     /// Stores the published state of a station that is present.
-    pub(crate) fn told(&mut self, member: &MemberKey, told: Told, at_s: f64) {
+    pub(crate) fn store(&mut self, member: &MemberKey, report: StateReport, at_s: f64) {
         let Some(seen) = self
             .seen
             .get_mut(member)
@@ -261,18 +265,18 @@ impl Roster {
         self.members = None;
         let member = Arc::make_mut(&mut seen.member);
         member.heard_at_s = at_s;
-        member.about = Some(told.about);
-        if told.state.is_some() {
-            member.state = told.state;
+        member.about = Some(report.about);
+        if report.state.is_some() {
+            member.state = report.state;
         }
     }
 
     /// Updates the presence of the stations of a name, after an arrival or departure.
     fn judge(&mut self, name: &str) {
-        let all = || self.seen.range(of_name(name)).map(|(_, it)| it);
+        let all = || self.seen.range(of_name(name)).map(|(_, station)| station);
         // The name belongs to the holder of its certificate, also while the holder is away.
-        let best = all().map(Seen::claim).max();
-        let is_best = |seen: &&Seen| seen.alive.is_some() && Some(seen.claim()) == best;
+        let best = all().map(KnownStation::claim).max();
+        let is_best = |seen: &&KnownStation| seen.alive.is_some() && Some(seen.claim()) == best;
         let claim = all().filter(is_best).count();
         for (_, seen) in self.seen.range_mut(of_name(name)) {
             let is_best = Some(seen.claim()) == best;
@@ -333,7 +337,7 @@ mod tests {
     use super::*;
     use crate::Credentials;
     use crate::identity::Identity;
-    use crate::telling::Teller;
+    use crate::publisher::StateSigner;
 
     fn key(name: &str, digit: char) -> MemberKey {
         MemberKey {
@@ -364,34 +368,34 @@ mod tests {
     }
 
     /// Adds a station with a certificate for its name.
-    fn came(roster: &mut Roster, member: MemberKey, at_s: f64) {
+    fn handle_arrival(roster: &mut Roster, member: MemberKey, at_s: f64) {
         let peer = peer(&member.name);
-        roster.came(alive(member), Some(peer), at_s);
+        roster.handle_arrival(alive(member), Some(peer), at_s);
     }
 
     fn roster() -> Roster {
         let mut roster = Roster::new(key("desk-1", 'a'));
-        came(&mut roster, key("desk-1", 'a'), 0.0);
+        handle_arrival(&mut roster, key("desk-1", 'a'), 0.0);
         roster
     }
 
     fn presences(roster: &mut Roster) -> Vec<(String, Presence)> {
         let members = roster.members();
-        let told = |member: &Arc<Member>| (member.name.clone(), member.presence.clone());
-        members.iter().map(told).collect()
+        let presence = |member: &Arc<Member>| (member.name.clone(), member.presence.clone());
+        members.iter().map(presence).collect()
     }
 
     #[test]
     fn a_station_that_went_is_shown_as_away_and_one_that_comes_again_as_present() {
         let mut roster = roster();
-        came(&mut roster, key("desk-2", 'b'), 1.0);
-        roster.went(&alive(key("desk-2", 'b')));
+        handle_arrival(&mut roster, key("desk-2", 'b'), 1.0);
+        roster.handle_departure(&alive(key("desk-2", 'b')));
         let away = [("desk-1", Presence::Present), ("desk-2", Presence::Away)];
         assert_eq!(
             presences(&mut roster),
-            away.map(|(it, how)| (it.into(), how))
+            away.map(|(name, how)| (name.into(), how))
         );
-        came(&mut roster, key("desk-2", 'b'), 2.0);
+        handle_arrival(&mut roster, key("desk-2", 'b'), 2.0);
         assert_eq!(presences(&mut roster)[1].1, Presence::Present);
         assert!(roster.members()[0].here && !roster.members()[1].here);
     }
@@ -400,7 +404,7 @@ mod tests {
     fn of_two_stations_of_one_name_none_is_asked_until_one_is_left() {
         let mut roster = roster();
         for digit in ['b', 'c'] {
-            came(&mut roster, key("desk-2", digit), 1.0);
+            handle_arrival(&mut roster, key("desk-2", digit), 1.0);
         }
         for (_, presence) in &presences(&mut roster)[1..] {
             let Presence::Refused { problem } = presence else {
@@ -408,7 +412,7 @@ mod tests {
             };
             assert_eq!(problem.detail, "2 stations use the name desk-2");
         }
-        roster.went(&alive(key("desk-2", 'b')));
+        roster.handle_departure(&alive(key("desk-2", 'b')));
         let left = roster.members();
         let ids: Vec<_> = left
             .iter()
@@ -420,9 +424,9 @@ mod tests {
     #[test]
     fn a_station_that_takes_the_place_of_one_that_is_away_is_the_only_one_of_its_name() {
         let mut roster = roster();
-        came(&mut roster, key("desk-2", 'b'), 1.0);
-        roster.went(&alive(key("desk-2", 'b')));
-        came(&mut roster, key("desk-2", 'c'), 2.0);
+        handle_arrival(&mut roster, key("desk-2", 'b'), 1.0);
+        roster.handle_departure(&alive(key("desk-2", 'b')));
+        handle_arrival(&mut roster, key("desk-2", 'c'), 2.0);
         assert_eq!(presences(&mut roster).len(), 2);
     }
 
@@ -433,7 +437,7 @@ mod tests {
             messages: 9,
             ..alive(key("desk-2", 'b'))
         };
-        roster.came(newer, None, 1.0);
+        roster.handle_arrival(newer, None, 1.0);
         let Presence::Refused { problem } = &roster.members()[1].presence else {
             panic!("{:?}", roster.members()[1]);
         };
@@ -450,17 +454,17 @@ mod tests {
     #[test]
     fn what_is_told_is_kept_of_those_who_are_there_and_of_nobody_else() {
         let mut roster = roster();
-        let told = |group: &str| Told {
+        let report = |group: &str| StateReport {
             about: MemberAbout {
                 groups: vec![group.into()],
                 ..MemberAbout::default()
             },
             state: None,
         };
-        roster.told(&key("desk-2", 'b'), told("room-1"), 1.0);
+        roster.store(&key("desk-2", 'b'), report("room-1"), 1.0);
         assert_eq!(roster.members().len(), 1);
-        came(&mut roster, key("desk-2", 'b'), 2.0);
-        roster.told(&key("desk-2", 'b'), told("room-1"), 3.0);
+        handle_arrival(&mut roster, key("desk-2", 'b'), 2.0);
+        roster.store(&key("desk-2", 'b'), report("room-1"), 3.0);
         let member = &roster.members()[1];
         assert_eq!(member.heard_at_s, 3.0);
         assert_eq!(
@@ -472,17 +476,17 @@ mod tests {
     #[test]
     fn a_station_with_a_wrong_clock_is_heard_when_it_is_heard() {
         let mut roster = roster();
-        came(&mut roster, key("desk-2", 'b'), 2.0);
+        handle_arrival(&mut roster, key("desk-2", 'b'), 2.0);
         for at_s in [-1e9, 1e12] {
             let state = State {
                 at_s,
                 ..State::sample()
             };
-            let told = Told {
+            let report = StateReport {
                 about: MemberAbout::default(),
                 state: Some(Box::new(state)),
             };
-            roster.told(&key("desk-2", 'b'), told, 3.0);
+            roster.store(&key("desk-2", 'b'), report, 3.0);
             let member = &roster.members()[1];
             assert_eq!(member.heard_at_s, 3.0);
             assert_eq!(member.presence, Presence::Present);
@@ -495,10 +499,10 @@ mod tests {
         let rogue = Some(peer("desk-9"));
         for number in 0..5000 {
             let fake = alive(key(&format!("fake-{number}"), 'f'));
-            roster.came(fake, rogue.clone(), 1.0);
+            roster.handle_arrival(fake, rogue.clone(), 1.0);
         }
         assert_eq!(roster.members().len(), 1 + MOST_OF_ONE);
-        came(&mut roster, key("desk-2", 'b'), 2.0);
+        handle_arrival(&mut roster, key("desk-2", 'b'), 2.0);
         let there =
             |member: &&Arc<Member>| member.name == "desk-2" && member.presence == Presence::Present;
         assert!(roster.members().iter().any(|member| there(&member)));
@@ -513,13 +517,13 @@ mod tests {
                 messages: 9,
                 ..alive(key(&format!("flood-{number}"), 'f'))
             };
-            roster.came(other, None, 1.0);
+            roster.handle_arrival(other, None, 1.0);
         }
         assert_eq!(roster.members().len(), MOST);
         assert!(roster.is_full());
         assert!(roster.members().iter().any(|member| member.here));
         // They make room for a station with a certificate.
-        came(&mut roster, key("late", 'e'), 2.0);
+        handle_arrival(&mut roster, key("late", 'e'), 2.0);
         assert!(roster.members().iter().any(|member| member.name == "late"));
         assert_eq!(roster.members().len(), MOST);
     }
@@ -528,10 +532,10 @@ mod tests {
     fn a_name_is_that_of_its_certificate_and_others_who_take_it_are_refused() {
         let mut roster = roster();
         let rogue = Some(peer("desk-9"));
-        came(&mut roster, key("desk-2", 'b'), 1.0);
-        roster.came(alive(key("desk-2", 'f')), rogue.clone(), 2.0);
+        handle_arrival(&mut roster, key("desk-2", 'b'), 1.0);
+        roster.handle_arrival(alive(key("desk-2", 'f')), rogue.clone(), 2.0);
         // Also in the place of the station itself.
-        roster.came(alive(key("desk-2", 'b')), rogue.clone(), 2.0);
+        roster.handle_arrival(alive(key("desk-2", 'b')), rogue.clone(), 2.0);
         let presences: Vec<_> = presences(&mut roster);
         assert_eq!(presences[1].1, Presence::Present);
         let Presence::Refused { problem } = &presences[2].1 else {
@@ -544,8 +548,8 @@ mod tests {
             "{problem:?}"
         );
         // It stays so while the station is away.
-        roster.went(&alive(key("desk-2", 'b')));
-        roster.came(alive(key("desk-2", 'f')), rogue, 3.0);
+        roster.handle_departure(&alive(key("desk-2", 'b')));
+        roster.handle_arrival(alive(key("desk-2", 'f')), rogue, 3.0);
         let there = roster.members();
         let is_asked =
             |member: &Arc<Member>| member.name == "desk-2" && member.presence == Presence::Present;
@@ -560,9 +564,10 @@ mod tests {
             Arc::new(certificate("desk-9")),
         );
         let member = key("desk-2", 'b');
-        roster.came(alive(member.clone()), Some(own.own().clone()), 1.0);
-        let telling = |identity: &Arc<Identity>| Teller::new(identity.clone(), member.clone(), 1);
-        let about = |group: &str| Told {
+        roster.handle_arrival(alive(member.clone()), Some(own.own().clone()), 1.0);
+        let new_signer =
+            |identity: &Arc<Identity>| StateSigner::new(identity.clone(), member.clone(), 1);
+        let about = |group: &str| StateReport {
             about: MemberAbout {
                 groups: vec![group.into()],
                 ..MemberAbout::default()
@@ -570,17 +575,19 @@ mod tests {
             state: None,
         };
         let [old, new] = ["old", "new"].map(|name| serde_json::to_vec(&about(name)).unwrap());
-        let teller = telling(&own);
-        let [first, second] = [&old, &new].map(|bytes| teller.sign(bytes));
-        roster.hear(&member, &old, &first, 2.0).unwrap();
-        roster.hear(&member, &new, &second, 3.0).unwrap();
-        let refused = |roster: &mut Roster, signed: &[u8]| {
-            roster.hear(&member, &old, signed, 4.0).unwrap_err()
+        let signer = new_signer(&own);
+        let [first, second] = [&old, &new].map(|bytes| signer.sign(bytes));
+        roster.handle_state(&member, &old, &first, 2.0).unwrap();
+        roster.handle_state(&member, &new, &second, 3.0).unwrap();
+        let refused = |roster: &mut Roster, signature: &[u8]| {
+            roster
+                .handle_state(&member, &old, signature, 4.0)
+                .unwrap_err()
         };
         assert_eq!(refused(&mut roster, &first), "it is a replay");
-        let forged = telling(&rogue).sign(&old);
-        for signed in [&forged[..], &second, b"", &[0; 8]] {
-            assert_eq!(refused(&mut roster, signed), "its signature is invalid");
+        let forged = new_signer(&rogue).sign(&old);
+        for signature in [&forged[..], &second, b"", &[0; 8]] {
+            assert_eq!(refused(&mut roster, signature), "its signature is invalid");
         }
         let members = roster.members();
         assert_eq!(members[1].about.as_ref().unwrap().groups, ["new"]);
@@ -589,23 +596,23 @@ mod tests {
             run: 2,
             ..alive(member.clone())
         };
-        roster.came(again, Some(own.own().clone()), 5.0);
+        roster.handle_arrival(again, Some(own.own().clone()), 5.0);
         assert_eq!(refused(&mut roster, &first), "its signature is invalid");
-        roster.came(alive(member.clone()), Some(own.own().clone()), 6.0);
-        let signed = Teller::new(own, member.clone(), 2).sign(&old);
-        roster.hear(&member, &old, &signed, 7.0).unwrap();
+        roster.handle_arrival(alive(member.clone()), Some(own.own().clone()), 6.0);
+        let signature = StateSigner::new(own, member.clone(), 2).sign(&old);
+        roster.handle_state(&member, &old, &signature, 7.0).unwrap();
     }
 
     #[test]
     fn only_those_that_changed_are_told_anew() {
         let mut roster = roster();
-        came(&mut roster, key("desk-2", 'b'), 1.0);
+        handle_arrival(&mut roster, key("desk-2", 'b'), 1.0);
         let before = roster.members();
-        let told = Told {
+        let report = StateReport {
             about: MemberAbout::default(),
             state: None,
         };
-        roster.told(&key("desk-2", 'b'), told, 3.0);
+        roster.store(&key("desk-2", 'b'), report, 3.0);
         let after = roster.members();
         assert!(Arc::ptr_eq(&before[0], &after[0]));
         assert!(!Arc::ptr_eq(&before[1], &after[1]));

@@ -129,7 +129,7 @@ impl Meetings {
     /// Takes the agreement under a public key.
     pub(crate) fn take(&self, public: &[u8]) -> Option<Agreed> {
         let mut all = self.all.lock().unwrap_or_else(PoisonError::into_inner);
-        let at = all.iter().position(|(it, ..)| it == public)?;
+        let at = all.iter().position(|(key, ..)| key == public)?;
         let (_, since, agreed) = all.remove(at)?;
         (since.elapsed() <= USED_WITHIN).then_some(agreed)
     }

@@ -10,13 +10,13 @@ use dobot_host::StationHandle;
 use serde_json::json;
 use zenoh::query::Query;
 
-use crate::asking::{Answering, Way};
-use crate::keys::{MemberKey, STOPS};
+use crate::key_expressions::{MemberKey, STOPS};
+use crate::requests::{Requester, Responder};
 use crate::roster::MOST;
 
 /// Decides with which members to exchange stops, and when: an engine without network and clock.
 #[derive(Debug)]
-pub(crate) struct StopTelling {
+pub(crate) struct StopExchange {
     own: MemberKey,
     /// The members present.
     present: HashSet<MemberKey>,
@@ -39,7 +39,7 @@ const GAP: Duration = Duration::from_secs(2);
 /// The delay before an exchange is retried.
 const AGAIN: Duration = Duration::from_secs(1);
 
-impl StopTelling {
+impl StopExchange {
     pub(crate) fn new(own: MemberKey, now: Duration, clock: SystemTime) -> Self {
         Self {
             own,
@@ -73,7 +73,7 @@ impl StopTelling {
     }
 
     /// Handles an arrival. Of two stations that meet for the first time one starts the exchange.
-    pub(crate) fn came(&mut self, member: &MemberKey, now: Duration) {
+    pub(crate) fn handle_arrival(&mut self, member: &MemberKey, now: Duration) {
         // A flood of names takes no more room here than in the roster.
         if *member == self.own || self.present.len() >= MOST {
             return;
@@ -89,7 +89,7 @@ impl StopTelling {
     }
 
     /// Handles a departure.
-    pub(crate) fn went(&mut self, member: &MemberKey) {
+    pub(crate) fn handle_departure(&mut self, member: &MemberKey) {
         self.present.remove(member);
         self.due.remove(member);
     }
@@ -112,12 +112,12 @@ impl StopTelling {
 
 /// Exchanges stops with another station: sends those known here and adopts its own.
 pub(crate) async fn exchange(
-    way: Option<&Way>,
+    requester: Option<&Requester>,
     handle: &StationHandle,
     member: &MemberKey,
 ) -> ApiAnswer {
-    let learned = match way {
-        Some(way) => ask(way, handle, member).await,
+    let learned = match requester {
+        Some(requester) => ask(requester, handle, member).await,
         None => Err("cannot be reached yet".to_owned()),
     };
     match learned {
@@ -132,17 +132,19 @@ pub(crate) async fn exchange(
     }
 }
 
-async fn ask(way: &Way, handle: &StationHandle, member: &MemberKey) -> Result<(), String> {
+async fn ask(requester: &Requester, handle: &StationHandle, member: &MemberKey) -> Result<(), String> {
     let known = handle.adopt_fleet_stops(Vec::new()).await;
     let (known, _) = known.map_err(|refusal| refusal.to_string())?;
-    let theirs = way.ask_first(member, STOPS, &emit(&known), WITHIN).await?;
+    let theirs = requester
+        .ask_first(member, STOPS, &emit(&known), WITHIN)
+        .await?;
     let theirs = parse(&theirs).map_err(|error| error.to_string())?;
     let adopted = handle.adopt_fleet_stops(theirs).await;
     adopted.map(drop).map_err(|refusal| refusal.to_string())
 }
 
 /// Adopts the stops of another station, and returns those known here.
-pub(crate) async fn answer(handle: StationHandle, answering: Answering, query: Query) {
+pub(crate) async fn answer(handle: StationHandle, responder: Responder, query: Query) {
     let payload = query
         .payload()
         .map(|payload| payload.to_bytes())
@@ -153,7 +155,7 @@ pub(crate) async fn answer(handle: StationHandle, answering: Answering, query: Q
         // A station that is ending sends nothing.
         Ok(theirs) => {
             if let Ok((known, _)) = handle.adopt_fleet_stops(theirs).await {
-                answering.reply(&query, STOPS, &payload, emit(&known)).await;
+                responder.reply(&query, STOPS, &payload, emit(&known)).await;
             }
         }
     }
@@ -190,49 +192,49 @@ mod tests {
     }
 
     /// A settled station of this name.
-    fn telling(name: &str) -> StopTelling {
-        let mut telling = StopTelling::new(key(name), at(0), clock(0));
+    fn settled(name: &str) -> StopExchange {
+        let mut settled = StopExchange::new(key(name), at(0), clock(0));
         for second in 0..=4 {
-            telling.handle_time(at(second), clock(second));
+            settled.handle_time(at(second), clock(second));
         }
-        telling
+        settled
     }
 
-    fn due(telling: &mut StopTelling, now: Duration) -> Vec<String> {
-        std::iter::from_fn(|| telling.poll_due(now))
+    fn due(settled: &mut StopExchange, now: Duration) -> Vec<String> {
+        std::iter::from_fn(|| settled.poll_due(now))
             .map(|member| member.name)
             .collect()
     }
 
     #[test]
     fn of_two_stations_that_meet_for_the_first_time_one_tells_the_other() {
-        let [mut one, mut other] = [telling("a"), telling("b")];
-        one.came(&key("b"), at(4));
-        other.came(&key("a"), at(4));
+        let [mut one, mut other] = [settled("a"), settled("b")];
+        one.handle_arrival(&key("b"), at(4));
+        other.handle_arrival(&key("a"), at(4));
         assert_eq!(due(&mut one, at(4)), ["b"]);
         assert!(due(&mut other, at(4)).is_empty());
     }
 
     #[test]
     fn a_station_that_comes_back_is_told_by_all() {
-        let mut telling = telling("b");
-        telling.came(&key("a"), at(4));
-        telling.went(&key("a"));
-        telling.came(&key("a"), at(5));
-        assert_eq!(due(&mut telling, at(5)), ["a"]);
+        let mut settled = settled("b");
+        settled.handle_arrival(&key("a"), at(4));
+        settled.handle_departure(&key("a"));
+        settled.handle_arrival(&key("a"), at(5));
+        assert_eq!(due(&mut settled, at(5)), ["a"]);
     }
 
     #[test]
     fn one_that_does_not_answer_is_told_again_while_it_is_there() {
-        let mut telling = telling("a");
-        telling.came(&key("b"), at(4));
-        assert_eq!(due(&mut telling, at(4)), ["b"]);
-        telling.handle_silent(&key("b"), at(6));
-        assert!(due(&mut telling, at(6)).is_empty());
-        assert_eq!(due(&mut telling, at(7)), ["b"]);
-        telling.went(&key("b"));
-        telling.handle_silent(&key("b"), at(8));
-        assert!(due(&mut telling, at(20)).is_empty());
+        let mut settled = settled("a");
+        settled.handle_arrival(&key("b"), at(4));
+        assert_eq!(due(&mut settled, at(4)), ["b"]);
+        settled.handle_silent(&key("b"), at(6));
+        assert!(due(&mut settled, at(6)).is_empty());
+        assert_eq!(due(&mut settled, at(7)), ["b"]);
+        settled.handle_departure(&key("b"));
+        settled.handle_silent(&key("b"), at(8));
+        assert!(due(&mut settled, at(20)).is_empty());
     }
 
     #[test]
@@ -240,21 +242,21 @@ mod tests {
         // A frozen process sees the monotonic clock advance; a sleeping computer perhaps only the
         // system's clock.
         for (now, clock_now) in [(at(60), clock(60)), (at(4), clock(60))] {
-            let mut telling = telling("b");
-            telling.came(&key("a"), at(4));
-            assert!(due(&mut telling, at(4)).is_empty());
-            assert!(telling.is_settled(at(4)));
-            telling.handle_time(now, clock_now);
-            assert!(!telling.is_settled(now));
-            assert_eq!(due(&mut telling, now), ["a"]);
-            assert!(telling.is_settled(now + SETTLES_WITHIN));
+            let mut settled = settled("b");
+            settled.handle_arrival(&key("a"), at(4));
+            assert!(due(&mut settled, at(4)).is_empty());
+            assert!(settled.is_settled(at(4)));
+            settled.handle_time(now, clock_now);
+            assert!(!settled.is_settled(now));
+            assert_eq!(due(&mut settled, now), ["a"]);
+            assert!(settled.is_settled(now + SETTLES_WITHIN));
         }
     }
 
     #[test]
     fn a_clock_that_is_set_back_changes_nothing() {
-        let mut telling = telling("a");
-        telling.handle_time(at(5), clock(0));
-        assert!(telling.is_settled(at(5)));
+        let mut settled = settled("a");
+        settled.handle_time(at(5), clock(0));
+        assert!(settled.is_settled(at(5)));
     }
 }

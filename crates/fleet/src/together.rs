@@ -13,16 +13,16 @@ mod barriers;
 mod check;
 mod document;
 mod engine;
+mod observation;
 mod part;
 mod rehearse;
 mod run;
-mod seen;
 #[cfg(test)]
 mod tests;
 
 pub use check::check;
 pub use document::{DocumentError, PartOf, Together};
-pub use engine::News;
+pub use engine::EngineEvent;
 pub use part::Part;
 pub use rehearse::{BarrierTime, PartTime, Rehearsal, RehearseError, Wait, rehearse};
-pub use run::{Home, Order, Outcome, RunError, Said, run};
+pub use run::{Home, Order, Outcome, RunError, RunEvent, run};

@@ -11,7 +11,7 @@ use dobot_api::problem_kinds::{ALL_ARMS_GIVEN, ARM_NOT_STARTED, NAME_TAKEN, NO_S
 use dobot_api::{GivenArm, GivenArms, JobPhase, LinkPhase, MemberAbout, Problem};
 use dobot_host::StationHandle;
 use dobot_session::Address;
-use dobot_station::{ArmWish, ArmsPort, Config, Station, StationApi, WantedArm};
+use dobot_station::{ArmCommand, ArmsPort, Config, Station, StationApi, WantedArm};
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::{JoinHandle, JoinSet};
 use tokio::time::{Instant, MissedTickBehavior, interval, timeout};
@@ -107,7 +107,7 @@ const LINKS_WITHIN: Duration = Duration::from_secs(5);
 impl Giving {
     async fn serve(
         mut self,
-        mut wishes: mpsc::Receiver<ArmWish>,
+        mut wishes: mpsc::Receiver<ArmCommand>,
         mut ended: oneshot::Receiver<()>,
     ) {
         let mut looks = interval(LOOK_EVERY.min(self.config.unused));
@@ -116,9 +116,9 @@ impl Giving {
             tokio::select! {
                 // The requester may be gone.
                 Some(wish) = wishes.recv() => match wish {
-                    ArmWish::List(reply) => drop(reply.send(self.list())),
-                    ArmWish::Give(wanted, reply) => drop(reply.send(self.give(wanted).await)),
-                    ArmWish::End(name, reply) => drop(reply.send(self.end(&name))),
+                    ArmCommand::List(reply) => drop(reply.send(self.list())),
+                    ArmCommand::Give(wanted, reply) => drop(reply.send(self.give(wanted).await)),
+                    ArmCommand::End(name, reply) => drop(reply.send(self.end(&name))),
                 },
                 Some(_) = self.ending.join_next() => {}
                 _ = looks.tick() => self.end_unused(),

@@ -2,11 +2,11 @@
 
 mod choose;
 mod engine;
-mod kept;
 mod settle;
-mod shell;
+mod tasks;
 #[cfg(test)]
 mod tests;
 mod ticket;
+mod ticket_store;
 
-pub(crate) use shell::Working;
+pub(crate) use tasks::WorkTasks;

@@ -10,11 +10,12 @@ use ros2_client::{Message, Server, Subscription};
 use tokio::sync::{mpsc, oneshot, watch};
 use tokio::time::timeout;
 
-use crate::acts::{ended, go, gripper, suction};
-use crate::buttons::{Buttons, Said};
+use crate::actions::{ended, go, gripper, suction};
+use crate::buttons::{Buttons, JogMessage};
 use crate::frames::Frames;
 use crate::goals::Goals;
 use crate::jog;
+use crate::log::Log;
 use crate::messages::{
     Answer, JointJog, PoseStamped, SetBoolRequest, TriggerRequest, TwistStamped,
 };
@@ -22,7 +23,6 @@ use crate::node::{Listeners, Names, NodeError, Publishers, Servers, node};
 use crate::settings::Settings;
 use crate::station::Station;
 use crate::target::target;
-use crate::told::Told;
 use crate::watch::{WantedStop, Watch};
 
 /// Runs the node until `ending` becomes true; actions in progress then end first, with the arm at
@@ -43,7 +43,7 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
     let publishers = Publishers::new(&mut node, names)?;
     let listeners = Listeners::new(&mut node, names)?;
     let servers = Servers::new(&mut node, names, settings.middleware.mapping())?;
-    let told = Arc::new(Told::new(node.logging_handle()));
+    let log = Arc::new(Log::new(node.logging_handle()));
     let spinner = node.spinner()?;
     tokio::spawn(spinner.spin());
 
@@ -55,19 +55,19 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
         publishers,
         frames: frames.clone(),
         model: Model::new(settings.tool),
-        told: told.clone(),
+        log: log.clone(),
         stops,
         policy: None,
         diagnosed_s: None,
     };
     tokio::spawn(watch.run());
-    tokio::spawn(serve_stop(servers.stop, stop, told.clone()));
+    tokio::spawn(serve_stop(servers.stop, stop, log.clone()));
 
     // Each action in progress holds a clone.
     let (busy, mut over) = mpsc::channel::<()>(1);
     let shared = Shared {
         station,
-        told,
+        log,
         frames,
         ending: ending.clone(),
         busy,
@@ -79,13 +79,13 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
     let goals = Arc::new(Goals {
         server: servers.follow,
         station: shared.station.clone(),
-        told: shared.told.clone(),
+        log: shared.log.clone(),
         deviation_deg: settings.deviation_deg,
         running: std::sync::Mutex::default(),
         results: tokio::sync::Mutex::default(),
     });
     tokio::spawn(goals.run(ending.clone(), shared.busy.clone()));
-    shared.told.info("the node is running");
+    shared.log.info("the node is running");
 
     ended(&mut ending).await;
     drop(shared);
@@ -97,7 +97,7 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
 #[derive(Clone)]
 struct Shared {
     station: Station,
-    told: Arc<Told>,
+    log: Arc<Log>,
     frames: Frames,
     ending: watch::Receiver<bool>,
     busy: mpsc::Sender<()>,
@@ -120,11 +120,11 @@ impl Shared {
                     }
                 };
                 let done = shared.switch(switch, data).await;
-                shared.told.outcome(name, &done);
+                shared.log.outcome(name, &done);
                 let answered = server.async_send_response(id, Answer::of(done));
                 if let Err(error) = answered.await {
                     shared
-                        .told
+                        .log
                         .warn(&format!("cannot send the response of {name}: {error:?}"));
                 }
             }
@@ -143,14 +143,14 @@ impl Shared {
     /// last is used.
     fn take_targets(&self, listener: Subscription<PoseStamped>) {
         let (wanted, mut targets) = watch::channel(None);
-        tokio::spawn(pass_on(listener, wanted, Some, self.told.clone()));
+        tokio::spawn(pass_on(listener, wanted, Some, self.log.clone()));
         let mut shared = self.clone();
         tokio::spawn(async move {
             while shared.changed(&mut targets).await {
                 let wanted: Option<PoseStamped> = targets.borrow_and_update().clone();
                 if let Some(wanted) = wanted {
                     let done = shared.go(&wanted).await;
-                    shared.told.outcome("target", &done);
+                    shared.log.outcome("target", &done);
                 }
             }
         });
@@ -163,15 +163,15 @@ impl Shared {
     }
 
     fn take_jogs(&self, twist: Subscription<TwistStamped>, joints: Subscription<JointJog>) {
-        let (press, said) = watch::channel::<Said>(None);
+        let (press, said) = watch::channel::<JogMessage>(None);
         let frames = self.frames.clone();
         let of_twist = move |twist| Some(jog::of_twist(&twist, &frames));
-        tokio::spawn(pass_on(twist, press.clone(), of_twist, self.told.clone()));
+        tokio::spawn(pass_on(twist, press.clone(), of_twist, self.log.clone()));
         let of_joints = |joints| Some(jog::of_joints(&joints));
-        tokio::spawn(pass_on(joints, press, of_joints, self.told.clone()));
+        tokio::spawn(pass_on(joints, press, of_joints, self.log.clone()));
         let buttons = Buttons {
             station: self.station.clone(),
-            told: self.told.clone(),
+            log: self.log.clone(),
             said,
             ending: self.ending.clone(),
         };
@@ -203,7 +203,7 @@ impl Shared {
     }
 
     fn unreadable(&self, name: &str, error: &dyn std::fmt::Debug) {
-        self.told
+        self.log
             .warn(&format!("cannot read a message for {name}: {error:?}"));
     }
 }
@@ -229,7 +229,7 @@ async fn pass_on<M: Message + 'static, T>(
     listener: Subscription<M>,
     to: watch::Sender<T>,
     read: impl Fn(M) -> T,
-    told: Arc<Told>,
+    log: Arc<Log>,
 ) {
     let messages = listener.async_stream();
     tokio::pin!(messages);
@@ -238,7 +238,7 @@ async fn pass_on<M: Message + 'static, T>(
             Ok((message, _)) => {
                 to.send_replace(read(message));
             }
-            Err(error) => told.warn(&format!("cannot read a message: {error:?}")),
+            Err(error) => log.warn(&format!("cannot read a message: {error:?}")),
         }
     }
 }
@@ -247,7 +247,7 @@ async fn pass_on<M: Message + 'static, T>(
 async fn serve_stop(
     server: Server<TriggerRequest, Answer>,
     stop: mpsc::Sender<WantedStop>,
-    told: Arc<Told>,
+    log: Arc<Log>,
 ) {
     let requests = server.receive_request_stream();
     tokio::pin!(requests);
@@ -259,11 +259,11 @@ async fn serve_stop(
             Ok(done) if passed => done,
             _ => Err("cannot forward the stop: the node is shutting down".to_owned()),
         };
-        told.outcome("stop", &done);
+        log.outcome("stop", &done);
         if let Ok((id, _)) = request
             && let Err(error) = server.async_send_response(id, Answer::of(done)).await
         {
-            told.warn(&format!("cannot send the response of the stop: {error:?}"));
+            log.warn(&format!("cannot send the response of the stop: {error:?}"));
         }
     }
 }

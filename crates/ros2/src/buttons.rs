@@ -7,18 +7,18 @@ use dobot_host::StationClient;
 use tokio::sync::watch;
 use tokio::time::timeout;
 
-use crate::acts::{ended, take};
+use crate::actions::{ended, take};
+use crate::log::Log;
 use crate::station::{Station, refused};
-use crate::told::Told;
 
 /// The last jog message: a button, no button, or an error in the message.
-pub(crate) type Said = Option<Result<Option<Jog>, String>>;
+pub(crate) type JogMessage = Option<Result<Option<Jog>, String>>;
 
 /// Holds the requested buttons while the requests are repeated.
 pub(crate) struct Buttons {
     pub(crate) station: Station,
-    pub(crate) told: Arc<Told>,
-    pub(crate) said: watch::Receiver<Said>,
+    pub(crate) log: Arc<Log>,
+    pub(crate) said: watch::Receiver<JogMessage>,
     pub(crate) ending: watch::Receiver<bool>,
 }
 
@@ -33,7 +33,7 @@ impl Buttons {
                 Some(Err(why)) => Some(why),
             };
             if let Some(why) = refused {
-                self.told.warn(&format!("jog: {why}"));
+                self.log.warn(&format!("jog: {why}"));
                 // The arm must not start moving because a limit is cleared while a stick is held:
                 // the stick must be released first.
                 self.silence().await;
@@ -60,7 +60,7 @@ impl Buttons {
 async fn hold(
     station: &mut StationClient,
     mut jog: Jog,
-    said: &mut watch::Receiver<Said>,
+    said: &mut watch::Receiver<JogMessage>,
     ending: &mut watch::Receiver<bool>,
 ) -> Result<(), String> {
     let patience = station.dead_man();

@@ -27,7 +27,7 @@ pub(crate) fn of_no_station(node: &str, why: &str) -> DiagnosticArray {
 }
 
 fn array(node: &str, hardware_id: &str, found: Vec<Diagnosis>) -> DiagnosticArray {
-    let told = |diagnosis: Diagnosis| DiagnosticStatus {
+    let message = |diagnosis: Diagnosis| DiagnosticStatus {
         level: diagnosis.level as u8,
         name: format!("{node}: {}", diagnosis.name),
         message: diagnosis.message,
@@ -36,7 +36,7 @@ fn array(node: &str, hardware_id: &str, found: Vec<Diagnosis>) -> DiagnosticArra
     };
     DiagnosticArray {
         header: Header::now(""),
-        status: found.into_iter().map(told).collect(),
+        status: found.into_iter().map(message).collect(),
     }
 }
 
@@ -193,7 +193,12 @@ mod tests {
 
     fn level(found: &DiagnosticArray, name: &str) -> u8 {
         let named = |status: &&DiagnosticStatus| status.name == format!("dobot: {name}");
-        found.status.iter().find(named).expect("it is told").level
+        found
+            .status
+            .iter()
+            .find(named)
+            .expect("it is reported")
+            .level
     }
 
     #[tokio::test]
@@ -221,10 +226,10 @@ mod tests {
         assert_eq!(level(&found, "pose"), 2);
         assert_eq!(level(&found, "stop"), 0);
         assert_eq!(level(&found, "laser"), 1);
-        let told = found
+        let is_reported = found
             .status
             .iter()
             .any(|status| status.message.contains("it was reset"));
-        assert!(told, "{found:?}");
+        assert!(is_reported, "{found:?}");
     }
 }

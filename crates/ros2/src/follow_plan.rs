@@ -20,7 +20,7 @@ pub(crate) struct FollowPlan {
     #[cfg(test)]
     pub(crate) takes_s: f64,
     /// The deviations from the requested trajectory, as text.
-    pub(crate) told: String,
+    pub(crate) summary: String,
 }
 
 impl FollowPlan {
@@ -37,8 +37,9 @@ impl FollowPlan {
         period: Duration,
         tolerance_deg: f64,
     ) -> Result<Self, Fault> {
-        let told = wanted.path_deg.iter().flatten();
-        let tolerance_deg = told.fold(tolerance_deg, |least, it| least.min(*it));
+        let tolerances = wanted.path_deg.iter().flatten();
+        let tolerance_deg =
+            tolerances.fold(tolerance_deg, |least, tolerance| least.min(*tolerance));
         let most = carried(wanted.duration_s(), period);
         let thin = thinned(&wanted.places, &holds(wanted, period), tolerance_deg, most);
         check_path(wanted, &thin)?;
@@ -46,7 +47,7 @@ impl FollowPlan {
         let takes_s: f64 = moves.iter().map(FollowMove::takes_s).sum();
         check_time(wanted, takes_s)?;
         Ok(Self {
-            told: told_of(wanted, &thin, moves.len(), takes_s),
+            summary: summary(wanted, &thin, moves.len(), takes_s),
             job: job(&moves, stands),
             #[cfg(test)]
             takes_s,
@@ -163,9 +164,9 @@ fn moves(wanted: &Wanted, thin: &Thinned) -> Vec<FollowMove> {
 /// Merges pauses below a tick, the shortest pause of the controller, into later ones.
 fn wait_in_ticks(moves: &mut [FollowMove]) {
     let mut due_s = 0.0;
-    for it in moves {
-        due_s += it.pause_s;
-        it.pause_s = if due_s < NO_PAUSE_S {
+    for step in moves {
+        due_s += step.pause_s;
+        step.pause_s = if due_s < NO_PAUSE_S {
             0.0
         } else {
             std::mem::take(&mut due_s)
@@ -250,14 +251,14 @@ fn job(moves: &[FollowMove], stands: &Status) -> NewJob {
     let mut commands = Vec::new();
     let mut steps = Vec::new();
     let mut now_percent: Option<f64> = None;
-    for it in moves {
+    for step in moves {
         steps.push(commands.len());
         // A difference of a hundredth is not worth a packet.
-        if now_percent.is_none_or(|now| (it.percent - now).abs() >= now / 100.0) {
-            commands.push(speed(it.percent));
-            now_percent = Some(it.percent);
+        if now_percent.is_none_or(|now| (step.percent - now).abs() >= now / 100.0) {
+            commands.push(speed(step.percent));
+            now_percent = Some(step.percent);
         }
-        commands.push(target(it, stands));
+        commands.push(target(step, stands));
     }
     if !moves.is_empty() {
         commands.push(speed(MOST_PERCENT));
@@ -296,7 +297,7 @@ fn target(to: &FollowMove, stands: &Status) -> Command {
     .into()
 }
 
-fn told_of(wanted: &Wanted, thin: &Thinned, targets: usize, takes_s: f64) -> String {
+fn summary(wanted: &Wanted, thin: &Thinned, targets: usize, takes_s: f64) -> String {
     let points = wanted.places.len() - 1;
     let aside = match thin.farthest {
         Some(at) => format!(

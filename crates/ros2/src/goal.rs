@@ -275,23 +275,23 @@ fn check_start(stamp: Time, ends_s: f64, now: Time) -> Result<(), Fault> {
 
 /// Returns the tolerance of each joint, in degrees: 0 means the default, and below 0 means
 /// unlimited.
-fn tolerances(field: &str, told: &[JointTolerance]) -> Result<[Option<f64>; 4], Fault> {
+fn tolerances(field: &str, tolerances: &[JointTolerance]) -> Result<[Option<f64>; 4], Fault> {
     let mut found = [None; 4];
-    for it in told {
-        let Some(joint) = JOINTS.iter().position(|name| *name == it.name) else {
-            let (name, allowed) = (&it.name, JOINTS.join(", "));
+    for tolerance in tolerances {
+        let Some(joint) = JOINTS.iter().position(|name| *name == tolerance.name) else {
+            let (name, allowed) = (&tolerance.name, JOINTS.join(", "));
             return Err(Fault::new(
                 FaultCode::InvalidJoints,
                 format!("{field} has {name:?}; allowed are {allowed}"),
             ));
         };
-        if it.position.is_nan() {
-            let name = &it.name;
+        if tolerance.position.is_nan() {
+            let name = &tolerance.name;
             return Err(Fault::invalid(format!(
                 "{field} of {name} is NaN; allowed are radians"
             )));
         }
-        found[joint] = (it.position > 0.0).then(|| it.position.to_degrees());
+        found[joint] = (tolerance.position > 0.0).then(|| tolerance.position.to_degrees());
     }
     Ok(found)
 }

@@ -13,15 +13,15 @@ use ros2_client::builtin_interfaces::Time;
 use tokio::sync::{mpsc, watch};
 use tokio::time::timeout;
 
-use crate::acts::{Followed, Stand, ended, follow, take_at_rest};
+use crate::actions::{Followed, Stand, ended, follow, take_at_rest};
 use crate::follow_plan::FollowPlan;
 use crate::goal::{Fault, Wanted};
 use crate::joints::{JOINTS, degrees_of};
+use crate::log::Log;
 use crate::messages::{
     FollowFeedback, FollowGoal, FollowResult, Header, JointTrajectoryPoint, MultiDofPoint,
 };
 use crate::station::Station;
-use crate::told::Told;
 
 /// The server of the action.
 pub(crate) type Server = AsyncActionServer<FollowGoal, FollowResult, FollowFeedback>;
@@ -30,7 +30,7 @@ pub(crate) type Server = AsyncActionServer<FollowGoal, FollowResult, FollowFeedb
 pub(crate) struct Goals {
     pub(crate) server: Server,
     pub(crate) station: Station,
-    pub(crate) told: Arc<Told>,
+    pub(crate) log: Arc<Log>,
     pub(crate) deviation_deg: f64,
     /// The channels that cancel the running goals.
     pub(crate) running: Mutex<BTreeMap<GoalId, watch::Sender<bool>>>,
@@ -55,11 +55,11 @@ impl Goals {
                             drop(busy);
                         });
                     }
-                    Err(error) => self.told.warn(&format!("cannot read a goal: {error:?}")),
+                    Err(error) => self.log.warn(&format!("cannot read a goal: {error:?}")),
                 },
                 cancel = self.server.receive_cancel_request() => match cancel {
                     Ok(cancel) => self.cancel(&cancel).await,
-                    Err(error) => self.told.warn(&format!("cannot read a cancel request: {error:?}")),
+                    Err(error) => self.log.warn(&format!("cannot read a cancel request: {error:?}")),
                 },
                 () = ended(&mut ending) => break,
             }
@@ -75,7 +75,7 @@ impl Goals {
             .server
             .respond_to_cancel_requests(request, goals.iter().copied());
         if let Err(error) = answered.await {
-            self.told
+            self.log
                 .warn(&format!("cannot answer a cancel request: {error:?}"));
         }
         let running = self.running();
@@ -105,7 +105,7 @@ impl Goals {
                 let followed = self.follow(&goal, &executing, &mut cancelled).await;
                 self.answer(executing, followed).await;
             }
-            Err(error) => self.told.warn(&format!("cannot accept a goal: {error:?}")),
+            Err(error) => self.log.warn(&format!("cannot accept a goal: {error:?}")),
         }
         self.running().remove(&id);
     }
@@ -125,15 +125,15 @@ impl Goals {
         let Stand { status, period } = stand;
         let wanted = Wanted::new(goal, degrees_of(&status), Time::now())?;
         let plan = FollowPlan::new(&wanted, &status, period, self.deviation_deg)?;
-        self.told
-            .info(&format!("follow_joint_trajectory: {}", plan.told));
+        self.log
+            .info(&format!("follow_joint_trajectory: {}", plan.summary));
         let see = |state: &State, at_s: f64| {
             if let Some(arm) = &state.arm {
-                let told = feedback(&wanted, degrees_of(&arm.status), at_s);
+                let feedback = feedback(&wanted, degrees_of(&arm.status), at_s);
                 // Not awaited: a lost feedback is followed by the next one.
                 let _ = self
                     .server
-                    .publish_feedback(executing.clone(), told)
+                    .publish_feedback(executing.clone(), feedback)
                     .now_or_never();
             }
         };
@@ -147,21 +147,21 @@ impl Goals {
         followed: Result<Followed, Fault>,
     ) {
         let (status, result) = match followed {
-            Ok(Followed::Done(told)) => (GoalEndStatus::Succeeded, Ok(told)),
-            Ok(Followed::Held(told)) => (GoalEndStatus::Canceled, Ok(told)),
+            Ok(Followed::Done(text)) => (GoalEndStatus::Succeeded, Ok(text)),
+            Ok(Followed::Held(text)) => (GoalEndStatus::Canceled, Ok(text)),
             Err(fault) => (GoalEndStatus::Aborted, Err(fault)),
         };
         let text = result.clone().map_err(|error| error.text);
-        self.told.outcome("follow_joint_trajectory", &text);
+        self.log.outcome("follow_joint_trajectory", &text);
         let _one = self.results.lock().await;
         let sent = self
             .server
             .send_result_response(executing, status, result.into());
         match timeout(ASKED, sent).await {
             Ok(Ok(())) => {}
-            Ok(Err(error)) => self.told.warn(&format!("cannot send a result: {error:?}")),
+            Ok(Err(error)) => self.log.warn(&format!("cannot send a result: {error:?}")),
             Err(_) => self
-                .told
+                .log
                 .warn("no client requested the result of a trajectory"),
         }
     }

@@ -108,7 +108,7 @@ enum Unit {
 
 impl Unit {
     /// Formats a speed in the unit of the messages.
-    fn told(&self, speed: f64) -> String {
+    fn text(&self, speed: f64) -> String {
         match self {
             Self::Metres => format!("{:.4} m/s", speed / 1000.0),
             Self::Radians => format!("{:.4} rad/s", speed.to_radians()),
@@ -136,11 +136,11 @@ impl Axis {
     fn jog(self) -> Result<Jog, String> {
         let percent = single(self.speed.abs() / self.top * 100.0);
         if !(LEAST_PERCENT..=100.0).contains(&percent) {
-            let least = self.unit.told(self.top / 100.0);
+            let least = self.unit.text(self.top / 100.0);
             let (name, found, most) = (
                 self.name,
-                self.unit.told(self.speed),
-                self.unit.told(self.top),
+                self.unit.text(self.speed),
+                self.unit.text(self.top),
             );
             return Err(format!(
                 "{name} is {found}; allowed are 0, and {least} to {most} in either direction"

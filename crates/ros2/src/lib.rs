@@ -16,7 +16,7 @@
 //! assert!(thin.kept.len() <= 13 && thin.deviation <= 0.1);
 //! ```
 
-mod acts;
+mod actions;
 mod bridge;
 mod buttons;
 mod diagnostics;
@@ -26,13 +26,13 @@ mod goal;
 mod goals;
 mod jog;
 mod joints;
+mod log;
 mod messages;
 mod node;
 mod settings;
 mod station;
 mod target;
 mod thin;
-mod told;
 mod watch;
 
 pub use bridge::run;

@@ -94,7 +94,7 @@ mod tests {
         for (found, expected) in mm.iter().zip([220.0, -30.0, 50.0]) {
             assert!((found - expected).abs() < 1e-3, "{found}, not {expected}");
         }
-        let turned = rotation_deg.expect("it is told");
+        let turned = rotation_deg.expect("it is given");
         assert!((turned - 90.0).abs() < 1e-3, "{turned}");
     }
 

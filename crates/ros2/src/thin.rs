@@ -148,7 +148,7 @@ mod tests {
                 for share in [0.0, 0.3, 0.7, 1.0] {
                     let point = std::array::from_fn(|i| ends[0][i] + (ends[1][i] - ends[0][i]) * share);
                     let found = off(point, &way);
-                    prop_assert!(found <= thin.deviation + 1e-9, "{found}, told {}", thin.deviation);
+                    prop_assert!(found <= thin.deviation + 1e-9, "{found}, reported {}", thin.deviation);
                 }
             }
         }

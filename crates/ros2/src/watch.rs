@@ -10,14 +10,14 @@ use dobot_safety::Policy;
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::{Instant, sleep_until};
 
-use crate::acts::stop;
+use crate::actions::stop;
 use crate::diagnostics;
 use crate::frames::Frames;
 use crate::joints::joint_state;
+use crate::log::Log;
 use crate::node::Publishers;
 use crate::settings::NODE;
 use crate::station::{Station, refused};
-use crate::told::Told;
 
 /// A request to stop the arm, with the channel for its outcome.
 pub(crate) type WantedStop = oneshot::Sender<Result<String, String>>;
@@ -28,7 +28,7 @@ pub(crate) struct Watch {
     pub(crate) publishers: Publishers,
     pub(crate) frames: Frames,
     pub(crate) model: Model,
-    pub(crate) told: Arc<Told>,
+    pub(crate) log: Arc<Log>,
     pub(crate) stops: mpsc::Receiver<WantedStop>,
     pub(crate) policy: Option<Policy>,
     /// The time of the last diagnostics, in seconds since the station started.
@@ -43,7 +43,7 @@ impl Watch {
         loop {
             let why = match self.station.connect("watch").await {
                 Ok(client) => {
-                    self.told.info("connected to the station");
+                    self.log.info("connected to the station");
                     said = None;
                     self.diagnosed_s = None;
                     self.policy = self.station.policy().await;
@@ -52,7 +52,7 @@ impl Watch {
                 Err(why) => why,
             };
             if said.as_ref() != Some(&why) {
-                self.told.warn(&why);
+                self.log.warn(&why);
             }
             self.wait(&why).await;
             said = Some(why);
@@ -76,7 +76,7 @@ impl Watch {
                     let _ = wanted.send(stop(&mut client, "requested by a ROS 2 node").await);
                 }
                 event = client.next() => match event {
-                    Ok(StationEvent::State(state)) => self.tell(&state),
+                    Ok(StationEvent::State(state)) => self.publish(&state),
                     Ok(StationEvent::Notice(notice)) => {
                         if notice.news == News::PolicyChanged {
                             self.policy = self.station.policy().await;
@@ -104,7 +104,7 @@ impl Watch {
     }
 
     /// Publishes a state. What is not delivered is replaced by the next state.
-    fn tell(&mut self, state: &State) {
+    fn publish(&mut self, state: &State) {
         if let (Some(arm), LinkPhase::Up) = (&state.arm, state.link.phase) {
             let moving = self.frames.transforms(&self.model, &arm.status, false);
             let _ = self

@@ -21,23 +21,23 @@ pub struct FleetPort {
     is_on_one_machine: bool,
     is_settled: watch::Receiver<bool>,
     members: watch::Receiver<Members>,
-    wishes: mpsc::Sender<FleetWish>,
+    wishes: mpsc::Sender<FleetCommand>,
 }
 
 /// The fleet's end of a [`FleetPort`].
 #[derive(Debug)]
-pub struct FleetEnd {
+pub struct FleetChannels {
     /// All known stations.
     pub members: watch::Sender<Members>,
     /// Whether the station has learned the fleet's stops since it joined or returned.
     pub is_settled: watch::Sender<bool>,
     /// Requests to the fleet.
-    pub wishes: mpsc::Receiver<FleetWish>,
+    pub wishes: mpsc::Receiver<FleetCommand>,
 }
 
 /// A request of a station to its fleet.
 #[derive(Debug)]
-pub enum FleetWish {
+pub enum FleetCommand {
     /// Keep the members' states current while there are receivers. The reply is sent when the
     /// members present have reported.
     Look(oneshot::Sender<()>),
@@ -45,14 +45,14 @@ pub enum FleetWish {
     Ask(FleetAsk),
     /// Send the fleet's stops to these stations immediately. Stations that do not answer get them
     /// later.
-    TellStops(Vec<Arc<Member>>, oneshot::Sender<Vec<MemberAnswer>>),
+    SendStops(Vec<Arc<Member>>, oneshot::Sender<Vec<MemberAnswer>>),
     /// Manage the jobs for any arm.
-    Work(WorkWish),
+    Work(WorkCommand),
 }
 
 /// A request concerning the jobs for any arm that were submitted to a station.
 #[derive(Debug)]
-pub enum WorkWish {
+pub enum WorkCommand {
     /// Submit a job.
     Submit(Box<NewWork>, oneshot::Sender<Result<WorkView, Problem>>),
     /// List all jobs, in the order of their submission.
@@ -99,7 +99,7 @@ pub struct FleetAsk {
 impl FleetPort {
     /// Returns both ends, for a station with this name and id.
     #[must_use]
-    pub fn new(name: &str, id: &str) -> (Self, FleetEnd) {
+    pub fn new(name: &str, id: &str) -> (Self, FleetChannels) {
         let (members, seen) = watch::channel(Members::default());
         // Each requester waits for its reply.
         let (wishes, wished) = mpsc::channel(64);
@@ -113,7 +113,7 @@ impl FleetPort {
             members: seen,
             wishes,
         };
-        let end = FleetEnd {
+        let end = FleetChannels {
             members,
             is_settled,
             wishes: wished,
@@ -175,7 +175,7 @@ impl FleetPort {
     pub async fn look(&self) -> Result<watch::Receiver<Members>, Problem> {
         let members = self.members.clone();
         let (seen, looked) = oneshot::channel();
-        self.wish(FleetWish::Look(seen)).await?;
+        self.wish(FleetCommand::Look(seen)).await?;
         looked.await.map_err(|_| ending())?;
         Ok(members)
     }
@@ -203,7 +203,7 @@ impl FleetPort {
             request,
             answers,
         };
-        self.wish(FleetWish::Ask(ask)).await?;
+        self.wish(FleetCommand::Ask(ask)).await?;
         answered.await.map_err(|_| ending())
     }
 
@@ -213,9 +213,9 @@ impl FleetPort {
     /// # Errors
     ///
     /// [`ENDING`] if the station has left the fleet.
-    pub async fn tell_stops(&self, to: Vec<Arc<Member>>) -> Result<Vec<MemberAnswer>, Problem> {
+    pub async fn send_stops(&self, to: Vec<Arc<Member>>) -> Result<Vec<MemberAnswer>, Problem> {
         let (answers, answered) = oneshot::channel();
-        self.wish(FleetWish::TellStops(to, answers)).await?;
+        self.wish(FleetCommand::SendStops(to, answers)).await?;
         answered.await.map_err(|_| ending())
     }
 
@@ -226,10 +226,10 @@ impl FleetPort {
     /// The problem; [`ENDING`] if the station has left the fleet.
     pub async fn work<T>(
         &self,
-        wish: impl FnOnce(oneshot::Sender<Result<T, Problem>>) -> WorkWish,
+        wish: impl FnOnce(oneshot::Sender<Result<T, Problem>>) -> WorkCommand,
     ) -> Result<T, Problem> {
         let (reply, answer) = oneshot::channel();
-        self.wish(FleetWish::Work(wish(reply))).await?;
+        self.wish(FleetCommand::Work(wish(reply))).await?;
         answer.await.map_err(|_| ending())?
     }
 
@@ -246,7 +246,7 @@ impl FleetPort {
         members.iter().find(|member| member.name == name).cloned()
     }
 
-    async fn wish(&self, wish: FleetWish) -> Result<(), Problem> {
+    async fn wish(&self, wish: FleetCommand) -> Result<(), Problem> {
         self.wishes.send(wish).await.map_err(|_| ending())
     }
 }

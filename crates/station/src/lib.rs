@@ -55,8 +55,8 @@ mod virtual_port;
 
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
 pub use fleet::{
-    FleetAsk, FleetEnd, FleetPort, FleetWish, Members, NewWork, OFFERS, UNSETTLED, WorkWish,
-    work_hurdle,
+    FleetAsk, FleetChannels, FleetCommand, FleetPort, Members, NewWork, OFFERS, UNSETTLED,
+    WorkCommand, work_hurdle,
 };
 pub use foxglove::{FoxglovePort, FoxglovePortError};
 #[cfg(feature = "proofs")]
@@ -65,6 +65,6 @@ pub use http::{ServeError, Served, StationApi, TlsError, Token, Tokens, TokensEr
 pub use program::{ProgramNews, Traffic};
 pub use raw::{RawPort, RawPortError};
 pub use start::{Failed, StartError, Station};
-pub use virtual_arms::{ArmWish, ArmsPort, WantedArm};
+pub use virtual_arms::{ArmCommand, ArmsPort, WantedArm};
 #[cfg(unix)]
 pub use virtual_port::VirtualPort;

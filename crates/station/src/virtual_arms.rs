@@ -8,11 +8,11 @@ use tokio::sync::{mpsc, oneshot};
 
 /// The station's requests to the host of virtual arms.
 #[derive(Clone, Debug)]
-pub struct ArmsPort(mpsc::Sender<ArmWish>);
+pub struct ArmsPort(mpsc::Sender<ArmCommand>);
 
 /// A request to the host of virtual arms.
 #[derive(Debug)]
-pub enum ArmWish {
+pub enum ArmCommand {
     /// List the arms.
     List(oneshot::Sender<GivenArms>),
     /// Start an arm.
@@ -33,7 +33,7 @@ pub struct WantedArm {
 impl ArmsPort {
     /// Returns both ends.
     #[must_use]
-    pub fn new() -> (Self, mpsc::Receiver<ArmWish>) {
+    pub fn new() -> (Self, mpsc::Receiver<ArmCommand>) {
         // Each requester waits for its reply.
         let (wishes, wished) = mpsc::channel(64);
         (Self(wishes), wished)
@@ -46,7 +46,7 @@ impl ArmsPort {
     /// [`ENDING`] if no arms are hosted any more.
     pub async fn wish<T>(
         &self,
-        wish: impl FnOnce(oneshot::Sender<T>) -> ArmWish,
+        wish: impl FnOnce(oneshot::Sender<T>) -> ArmCommand,
     ) -> Result<T, Problem> {
         let ending =
             || ENDING.problem("the station hosts no virtual arms any more, because it is ending");

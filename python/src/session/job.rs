@@ -1,4 +1,4 @@
-//! Jobs: what is drawn, and programs.
+//! Jobs: drawings and programs.
 
 use dobot_api::{JobPhase, JobView, NewJob, RemoteError, Request, State, StationEvent};
 use dobot_draw::{DrawingRequest, WITHOUT_ARM_Z_MM};
@@ -6,13 +6,13 @@ use dobot_host::{JobWatch, PlannedFor, Rules, drawing_job};
 use dobot_motion::burns;
 use dobot_safety::Policy;
 
-use super::{Session, tell};
+use super::{Session, publish};
 use crate::failure::{Failure, failed};
-use crate::mailbox::Teller;
+use crate::mailbox::Sender;
 use crate::program::Run;
-use crate::worker::{Progress, Told};
+use crate::worker::{Progress, Report};
 
-/// A job that rests and can be gone on with.
+/// A paused job that can be resumed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rests {
     job: u64,
@@ -20,11 +20,11 @@ pub(super) struct Rests {
 }
 
 impl Session {
-    /// Plans it for this arm, and draws it as a job.
+    /// Plans a drawing for this arm, and draws it as a job.
     pub(super) async fn draw(
         &mut self,
         request: DrawingRequest,
-        told: &Teller<Told>,
+        reports: &Sender<Report>,
     ) -> Result<(), Failure> {
         let title = request.title.clone();
         let (state, arm) = self.planned_for().await?;
@@ -33,7 +33,7 @@ impl Session {
             (Some(arm), None) => arm.status.z_mm.into(),
             _ => WITHOUT_ARM_Z_MM,
         };
-        // A stop is heard meanwhile.
+        // A stop is received meanwhile.
         let planning = tokio::task::spawn_blocking(move || {
             let request = request.calibrated(arm.calibration);
             request.prepare(arm.dialect, z_mm)
@@ -43,19 +43,19 @@ impl Session {
             .map_err(|error| failed(error.to_string()))?
             .map_err(|error| failed(error.to_string()))?;
         let job = drawing_job(&prepared.plan, &title);
-        self.begin(job, &state, told).await
+        self.begin(job, &state, reports).await
     }
 
-    /// Makes a program into a job for this arm, and does it.
-    pub(super) async fn run(&mut self, run: Run, told: &Teller<Told>) -> Result<(), Failure> {
+    /// Converts a program to a job for this arm, and runs it.
+    pub(super) async fn run(&mut self, run: Run, reports: &Sender<Report>) -> Result<(), Failure> {
         let (state, arm) = self.planned_for().await?;
         let making = tokio::task::spawn_blocking(move || run.job(&arm));
         let job = making.await.map_err(|error| failed(error.to_string()))?;
         let job = job.map_err(|error| Failure::Refused(Box::new(error)))?;
-        self.begin(job, &state, told).await
+        self.begin(job, &state, reports).await
     }
 
-    /// What is known of this arm: for it is planned.
+    /// Returns the arm to plan for.
     pub(super) async fn planned_for(&mut self) -> Result<(State, PlannedFor), Failure> {
         let state = self.client.first_state().await?;
         let rules = Rules::of(&Policy::default());
@@ -63,12 +63,12 @@ impl Session {
         Ok((state, arm.map_err(|error| failed(error.to_string()))?))
     }
 
-    /// Queues a job and does it.
+    /// Queues and runs a job.
     async fn begin(
         &mut self,
         job: NewJob,
         state: &State,
-        told: &Teller<Told>,
+        reports: &Sender<Report>,
     ) -> Result<(), Failure> {
         let burns = job.commands.iter().any(burns);
         let client = &mut self.client;
@@ -76,25 +76,25 @@ impl Session {
             return Err(Failure::Failed {
                 text: "the laser is disarmed".to_owned(),
                 hint: Some(
-                    "put the goggles on, then arm it: `arm.arm_laser(60)`, or on the station's page"
+                    "put on goggles, then arm the laser with `arm.arm_laser(60)` or on the station's page"
                         .to_owned(),
                 ),
             });
         }
         client.request(Request::TakeLease).await?;
         let job = client.submit(job).await?;
-        let begun = self.start(Rests { job, burns }, told).await;
+        let begun = self.start(Rests { job, burns }, reports).await;
         if let Err(Failure::Refused(_)) = begun {
             self.client.forget_unbegun(job).await;
         }
         begun
     }
 
-    /// Goes on with the job that rests; with `as_person`, a person has done what it waits for.
+    /// Resumes the paused job; with `as_person`, a person has done what it waits for.
     pub(super) async fn resume(
         &mut self,
         as_person: bool,
-        told: &Teller<Told>,
+        reports: &Sender<Report>,
     ) -> Result<(), Failure> {
         let rests = self.rests()?;
         self.client.request(Request::TakeLease).await?;
@@ -102,10 +102,10 @@ impl Session {
             let job = rests.job;
             self.client.request(Request::ConfirmJob { job }).await?;
         }
-        self.start(rests, told).await
+        self.start(rests, reports).await
     }
 
-    /// Gives up the job that rests.
+    /// Cancels the paused job.
     pub(super) async fn cancel(&mut self) -> Result<(), Failure> {
         let Rests { job, .. } = self.rests()?;
         self.client.request(Request::TakeLease).await?;
@@ -115,27 +115,26 @@ impl Session {
     }
 
     fn rests(&self) -> Result<Rests, Failure> {
-        self.rests.ok_or_else(|| {
-            failed("no job of this connection rests that could be gone on with".to_owned())
-        })
+        self.rests
+            .ok_or_else(|| failed("there is no paused job of this connection".to_owned()))
     }
 
-    /// Starts a job or goes on with it, and follows it until it does not run any more.
-    async fn start(&mut self, it: Rests, told: &Teller<Told>) -> Result<(), Failure> {
-        let Rests { job, burns } = it;
+    /// Starts or resumes a job, and waits until it stops running.
+    async fn start(&mut self, rests: Rests, reports: &Sender<Report>) -> Result<(), Failure> {
+        let Rests { job, burns } = rests;
         self.client
             .request_at_rest(Request::StartJob { job })
             .await?;
-        // It is known from here on; where following it ends early, it can be gone on with.
-        self.rests = Some(it);
+        // Recorded now, so that the job can be resumed if waiting ends early.
+        self.rests = Some(rests);
         if !burns {
-            // Whoever is there may change its speed.
+            // A person at the arm may change its speed.
             self.client.request(Request::ReleaseLease).await?;
         }
-        let (phase, text) = self.follow(job, told).await?;
+        let (phase, text) = self.follow(job, reports).await?;
         match phase {
             JobPhase::Paused => {
-                // What the arm has got already it does, and it lifts the tool.
+                // The in-flight commands finish, and the tool is lifted.
                 self.client.idle().await?;
                 Err(Failure::Paused { job, text })
             }
@@ -150,19 +149,19 @@ impl Session {
         }
     }
 
-    /// Until the job does not run any more.
+    /// Waits until the job stops running.
     async fn follow(
         &mut self,
         job: u64,
-        told: &Teller<Told>,
+        reports: &Sender<Report>,
     ) -> Result<(JobPhase, String), RemoteError> {
         let mut watch = JobWatch::new(job);
         loop {
             match self.client.next().await? {
                 StationEvent::State(state) => {
-                    tell(&self.ears, &state);
-                    if let Some(it) = state.job.as_ref().filter(|view| view.job == job) {
-                        told.tell(Told::Progress(progress(it)));
+                    publish(&self.subscribers, &state);
+                    if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
+                        reports.send(Report::Progress(progress(view)));
                     }
                 }
                 StationEvent::Notice(notice) => {
@@ -175,18 +174,18 @@ impl Session {
     }
 }
 
-/// Of a drawing the commands are told, of a program its steps and cycles.
+/// Returns the commands of a drawing, or the steps and cycles of a program.
 fn progress(job: &JobView) -> Progress {
     match &job.program {
         None => Progress::Commands {
             completed: job.completed,
             commands: job.commands,
         },
-        Some(it) => Progress::Steps {
-            step: (it.step + 1).min(it.steps),
-            steps: it.steps,
-            cycle: (it.cycles_done + 1).min(it.cycles.unwrap_or(u64::MAX)),
-            cycles: it.cycles,
+        Some(program) => Progress::Steps {
+            step: (program.step + 1).min(program.steps),
+            steps: program.steps,
+            cycle: (program.cycles_done + 1).min(program.cycles.unwrap_or(u64::MAX)),
+            cycles: program.cycles,
         },
     }
 }

@@ -139,7 +139,7 @@ impl Barriers {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Course {
     /// To their ends, or for ever if they never end.
-    Through,
+    Done,
     /// To a deadlock: the number of barriers that each part has passed.
     Stuck(Vec<u64>),
     /// Too many barriers to check.
@@ -152,9 +152,13 @@ pub(super) fn course(parts: &[&Barriers]) -> Course {
     let mut passed = vec![0; parts.len()];
     let mut been = HashSet::new();
     for _ in 0..MOST_RELEASES {
-        let next: Vec<_> = parts.iter().zip(&passed).map(|(it, n)| it.at(*n)).collect();
+        let next: Vec<_> = parts
+            .iter()
+            .zip(&passed)
+            .map(|(barriers, n)| barriers.at(*n))
+            .collect();
         if next.iter().all(Option::is_none) {
-            return Course::Through;
+            return Course::Done;
         }
         let Some(name) = meeting(parts, &next) else {
             return Course::Stuck(passed);
@@ -165,10 +169,10 @@ pub(super) fn course(parts: &[&Barriers]) -> Course {
         let rest = parts.iter().zip(&passed);
         let only_endless = rest
             .clone()
-            .all(|(it, n)| it.never_ends() || it.at(*n).is_none());
-        let places: Vec<u64> = rest.map(|(it, n)| it.place(*n)).collect();
+            .all(|(barriers, n)| barriers.never_ends() || barriers.at(*n).is_none());
+        let places: Vec<u64> = rest.map(|(barriers, n)| barriers.place(*n)).collect();
         if only_endless && !been.insert(places) {
-            return Course::Through;
+            return Course::Done;
         }
     }
     Course::TooLong

@@ -40,8 +40,13 @@ fn alone(parts: &[Part]) -> Vec<String> {
     let barriers: Vec<_> = parts.iter().map(Part::barriers).collect();
     let mut problems = Vec::new();
     for (part, own) in parts.iter().zip(&barriers) {
-        for it in own.all() {
-            if barriers.iter().filter(|other| other.has(&it.name)).count() > 1 {
+        for barrier in own.all() {
+            if barriers
+                .iter()
+                .filter(|other| other.has(&barrier.name))
+                .count()
+                > 1
+            {
                 continue;
             }
             let others = barriers.iter().filter(|other| *other != own);
@@ -54,7 +59,7 @@ fn alone(parts: &[Part]) -> Vec<String> {
                 [] => "the others have no barriers".to_owned(),
                 names => format!("the others have {names:?}"),
             };
-            let place = place(part, it);
+            let place = place(part, barrier);
             problems.push(format!(
                 "{place}: no other part has this barrier, {have}; use the same name in both, or remove the step"
             ));
@@ -68,7 +73,7 @@ fn stuck(parts: &[Part]) -> Vec<String> {
     let barriers: Vec<_> = parts.iter().map(Part::barriers).collect();
     let all: Vec<_> = barriers.iter().collect();
     let passed = match course(&all) {
-        Course::Through => return Vec::new(),
+        Course::Done => return Vec::new(),
         Course::TooLong => {
             return vec![
                 "the parts meet more than 1000000 times before they finish; let them repeat \"forever\", or less often"
@@ -80,19 +85,19 @@ fn stuck(parts: &[Part]) -> Vec<String> {
     let next: Vec<_> = barriers
         .iter()
         .zip(&passed)
-        .map(|(it, n)| it.at(*n))
+        .map(|(barriers, n)| barriers.at(*n))
         .collect();
     let mut problems = Vec::new();
-    for (index, it) in next.iter().enumerate() {
-        let Some(it) = it else {
+    for (index, barrier) in next.iter().enumerate() {
+        let Some(barrier) = barrier else {
             continue;
         };
         let elsewhere: Vec<String> = (0..parts.len())
-            .filter(|other| barriers[*other].has(&it.name))
-            .filter(|other| next[*other].is_none_or(|there| there.name != it.name))
+            .filter(|other| barriers[*other].has(&barrier.name))
+            .filter(|other| next[*other].is_none_or(|there| there.name != barrier.name))
             .map(|other| where_is(&parts[other], next[other]))
             .collect();
-        let (place, elsewhere) = (place(&parts[index], it), elsewhere.join(" and "));
+        let (place, elsewhere) = (place(&parts[index], barrier), elsewhere.join(" and "));
         problems.push(format!(
             "{place}: deadlock, since {elsewhere}; all parts must reach their barriers in the same order and equally often"
         ));
@@ -107,14 +112,14 @@ fn where_is(part: &Part, next: Option<&Barrier>) -> String {
     }
 }
 
-fn place(part: &Part, it: &Barrier) -> String {
-    let file = match &it.file {
+fn place(part: &Part, barrier: &Barrier) -> String {
+    let file = match &barrier.file {
         Some(called) => format!("{} calls {called}", part.file),
         None => part.file.clone(),
     };
     format!(
         "{file}: step {} (line {}, barrier {:?})",
-        it.step, it.line, it.name
+        barrier.step, barrier.line, barrier.name
     )
 }
 

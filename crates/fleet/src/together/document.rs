@@ -80,15 +80,15 @@ impl Together {
     ///
     /// [`DocumentError`].
     pub fn from_toml(text: &str) -> Result<Self, DocumentError> {
-        let it: Self = toml::from_str(text).map_err(|error| DocumentError::Toml {
+        let document: Self = toml::from_str(text).map_err(|error| DocumentError::Toml {
             line: error.span().map(|span| line_of(text, span.start)),
             reason: error.message().trim().replace('\n', ", "),
         })?;
-        if !(LEAST..=MOST).contains(&it.parts.len()) {
-            return Err(DocumentError::Parts(it.parts.len()));
+        if !(LEAST..=MOST).contains(&document.parts.len()) {
+            return Err(DocumentError::Parts(document.parts.len()));
         }
         let mut arms = BTreeSet::new();
-        for (index, part) in it.parts.iter().enumerate() {
+        for (index, part) in document.parts.iter().enumerate() {
             let arm = part.arm.clone();
             if !is_fleet_name(&arm) {
                 let part = index + 1;
@@ -98,7 +98,7 @@ impl Together {
                 return Err(DocumentError::Twice(arm));
             }
         }
-        Ok(it)
+        Ok(document)
     }
 }
 

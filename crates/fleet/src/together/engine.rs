@@ -11,7 +11,7 @@ use serde::Serialize;
 use self::depends::dependents;
 use self::part_state::{At, PartState};
 use super::barriers::Barriers;
-use super::seen::Seen;
+use super::observation::Observation;
 
 /// Keeps the parts in step. Knows no clock, no network and no rules of an arm.
 ///
@@ -19,12 +19,12 @@ use super::seen::Seen;
 #[derive(Debug)]
 pub(super) struct Engine {
     parts: Vec<PartState>,
-    news: VecDeque<News>,
+    news: VecDeque<EngineEvent>,
 }
 
 /// An action to carry out.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Wish {
+pub(super) enum Action {
     /// Start or resume the jobs of these parts simultaneously; report the results to
     /// [`Engine::handle_starts`].
     Start {
@@ -53,7 +53,7 @@ pub(super) enum Start {
 /// An event for the user.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum News {
+pub enum EngineEvent {
     /// A part has arrived at a barrier.
     Arrived {
         /// The part.
@@ -99,7 +99,7 @@ impl Engine {
     }
 
     /// Handles the observed state of a part.
-    pub(super) fn handle_seen(&mut self, now: Duration, part: usize, seen: &Seen) {
+    pub(super) fn handle_seen(&mut self, now: Duration, part: usize, seen: &Observation) {
         self.parts[part].heard = now;
         self.parts[part].is_silent = false;
         if let Err(why) = self.parts[part].see(part, seen, &mut self.news) {
@@ -109,11 +109,11 @@ impl Engine {
 
     /// Handles a missing state of a part, for this reason.
     pub(super) fn handle_silent(&mut self, now: Duration, part: usize, why: &str) {
-        let it = &mut self.parts[part];
-        if it.at == At::Through || now.saturating_sub(it.heard) < HEARD_WITHIN {
+        let state = &mut self.parts[part];
+        if state.at == At::Done || now.saturating_sub(state.heard) < HEARD_WITHIN {
             return;
         }
-        it.is_silent = true;
+        state.is_silent = true;
         self.trouble(part, &format!("no contact: {why}"));
     }
 
@@ -122,12 +122,12 @@ impl Engine {
         let rests = |start: &Start| matches!(start, Start::NotTried | Start::Refused(_));
         let all_rest = starts.iter().all(|start| rests(&start.1));
         for (part, start) in starts {
-            let it = &mut self.parts[*part];
+            let state = &mut self.parts[*part];
             match start {
-                Start::Done => it.set_out(*part, &mut self.news),
-                Start::Unclear(_) => it.lose_sight(),
+                Start::Done => state.set_out(*part, &mut self.news),
+                Start::Unclear(_) => state.lose_sight(),
                 // If others have started, it is late and is started alone.
-                _ if all_rest => it.take_back(),
+                _ if all_rest => state.take_back(),
                 _ => {}
             }
         }
@@ -154,28 +154,28 @@ impl Engine {
 
     /// Resumes the holding parts on request of a person. Returns the parts that cannot, with the
     /// reason; parts that depend on one of them keep holding.
-    pub(super) fn go_on(&mut self) -> Vec<(usize, String)> {
+    pub(super) fn resume(&mut self) -> Vec<(usize, String)> {
         let parts = self.parts.iter().enumerate();
-        let hindered = parts.filter_map(|(part, it)| Some((part, it.hindrance()?)));
+        let hindered = parts.filter_map(|(part, state)| Some((part, state.hindrance()?)));
         let hindered: Vec<_> = hindered.collect();
         let ahead: Vec<_> = self.parts.iter().map(PartState::ahead).collect();
         let mut hold: BTreeSet<usize> = hindered.iter().map(|entry| entry.0).collect();
         for (part, _) in &hindered {
             hold.extend(dependents(&ahead, *part));
         }
-        for (part, it) in self.parts.iter_mut().enumerate() {
+        for (part, state) in self.parts.iter_mut().enumerate() {
             if !hold.contains(&part) {
-                it.go_on();
+                state.resume();
             }
         }
         hindered
     }
 
     /// Returns the next action.
-    pub(super) fn poll_wish(&mut self) -> Option<Wish> {
+    pub(super) fn poll_action(&mut self) -> Option<Action> {
         if let Some(part) = self.parts.iter().position(PartState::is_to_be_paused) {
             self.parts[part].is_pausing = true;
-            return Some(Wish::Pause(part));
+            return Some(Action::Pause(part));
         }
         let due: Vec<usize> = self.those(PartState::is_to_be_started);
         if !due.is_empty() {
@@ -187,13 +187,13 @@ impl Engine {
     }
 
     /// Returns the next event for the user.
-    pub(super) fn poll_news(&mut self) -> Option<News> {
+    pub(super) fn poll_news(&mut self) -> Option<EngineEvent> {
         self.news.pop_front()
     }
 
     /// Whether all parts have finished.
     pub(super) fn is_over(&self) -> bool {
-        self.parts.iter().all(|part| part.at == At::Through)
+        self.parts.iter().all(|part| part.at == At::Done)
     }
 
     /// Whether a part holds.
@@ -214,14 +214,14 @@ impl Engine {
     pub(super) fn all_hold(&self) -> bool {
         let rests = |part: &PartState| part.is_held && (part.is_silent || !part.runs);
         let mut parts = self.parts.iter();
-        parts.all(|part| part.at == At::Through || rests(part))
+        parts.all(|part| part.at == At::Done || rests(part))
     }
 
-    fn start(&mut self, barrier: Option<String>, parts: Vec<usize>) -> Wish {
+    fn start(&mut self, barrier: Option<String>, parts: Vec<usize>) -> Action {
         for &part in &parts {
             self.parts[part].release();
         }
-        Wish::Start { barrier, parts }
+        Action::Start { barrier, parts }
     }
 
     /// Returns a barrier at which all parts with it wait, and none of them holds.
@@ -245,7 +245,7 @@ impl Engine {
         for &it in with.iter().chain([&part]) {
             self.parts[it].is_held = true;
         }
-        self.news.push_back(News::Held {
+        self.news.push_back(EngineEvent::Held {
             part,
             why: why.to_owned(),
             with,

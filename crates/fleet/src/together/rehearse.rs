@@ -10,9 +10,9 @@ use dobot_supervisor::Refusal;
 use serde::Serialize;
 
 use super::barriers::Barriers;
-use super::engine::{Engine, News, Start, Wish};
+use super::engine::{Action, Engine, EngineEvent, Start};
+use super::observation::Observation;
 use super::part::Part;
-use super::seen::Seen;
 
 /// The result of a rehearsal.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -161,7 +161,7 @@ impl<'a> Actor<'a> {
     }
 
     /// Advances the time and observes the job.
-    fn see(&mut self, now: Duration) -> Result<Seen, Refusal> {
+    fn see(&mut self, now: Duration) -> Result<Observation, Refusal> {
         self.station.run_until(self.began + now, |_| false);
         let state = self.station.supervisor().state();
         let of_state = state.job.clone().filter(|job| job.job == self.job);
@@ -169,7 +169,7 @@ impl<'a> Actor<'a> {
             Some(job) => job,
             None => self.kept()?,
         };
-        Ok(Seen::of(self.part, &job, &state))
+        Ok(Observation::of(self.part, &job, &state))
     }
 
     /// Returns its job from the journal.
@@ -210,13 +210,13 @@ impl Stage<'_> {
             let refused = |refusal| refused(of_part, refusal);
             let seen = actor.see(self.now).map_err(refused)?;
             self.engine.handle_seen(self.now, part, &seen);
-            if matches!(seen, Seen::AtPerson(_)) {
+            if matches!(seen, Observation::AtPerson(_)) {
                 actor.start().map_err(refused)?;
             }
         }
         self.follow()?;
-        while let Some(wish) = self.engine.poll_wish() {
-            let Wish::Start { barrier, parts } = wish else {
+        while let Some(action) = self.engine.poll_action() {
+            let Action::Start { barrier, parts } = action else {
                 // Only a part that is stuck holds the others.
                 continue;
             };
@@ -261,16 +261,16 @@ impl Stage<'_> {
     fn follow(&mut self) -> Result<(), RehearseError> {
         while let Some(news) = self.engine.poll_news() {
             match news {
-                News::Arrived { part, .. } => self.actors[part].since = Some(self.now),
-                News::Done { part } => self.actors[part].over = Some(self.now),
-                News::Held { part, why, .. } => {
+                EngineEvent::Arrived { part, .. } => self.actors[part].since = Some(self.now),
+                EngineEvent::Done { part } => self.actors[part].over = Some(self.now),
+                EngineEvent::Held { part, why, .. } => {
                     return Err(RehearseError::Held {
                         file: self.actors[part].part.file.clone(),
                         at_s: self.now.as_secs_f64(),
                         why,
                     });
                 }
-                News::SetOut { .. } | News::WaitsForPerson { .. } => {}
+                EngineEvent::SetOut { .. } | EngineEvent::WaitsForPerson { .. } => {}
             }
         }
         Ok(())

@@ -14,9 +14,9 @@ use tokio::time::{MissedTickBehavior, interval, sleep, timeout};
 
 pub use self::home::Home;
 use self::home::{AskError, Asked};
-use super::engine::{Engine, News, Start, Wish};
+use super::engine::{Action, Engine, EngineEvent, Start};
+use super::observation::Observation;
 use super::part::Part;
-use super::seen::Seen;
 use crate::id::new_id;
 
 /// A person's decision during a run.
@@ -25,7 +25,7 @@ pub enum Order {
     /// All parts hold.
     Hold,
     /// The holding parts resume.
-    GoOn,
+    Resume,
     /// Holding parts stay paused, and the run ends.
     Leave,
 }
@@ -33,11 +33,11 @@ pub enum Order {
 /// An event of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Said {
+pub enum RunEvent {
     /// The jobs of the parts, in their order: all are queued, and nothing has moved.
     Queued(Vec<u64>),
     /// An event of the engine.
-    News(News),
+    News(EngineEvent),
     /// All parts at a barrier continue, or all parts begin.
     Started {
         /// The barrier; `None` at the beginning.
@@ -59,7 +59,7 @@ pub enum Said {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// All parts have finished.
-    Through,
+    Done,
     /// Some hold: their jobs stay paused at their stations.
     Held,
 }
@@ -93,10 +93,10 @@ pub async fn run(
     parts: &[Part],
     is_attended: bool,
     mut orders: mpsc::Receiver<Order>,
-    mut say: impl FnMut(Said),
+    mut say: impl FnMut(RunEvent),
 ) -> Result<Outcome, RunError> {
     let jobs = queue(home, parts).await?;
-    say(Said::Queued(jobs.clone()));
+    say(RunEvent::Queued(jobs.clone()));
     let mut run = Run {
         actors: actors(home, parts, &jobs),
         engine: Engine::new(parts.iter().map(Part::barriers).collect()),
@@ -111,17 +111,17 @@ pub async fn run(
             order = orders.recv(), if has_orders => match order {
                 None => has_orders = false,
                 Some(Order::Hold) => run.engine.hold_all("held on request"),
-                Some(Order::GoOn) => run.is_to_go_on = true,
+                Some(Order::Resume) => run.is_to_go_on = true,
                 Some(Order::Leave) => return Ok(Outcome::Held),
             },
             _ = looks.tick() => {
-                run.go_on(&mut say);
+                run.resume(&mut say);
                 run.look().await;
             }
         }
         run.act(&mut say).await;
         if run.engine.is_over() {
-            return Ok(Outcome::Through);
+            return Ok(Outcome::Done);
         }
         if !is_attended && run.engine.all_hold() {
             return Ok(Outcome::Held);
@@ -211,37 +211,37 @@ impl Run {
     }
 
     /// Carries out the pending actions.
-    async fn act(&mut self, say: &mut impl FnMut(Said)) {
+    async fn act(&mut self, say: &mut impl FnMut(RunEvent)) {
         self.tell(say);
-        let wishes: Vec<Wish> = std::iter::from_fn(|| self.engine.poll_wish()).collect();
-        let pauses = wishes.iter().filter_map(|wish| match wish {
-            Wish::Pause(part) => Some(*part),
-            Wish::Start { .. } => None,
+        let actions: Vec<Action> = std::iter::from_fn(|| self.engine.poll_action()).collect();
+        let pauses = actions.iter().filter_map(|action| match action {
+            Action::Pause(part) => Some(*part),
+            Action::Start { .. } => None,
         });
         self.pause(pauses.collect()).await;
-        for wish in wishes {
-            if let Wish::Start { barrier, parts } = wish
+        for action in actions {
+            if let Action::Start { barrier, parts } = action
                 && let Some(within_ms) = self.start(&parts).await
             {
-                say(Said::Started { barrier, within_ms });
+                say(RunEvent::Started { barrier, within_ms });
             }
         }
         self.tell(say);
     }
 
-    fn tell(&mut self, say: &mut impl FnMut(Said)) {
+    fn tell(&mut self, say: &mut impl FnMut(RunEvent)) {
         while let Some(news) = self.engine.poll_news() {
-            say(Said::News(news));
+            say(RunEvent::News(news));
         }
     }
 
-    fn go_on(&mut self, say: &mut impl FnMut(Said)) {
+    fn resume(&mut self, say: &mut impl FnMut(RunEvent)) {
         if !self.is_to_go_on || !self.engine.is_at_rest() {
             return;
         }
         self.is_to_go_on = false;
-        for (part, why) in self.engine.go_on() {
-            say(Said::Hindered { part, why });
+        for (part, why) in self.engine.resume() {
+            say(RunEvent::Hindered { part, why });
         }
     }
 
@@ -322,13 +322,13 @@ impl Run {
 
 impl Actor {
     /// Returns the state of the part, within a timeout.
-    async fn see(self) -> Result<Seen, AskError> {
+    async fn see(self) -> Result<Observation, AskError> {
         let within_s = SEEN_WITHIN.as_secs();
         let late = |_| AskError::Unclear(format!("no response within {within_s} s"));
         timeout(SEEN_WITHIN, self.look()).await.map_err(late)?
     }
 
-    async fn look(self) -> Result<Seen, AskError> {
+    async fn look(self) -> Result<Observation, AskError> {
         // A response about a job is newer than all previous requests.
         let known = if self.is_unsure {
             Some(self.look_up().await?)
@@ -343,8 +343,8 @@ impl Actor {
             (None, None) => self.look_up().await?,
         };
         Ok(match job {
-            Some(job) => Seen::of(&self.part, &job, &state),
-            None => Seen::Ended("its station does not know its job any more".into()),
+            Some(job) => Observation::of(&self.part, &job, &state),
+            None => Observation::Ended("its station does not know its job any more".into()),
         })
     }
 

@@ -51,7 +51,7 @@ fn come_through(parts: &[Vec<u8>], seed: u64) -> bool {
         let next: Vec<_> = parts
             .iter()
             .zip(&passed)
-            .map(|(it, n)| it.get(*n).copied())
+            .map(|(names, n)| names.get(*n).copied())
             .collect();
         let waiting: BTreeSet<u8> = next.iter().flatten().copied().collect();
         if waiting.is_empty() {
@@ -91,7 +91,7 @@ proptest! {
             .collect();
         let found = course(&short.iter().collect::<Vec<_>>());
         let comes_through = come_through(&written_out, seed);
-        prop_assert_eq!(found == Course::Through, comes_through, "{:?}", found);
+        prop_assert_eq!(found == Course::Done, comes_through, "{:?}", found);
     }
 
     #[test]
@@ -146,7 +146,7 @@ fn one_that_somebody_starts_at_its_arm_is_paused_with_those_that_wait_for_it() {
     world.start_by_hand(0);
     assert_eq!(world.held(), [0, 1]);
     assert!(world.is_paused(0) && world.is_paused(1));
-    let hindered = world.go_on();
+    let hindered = world.resume();
     assert_eq!(hindered.len(), 1, "{hindered:?}");
     assert!(hindered[0].1.contains("before the others had arrived"));
     assert_eq!(world.held(), [0, 1]);
@@ -158,6 +158,6 @@ fn a_start_that_one_station_refuses_leaves_all_where_they_wait() {
     world.refuse_next_start(1);
     world.start();
     assert!((0..3).all(|part| world.is_queued(part)));
-    world.go_on();
+    world.resume();
     world.come_through();
 }

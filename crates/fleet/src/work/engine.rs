@@ -8,7 +8,7 @@
 //! good, or a person decides so. After any other response, or none, the same request is sent again.
 //! 3. The response of a station to a key is final (the journal's `take`, `refuse` and `withdraw`).
 
-mod showing;
+mod views;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::time::Duration;
@@ -31,8 +31,8 @@ pub(crate) struct Work {
     /// The number of the last ticket.
     last_number: u64,
     /// Tickets with changes that are not on the disk yet.
-    unkept: BTreeSet<String>,
-    keeping: Option<Keeping>,
+    unwritten: BTreeSet<String>,
+    keeping: Option<PendingWrite>,
     /// When writing to the disk is retried.
     disk_due: Duration,
     members: Members,
@@ -54,7 +54,7 @@ pub(crate) struct Work {
 
 /// A pending write.
 #[derive(Debug)]
-struct Keeping {
+struct PendingWrite {
     id: String,
     /// Whether the ticket has changed since.
     is_old: bool,
@@ -62,9 +62,9 @@ struct Keeping {
 
 /// An action to carry out.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Wish {
+pub(crate) enum Action {
     /// Write the ticket durably and report the result. There are no other actions until then.
-    Keep(Box<Ticket>),
+    Write(Box<Ticket>),
     /// Remove the ticket from the disk.
     Forget(String),
     /// Send a request to a station.
@@ -130,7 +130,7 @@ impl Work {
                 .into_iter()
                 .map(|ticket| (ticket.id.clone(), ticket))
                 .collect(),
-            unkept: BTreeSet::new(),
+            unwritten: BTreeSet::new(),
             keeping: None,
             disk_due: Duration::ZERO,
             members: Members::default(),
@@ -146,7 +146,7 @@ impl Work {
 
     /// Whether the current state of a ticket is on the disk.
     pub(crate) fn is_kept(&self, id: &str) -> bool {
-        !self.unkept.contains(id)
+        !self.unwritten.contains(id)
     }
 
     /// Whether the states of the other stations are needed.
@@ -241,14 +241,14 @@ impl Work {
     }
 
     /// Handles the result of a write.
-    pub(crate) fn handle_kept(&mut self, now: Duration, is_kept: bool) {
+    pub(crate) fn handle_written(&mut self, now: Duration, is_kept: bool) {
         let Some(keeping) = self.keeping.take() else {
             return;
         };
         if !is_kept {
             self.disk_due = now + ASK_EVERY;
         } else if !keeping.is_old {
-            self.unkept.remove(&keeping.id);
+            self.unwritten.remove(&keeping.id);
         }
     }
 
@@ -291,7 +291,7 @@ impl Work {
     }
 
     /// Returns the next action.
-    pub(crate) fn poll_wish(&mut self, now: Duration) -> Option<Wish> {
+    pub(crate) fn poll_action(&mut self, now: Duration) -> Option<Action> {
         if self.keeping.is_some() {
             return None;
         }
@@ -299,21 +299,21 @@ impl Work {
         if self.held.is_none() {
             self.offer_waiting(now);
         }
-        if let Some(id) = self.unkept.first().cloned() {
+        if let Some(id) = self.unwritten.first().cloned() {
             if now < self.disk_due {
                 return None;
             }
             let ticket = self.tickets[&id].clone();
-            self.keeping = Some(Keeping { id, is_old: false });
-            return Some(Wish::Keep(Box::new(ticket)));
+            self.keeping = Some(PendingWrite { id, is_old: false });
+            return Some(Action::Write(Box::new(ticket)));
         }
         if let Some(old) = self.old() {
             self.tickets.remove(&old);
-            return Some(Wish::Forget(old));
+            return Some(Action::Forget(old));
         }
         let ask = self.next_ask(now)?;
         self.asking.insert(ask.key.clone());
-        Some(Wish::Ask(ask))
+        Some(Action::Ask(ask))
     }
 
     /// Offers waiting tickets to free arms.
@@ -456,7 +456,7 @@ impl Work {
     }
 
     fn change(&mut self, id: &str) {
-        self.unkept.insert(id.to_owned());
+        self.unwritten.insert(id.to_owned());
         if let Some(keeping) = self.keeping.as_mut().filter(|keeping| keeping.id == id) {
             keeping.is_old = true;
         }

@@ -10,7 +10,7 @@ use dobot_api::{JobPhase, Request, TakesWork, WorkPhase};
 use dobot_supervisor::StoppedBy;
 
 use self::world::World;
-use super::kept::Kept;
+use super::ticket_store::TicketStore;
 
 /// A queue of short drawings, while stations are killed and the network splits.
 struct Storm {
@@ -285,13 +285,13 @@ fn tickets_are_there_again_after_a_kill_and_a_file_that_is_none_is_left_and_told
     let folder = tempfile::tempdir().unwrap();
     let ticket = world::ticket(0, 1, "Anna");
     let offer = serde_json::json!({"by": "desk-1"});
-    let (kept, none, wrong) = Kept::open(folder.path()).unwrap();
+    let (kept, none, wrong) = TicketStore::open(folder.path()).unwrap();
     assert!(none.is_empty() && wrong.is_empty());
     kept.submit(&ticket, &offer).unwrap();
     let half = folder.path().join(format!("{}.json", "f".repeat(32)));
     std::fs::write(&half, "{\"id\": ").unwrap();
     std::fs::write(folder.path().join("0.new-17"), "half").unwrap();
-    let (kept, found, wrong) = Kept::open(folder.path()).unwrap();
+    let (kept, found, wrong) = TicketStore::open(folder.path()).unwrap();
     assert_eq!(found, std::slice::from_ref(&ticket));
     assert_eq!(kept.offer(&ticket.id).unwrap(), offer);
     assert!(
@@ -300,7 +300,7 @@ fn tickets_are_there_again_after_a_kill_and_a_file_that_is_none_is_left_and_told
     );
     assert!(half.exists());
     kept.forget(&ticket.id).unwrap();
-    assert!(Kept::open(folder.path()).unwrap().1.is_empty());
+    assert!(TicketStore::open(folder.path()).unwrap().1.is_empty());
 }
 
 /// Steps until the condition is met.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use dobot_api::StationAddress;
-use dobot_fleet::together::{Home, News, Order, Outcome, Part, Said, check, run};
+use dobot_fleet::together::{EngineEvent, Home, Order, Outcome, Part, RunEvent, check, run};
 use dobot_host::PassedPacket;
 use dobot_teach::{NoFiles, Program};
 use dobot_wire::{Command, Packet};
@@ -115,7 +115,7 @@ const BEHIND_MM: f32 = -30.0;
 /// A running program and its events.
 struct Running {
     orders: mpsc::Sender<Order>,
-    said: mpsc::UnboundedReceiver<Said>,
+    said: mpsc::UnboundedReceiver<RunEvent>,
     ended: JoinHandle<Outcome>,
 }
 
@@ -137,7 +137,7 @@ impl Running {
     }
 
     /// Waits for an event; returns it and all events before it.
-    async fn until(&mut self, is_it: impl Fn(&Said) -> bool) -> Vec<Said> {
+    async fn until(&mut self, is_it: impl Fn(&RunEvent) -> bool) -> Vec<RunEvent> {
         let mut all = Vec::new();
         let waiting = async {
             while let Some(said) = self.said.recv().await {
@@ -159,8 +159,8 @@ impl Running {
     }
 }
 
-fn is_at_barrier(said: &Said, of: usize) -> bool {
-    matches!(said, Said::News(News::Arrived { part, .. }) if *part == of)
+fn is_at_barrier(said: &RunEvent, of: usize) -> bool {
+    matches!(said, RunEvent::News(EngineEvent::Arrived { part, .. }) if *part == of)
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -176,11 +176,16 @@ async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
     if !said.iter().any(|event| is_at_barrier(event, 1)) {
         said.extend(running.until(|event| is_at_barrier(event, 1)).await);
     }
-    let is_asked = |event: &Said| matches!(event, Said::News(News::WaitsForPerson { part: 2, .. }));
+    let is_asked = |event: &RunEvent| {
+        matches!(
+            event,
+            RunEvent::News(EngineEvent::WaitsForPerson { part: 2, .. })
+        )
+    };
     if !said.iter().any(is_asked) {
         said.extend(running.until(is_asked).await);
     }
-    let Some(Said::Queued(jobs)) = said.first() else {
+    let Some(RunEvent::Queued(jobs)) = said.first() else {
         panic!("{said:#?}")
     };
     for desk in 0..3 {
@@ -188,10 +193,10 @@ async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
     }
     // A person resumes the third part; then all continue.
     room.desks[2].start(jobs[2]).await;
-    let released = |event: &Said| {
+    let released = |event: &RunEvent| {
         matches!(
             event,
-            Said::Started {
+            RunEvent::Started {
                 barrier: Some(_),
                 ..
             }
@@ -202,7 +207,7 @@ async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
         said.iter().any(|event| is_at_barrier(event, 2)),
         "{said:#?}"
     );
-    assert_eq!(running.end().await, Outcome::Through);
+    assert_eq!(running.end().await, Outcome::Done);
     for desk in 0..3 {
         assert!(room.has_gone_past(desk), "desk {desk}");
     }
@@ -221,7 +226,7 @@ async fn when_a_station_is_gone_the_others_hold_before_the_barrier() {
     let mut running = Running::begin(&room.home, parts, false);
     running.until(|event| is_at_barrier(event, 0)).await;
     room.desks.remove(1).end().await;
-    let is_held = |event: &Said| matches!(event, Said::News(News::Held { part: 1, with, .. }) if *with == [0, 2]);
+    let is_held = |event: &RunEvent| matches!(event, RunEvent::News(EngineEvent::Held { part: 1, with, .. }) if *with == [0, 2]);
     running.until(is_held).await;
     // No person is present to decide.
     assert_eq!(running.end().await, Outcome::Held);
@@ -268,14 +273,14 @@ async fn a_person_has_all_hold_and_go_on() {
     ];
     let mut running = Running::begin(&room.home, parts, true);
     running
-        .until(|event| matches!(event, Said::Started { barrier: None, .. }))
+        .until(|event| matches!(event, RunEvent::Started { barrier: None, .. }))
         .await;
     running.orders.send(Order::Hold).await.unwrap();
     running
-        .until(|event| matches!(event, Said::News(News::Held { .. })))
+        .until(|event| matches!(event, RunEvent::News(EngineEvent::Held { .. })))
         .await;
-    running.orders.send(Order::GoOn).await.unwrap();
-    assert_eq!(running.end().await, Outcome::Through);
+    running.orders.send(Order::Resume).await.unwrap();
+    assert_eq!(running.end().await, Outcome::Done);
     for desk in 0..3 {
         assert!(room.has_gone_past(desk), "desk {desk}");
     }

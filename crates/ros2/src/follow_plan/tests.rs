@@ -66,9 +66,9 @@ fn a_straight_way_of_many_points_is_one_target_in_the_time_that_was_wanted() {
     assert!(target.suction && (target.gripper_deg - 30.0).abs() < 1e-6);
     assert!((plan.takes_s - 2.0).abs() < 1e-6, "{}", plan.takes_s);
     assert!(
-        plan.told.starts_with("1 targets for 40 points"),
+        plan.summary.starts_with("1 targets for 40 points"),
         "{}",
-        plan.told
+        plan.summary
     );
 }
 
@@ -78,10 +78,10 @@ fn no_more_targets_are_sent_than_there_are_permits_and_the_deviation_is_told() {
     let plan = plan(&wave(400, 2.0)).expect("it can be followed");
     assert_eq!(targets(&plan).len(), 12);
     assert!(
-        plan.told
+        plan.summary
             .starts_with("12 targets for 400 points, deviation at most 0."),
         "{}",
-        plan.told
+        plan.summary
     );
 }
 
@@ -194,8 +194,8 @@ proptest! {
             at_s += point.2;
             at_s
         });
-        let told: Vec<(&[f64], f64)> = places.iter().map(|place| &place[..]).zip(times).collect();
-        let wanted = wanted(&told);
+        let points: Vec<(&[f64], f64)> = places.iter().map(|place| &place[..]).zip(times).collect();
+        let wanted = wanted(&points);
         let plan = plan(&wanted).expect("it can be followed");
         // A last pause of less than a tick of 20 ms is left out.
         prop_assert!(plan.takes_s > wanted.duration_s() - 0.021, "{} of {}", plan.takes_s, wanted.duration_s());

@@ -168,7 +168,7 @@ fn a_tolerance_of_zero_is_none_and_one_below_zero_is_any() {
         tolerance("fore", -1.0),
     ];
     let found = wanted(&goal).expect("it is allowed").path_deg;
-    assert!((found[0].expect("it is told") - 1.0).abs() < 1e-9);
+    assert!((found[0].expect("it is given") - 1.0).abs() < 1e-9);
     assert_eq!(found[1..], [None; 3]);
     goal.goal_tolerance = vec![tolerance("wrist", 0.1)];
     assert_eq!(wanted(&goal).unwrap_err().code, FaultCode::InvalidJoints);

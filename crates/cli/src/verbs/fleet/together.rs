@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, anyhow};
 use dobot_draw::ProgramFiles;
 use dobot_fleet::together::{
-    Home, News, Order, Outcome, Part, Rehearsal, Said, Together, check, rehearse, run,
+    EngineEvent, Home, Order, Outcome, Part, Rehearsal, RunEvent, Together, check, rehearse, run,
 };
 use dobot_host::{PlannedFor, Rules};
 use dobot_safety::Policy;
@@ -150,7 +150,7 @@ async fn run_on_arms(home: &Home, parts: &[Part], as_json: bool) -> Result<(), F
     .await;
     deciding.abort();
     match outcome? {
-        Outcome::Through => progress.sum_up(),
+        Outcome::Done => progress.sum_up(),
         Outcome::Held => Err(Failure::new(
             anyhow!("not all arms are done"),
             "run `dobot jobs` at the stations: the jobs of the others are paused there; `dobot jobs cancel` ends one",
@@ -168,7 +168,7 @@ async fn decide(orders: mpsc::Sender<Order>, is_attended: bool) {
             line = lines.next_line(), if is_attended => {
                 let line = line.ok().flatten().unwrap_or_else(|| "e".to_owned());
                 match line.trim() {
-                    "g" | "G" => Order::GoOn,
+                    "g" | "G" => Order::Resume,
                     "e" | "E" => Order::Leave,
                     _ => continue,
                 }
@@ -203,11 +203,11 @@ impl<'a> Progress<'a> {
     }
 
     /// Shows an event. A closed standard output does not end the program of the arms.
-    fn show(&mut self, said: &Said) {
+    fn show(&mut self, said: &RunEvent) {
         match said {
-            Said::Queued(jobs) => self.jobs.clone_from(jobs),
-            Said::Started { within_ms, .. } => self.most_ms = self.most_ms.max(*within_ms),
-            Said::News(_) | Said::Hindered { .. } => {}
+            RunEvent::Queued(jobs) => self.jobs.clone_from(jobs),
+            RunEvent::Started { within_ms, .. } => self.most_ms = self.most_ms.max(*within_ms),
+            RunEvent::News(_) | RunEvent::Hindered { .. } => {}
         }
         if self.as_json {
             return drop(output::json(said));
@@ -217,16 +217,16 @@ impl<'a> Progress<'a> {
         }
     }
 
-    fn lines(&self, said: &Said) -> Vec<String> {
+    fn lines(&self, said: &RunEvent) -> Vec<String> {
         match said {
-            Said::Queued(jobs) => {
+            RunEvent::Queued(jobs) => {
                 let both = self.parts.iter().zip(jobs);
                 let line = |(part, job): (&Part, &u64)| {
                     format!("{}: {} is job {job}", part.arm, part.file)
                 };
                 both.map(line).collect()
             }
-            Said::Started { barrier, within_ms } => {
+            RunEvent::Started { barrier, within_ms } => {
                 let all = barrier
                     .as_ref()
                     .map_or("all arms start".to_owned(), |barrier| {
@@ -234,27 +234,27 @@ impl<'a> Progress<'a> {
                     });
                 vec![format!("{all}, within {within_ms:.0} ms of each other")]
             }
-            Said::Hindered { part, why } => {
+            RunEvent::Hindered { part, why } => {
                 vec![format!("{} cannot continue: {why}", self.arm(*part))]
             }
-            Said::News(news) => self.news(news),
+            RunEvent::News(news) => self.news(news),
         }
     }
 
-    fn news(&self, news: &News) -> Vec<String> {
+    fn news(&self, news: &EngineEvent) -> Vec<String> {
         match news {
-            News::Arrived { part, barrier } => {
+            EngineEvent::Arrived { part, barrier } => {
                 vec![format!("{} is at {barrier:?}", self.arm(*part))]
             }
-            News::SetOut { .. } => Vec::new(),
-            News::WaitsForPerson { part, message } => {
+            EngineEvent::SetOut { .. } => Vec::new(),
+            EngineEvent::WaitsForPerson { part, message } => {
                 let (arm, job) = (self.arm(*part), self.jobs.get(*part).unwrap_or(&0));
                 vec![format!(
                     "{arm} waits for a person: {message}; run `dobot jobs start {job}` at its station to continue"
                 )]
             }
-            News::Done { part } => vec![format!("{} is done", self.arm(*part))],
-            News::Held { part, why, with } => {
+            EngineEvent::Done { part } => vec![format!("{} is done", self.arm(*part))],
+            EngineEvent::Held { part, why, with } => {
                 let with: Vec<_> = with.iter().map(|part| self.arm(*part)).collect();
                 let holds = match &with[..] {
                     [] => "no other arm depends on it".to_owned(),

@@ -3,9 +3,9 @@
 use std::collections::{BTreeSet, VecDeque};
 use std::time::Duration;
 
-use super::News;
+use super::EngineEvent;
 use crate::together::barriers::Barriers;
-use crate::together::seen::Seen;
+use crate::together::observation::Observation;
 
 /// The state of one part in the engine.
 #[expect(
@@ -53,7 +53,7 @@ pub(super) enum At {
     /// Its program waits for a person.
     Person(String),
     Paused,
-    Through,
+    Done,
     /// It cannot be resumed, for this reason.
     Broken(String),
 }
@@ -86,10 +86,10 @@ impl PartState {
     pub(super) fn see(
         &mut self,
         part: usize,
-        seen: &Seen,
-        news: &mut VecDeque<News>,
+        seen: &Observation,
+        news: &mut VecDeque<EngineEvent>,
     ) -> Result<(), String> {
-        self.runs = *seen == Seen::Running;
+        self.runs = *seen == Observation::Running;
         self.is_unknown = false;
         if self.is_over() {
             return Ok(());
@@ -102,30 +102,30 @@ impl PartState {
             self.set_out(part, news);
         }
         match seen {
-            Seen::Queued => Ok(()),
-            Seen::Running => {
+            Observation::Queued => Ok(()),
+            Observation::Running => {
                 self.go(At::Running);
                 Ok(())
             }
-            Seen::AtBarrier { progress, .. } if self.arrived >= Some(*progress) => Ok(()),
-            Seen::AtBarrier { name, progress } => self.arrive(part, name, *progress, news),
-            Seen::AtPerson(message) => {
+            Observation::AtBarrier { progress, .. } if self.arrived >= Some(*progress) => Ok(()),
+            Observation::AtBarrier { name, progress } => self.arrive(part, name, *progress, news),
+            Observation::AtPerson(message) => {
                 self.wait_for_person(part, message, news);
                 Ok(())
             }
-            Seen::Paused(reason) | Seen::Hindered(reason) => self.pause(reason),
-            Seen::Done => self.finish(part, news),
-            Seen::Ended(reason) => self.broken(reason),
+            Observation::Paused(reason) | Observation::Hindered(reason) => self.pause(reason),
+            Observation::Done => self.finish(part, news),
+            Observation::Ended(reason) => self.broken(reason),
         }
     }
 
     /// Handles a started job.
-    pub(super) fn set_out(&mut self, part: usize, news: &mut VecDeque<News>) {
+    pub(super) fn set_out(&mut self, part: usize, news: &mut VecDeque<EngineEvent>) {
         self.passed += u64::from(self.at == At::Waiting);
         self.go(At::Running);
         self.runs = true;
         self.is_pausing = false;
-        news.push_back(News::SetOut { part });
+        news.push_back(EngineEvent::SetOut { part });
     }
 
     /// Handles a missing response to its start.
@@ -148,7 +148,7 @@ impl PartState {
     }
 
     /// Resumes on request of a person.
-    pub(super) fn go_on(&mut self) {
+    pub(super) fn resume(&mut self) {
         if !self.is_held {
             return;
         }
@@ -177,7 +177,7 @@ impl PartState {
 
     /// Returns the names of its remaining barriers.
     pub(super) fn ahead(&self) -> BTreeSet<&str> {
-        if self.at == At::Through {
+        if self.at == At::Done {
             return BTreeSet::new();
         }
         let released = self.is_released && self.at == At::Waiting;
@@ -193,7 +193,7 @@ impl PartState {
     }
 
     pub(super) const fn is_over(&self) -> bool {
-        matches!(self.at, At::Through | At::Broken(_))
+        matches!(self.at, At::Done | At::Broken(_))
     }
 
     /// Changes its place by itself: a due start is dropped.
@@ -204,14 +204,17 @@ impl PartState {
     }
 
     /// Whether its job is past the barrier at which it should wait.
-    fn is_further(&self, seen: &Seen) -> bool {
+    fn is_further(&self, seen: &Observation) -> bool {
         if !matches!(self.at, At::Queued | At::Waiting) {
             return false;
         }
         match seen {
-            Seen::AtBarrier { progress, .. } => self.arrived < Some(*progress),
-            Seen::Queued | Seen::Hindered(_) | Seen::Ended(_) => false,
-            Seen::Running | Seen::Paused(_) | Seen::AtPerson(_) | Seen::Done => true,
+            Observation::AtBarrier { progress, .. } => self.arrived < Some(*progress),
+            Observation::Queued | Observation::Hindered(_) | Observation::Ended(_) => false,
+            Observation::Running
+            | Observation::Paused(_)
+            | Observation::AtPerson(_)
+            | Observation::Done => true,
         }
     }
 
@@ -220,7 +223,7 @@ impl PartState {
         part: usize,
         name: &str,
         progress: (u64, usize),
-        news: &mut VecDeque<News>,
+        news: &mut VecDeque<EngineEvent>,
     ) -> Result<(), String> {
         let next = self.barriers.at(self.passed).map(|at| at.name.clone());
         if next.as_deref() != Some(name) {
@@ -231,18 +234,18 @@ impl PartState {
         }
         self.go(At::Waiting);
         self.arrived = Some(progress);
-        news.push_back(News::Arrived {
+        news.push_back(EngineEvent::Arrived {
             part,
             barrier: name.to_owned(),
         });
         Ok(())
     }
 
-    fn wait_for_person(&mut self, part: usize, message: &str, news: &mut VecDeque<News>) {
+    fn wait_for_person(&mut self, part: usize, message: &str, news: &mut VecDeque<EngineEvent>) {
         let at = At::Person(message.to_owned());
         if self.at != at {
             let message = message.to_owned();
-            news.push_back(News::WaitsForPerson { part, message });
+            news.push_back(EngineEvent::WaitsForPerson { part, message });
         }
         self.go(at);
     }
@@ -261,14 +264,14 @@ impl PartState {
         }
     }
 
-    fn finish(&mut self, part: usize, news: &mut VecDeque<News>) -> Result<(), String> {
+    fn finish(&mut self, part: usize, news: &mut VecDeque<EngineEvent>) -> Result<(), String> {
         if let Some(next) = self.barriers.at(self.passed) {
             let next = next.name.clone();
             return self.broken(&format!("it finished before the barrier {next:?}"));
         }
-        self.at = At::Through;
+        self.at = At::Done;
         self.is_held = false;
-        news.push_back(News::Done { part });
+        news.push_back(EngineEvent::Done { part });
         Ok(())
     }
 

@@ -6,8 +6,8 @@ use std::time::Duration;
 use dobot_geometry::Random;
 
 use super::barriers;
-use crate::together::engine::{Engine, News, Start, Wish};
-use crate::together::seen::Seen;
+use crate::together::engine::{Action, Engine, EngineEvent, Start};
+use crate::together::observation::Observation;
 
 /// The kinds of faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,7 +91,7 @@ impl World {
             self.move_on();
             self.round();
             if self.engine.all_hold() {
-                self.go_on();
+                self.resume();
             }
         }
         panic!("they do not finish: {:?} {:?}", self.desks, self.engine);
@@ -149,9 +149,9 @@ impl World {
         self.desks[part].is == Is::Queued
     }
 
-    pub(super) fn go_on(&mut self) -> Vec<(usize, String)> {
+    pub(super) fn resume(&mut self) -> Vec<(usize, String)> {
         self.expected.clear();
-        let hindered = self.engine.go_on();
+        let hindered = self.engine.resume();
         if self.faults == Faults::Pauses {
             assert!(hindered.is_empty(), "{hindered:?}");
         }
@@ -188,11 +188,11 @@ impl World {
             }
             self.follow();
         }
-        let wishes: Vec<Wish> = std::iter::from_fn(|| self.engine.poll_wish()).collect();
-        for wish in wishes {
-            match wish {
-                Wish::Pause(part) => self.pause(part),
-                Wish::Start { parts, .. } => self.start_all(&parts),
+        let actions: Vec<Action> = std::iter::from_fn(|| self.engine.poll_action()).collect();
+        for action in actions {
+            match action {
+                Action::Pause(part) => self.pause(part),
+                Action::Start { parts, .. } => self.start_all(&parts),
             }
         }
         self.follow();
@@ -259,9 +259,9 @@ impl World {
         }
         let name = desk.script[desk.passed];
         let time = desk.arrivals(name);
-        for (other, it) in self.desks.iter().enumerate() {
-            if it.script.contains(&name) {
-                let arrivals = it.arrivals(name);
+        for (other, desk) in self.desks.iter().enumerate() {
+            if desk.script.contains(&name) {
+                let arrivals = desk.arrivals(name);
                 assert!(
                     arrivals >= time,
                     "{part} passes {name} before {other} has arrived"
@@ -272,7 +272,7 @@ impl World {
 
     fn follow(&mut self) {
         while let Some(news) = self.engine.poll_news() {
-            if let News::Held { part, with, .. } = news
+            if let EngineEvent::Held { part, with, .. } = news
                 && self.faults == Faults::Pauses
             {
                 let expected = self.depend_on(part);
@@ -315,16 +315,16 @@ impl World {
 }
 
 impl Desk {
-    fn seen(&self) -> Seen {
+    fn seen(&self) -> Observation {
         match self.is {
-            Is::Queued => Seen::Queued,
-            Is::Running => Seen::Running,
-            Is::AtBarrier => Seen::AtBarrier {
+            Is::Queued => Observation::Queued,
+            Is::Running => Observation::Running,
+            Is::AtBarrier => Observation::AtBarrier {
                 name: self.script[self.passed].to_string(),
                 progress: (0, self.passed + 1),
             },
-            Is::Paused => Seen::Paused("paused by Anna".into()),
-            Is::Done => Seen::Done,
+            Is::Paused => Observation::Paused("paused by Anna".into()),
+            Is::Done => Observation::Done,
         }
     }
 

@@ -16,7 +16,7 @@ use dobot_safety::Policy;
 use dobot_station::{Members, work_hurdle};
 use dobot_wire::{MoveTo, MovingMode, WriteVector};
 
-use super::super::engine::{Answer, Ask, What, Wish, Work};
+use super::super::engine::{Action, Answer, Ask, What, Work};
 use super::super::ticket::{Place, Ticket};
 
 /// The time of a step.
@@ -142,9 +142,9 @@ impl World {
     /// A student submits a drawing.
     pub(super) fn submit(&mut self, home: usize, number: u64, student: &str) {
         let ticket = ticket(home, number, student);
-        let it = &mut self.homes[home];
-        it.disk.insert(ticket.id.clone(), ticket.clone());
-        if let Some(work) = &mut it.work {
+        let entry = &mut self.homes[home];
+        entry.disk.insert(ticket.id.clone(), ticket.clone());
+        if let Some(work) = &mut entry.work {
             work.next_number();
             work.submitted(ticket);
         }
@@ -153,22 +153,22 @@ impl World {
     /// Kills a home and restarts it after a while.
     pub(super) fn kill_home(&mut self, home: usize) {
         let away = Duration::from_millis(500 + self.below(8000));
-        let it = &mut self.homes[home];
-        it.work = None;
-        it.life += 1;
-        it.back = it.back.max(self.now + away);
+        let entry = &mut self.homes[home];
+        entry.work = None;
+        entry.life += 1;
+        entry.back = entry.back.max(self.now + away);
         self.figures.kills_of_homes += 1;
     }
 
     /// Kills a desk and restarts it after a while; its arm continues.
     pub(super) fn kill_desk(&mut self, desk: usize) {
         let away = Duration::from_millis(500 + self.below(8000));
-        let it = &mut self.desks[desk];
-        if it.is_gone || it.station.now() > self.now {
+        let entry = &mut self.desks[desk];
+        if entry.is_gone || entry.station.now() > self.now {
             return;
         }
-        it.station.crash(away).unwrap();
-        it.person = None;
+        entry.station.crash(away).unwrap();
+        entry.person = None;
         self.figures.kills_of_desks += 1;
     }
 
@@ -214,18 +214,18 @@ impl World {
             return;
         };
         work.see(&members, self.homes[home].held.clone());
-        while let Some(wish) = work.poll_wish(self.now) {
-            match wish {
-                Wish::Keep(ticket) => {
+        while let Some(action) = work.poll_action(self.now) {
+            match action {
+                Action::Write(ticket) => {
                     // A disk may be full for a while.
                     let fails = self.below(50) == 0;
                     if !fails {
                         self.homes[home].disk.insert(ticket.id.clone(), *ticket);
                     }
-                    work.handle_kept(self.now, !fails);
+                    work.handle_written(self.now, !fails);
                 }
-                Wish::Forget(id) => drop(self.homes[home].disk.remove(&id)),
-                Wish::Ask(ask) => self.ask(home, ask),
+                Action::Forget(id) => drop(self.homes[home].disk.remove(&id)),
+                Action::Ask(ask) => self.ask(home, ask),
             }
         }
         self.homes[home].work = Some(work);
@@ -308,8 +308,12 @@ impl World {
             } => {
                 let is_own = matches!(&answer, Answer::Unclear(_));
                 let arrives = is_own || self.are_joined(home, self.desk(&ask));
-                let it = &mut self.homes[home];
-                if let Some(work) = it.work.as_mut().filter(|_| arrives && it.life == life) {
+                let entry = &mut self.homes[home];
+                if let Some(work) = entry
+                    .work
+                    .as_mut()
+                    .filter(|_| arrives && entry.life == life)
+                {
                     work.handle_answer(self.now, &ask, answer);
                 }
             }

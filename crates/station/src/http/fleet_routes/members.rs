@@ -176,7 +176,7 @@ pub(crate) async fn stop(
         let silent = silent.cloned().collect();
         let port = port.clone();
         // The stop is sent until they answer; the requester does not wait for that.
-        tokio::spawn(async move { drop(port.tell_stops(silent).await) });
+        tokio::spawn(async move { drop(port.send_stops(silent).await) });
     }
     Ok(Json(answers))
 }
@@ -201,7 +201,7 @@ pub(crate) async fn reset_stop(
     }
     app.handle.reset_fleet_stops(&asker.at(port)).await?;
     let members = port.members().iter().cloned().collect();
-    Ok(Json(port.tell_stops(members).await?))
+    Ok(Json(port.send_stops(members).await?))
 }
 
 /// A request to several stations.

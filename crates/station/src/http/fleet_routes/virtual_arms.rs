@@ -10,7 +10,7 @@ use serde::Deserialize;
 use crate::http::exchange::answer::{Body, JOB, NotDone};
 use crate::http::exchange::requester::Asker;
 use crate::http::fleet_routes::members::not_a_name;
-use crate::{ArmWish, WantedArm};
+use crate::{ArmCommand, WantedArm};
 
 /// A request for a virtual arm.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -23,7 +23,7 @@ pub(crate) struct WantedVirtualArm {
 
 /// Lists the hosted arms.
 pub(crate) async fn all(asker: Asker) -> Result<Json<GivenArms>, NotDone> {
-    Ok(Json(asker.app.arms()?.wish(ArmWish::List).await?))
+    Ok(Json(asker.app.arms()?.wish(ArmCommand::List).await?))
 }
 
 /// Starts an arm; repeated requests for the same name return the same arm.
@@ -39,7 +39,7 @@ pub(crate) async fn give(
     let arms = asker.app.arms()?;
     let seen = asker.app.fleet()?.member(&name);
     let wanted = WantedArm { name, seen };
-    let given = arms.wish(|reply| ArmWish::Give(wanted, reply)).await?;
+    let given = arms.wish(|reply| ArmCommand::Give(wanted, reply)).await?;
     Ok(Json(given?))
 }
 
@@ -50,6 +50,6 @@ pub(crate) async fn end(
 ) -> Result<Json<GivenArms>, NotDone> {
     asker.check_role(Role::Admin)?;
     let arms = asker.app.arms()?;
-    arms.wish(|reply| ArmWish::End(name, reply)).await??;
-    Ok(Json(arms.wish(ArmWish::List).await?))
+    arms.wish(|reply| ArmCommand::End(name, reply)).await??;
+    Ok(Json(arms.wish(ArmCommand::List).await?))
 }

@@ -15,7 +15,7 @@ use crate::http::exchange::requester::{Asker, is_name};
 use crate::http::fleet_routes::members::not_a_name;
 use crate::http::fleet_routes::offers::FleetOffer;
 use crate::http::resources::drawings::NewDrawing;
-use crate::{NewWork, WorkWish};
+use crate::{NewWork, WorkCommand};
 
 /// A drawing or a program for any arm.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
@@ -43,13 +43,13 @@ pub(crate) async fn submit(
     wanted.drawing.as_ref().map_or(Ok(()), NewDrawing::check)?;
     let port = asker.app.fleet()?;
     let work = Box::new(wanted.work(&asker, port.name())?);
-    let view = port.work(|reply| WorkWish::Submit(work, reply)).await?;
+    let view = port.work(|reply| WorkCommand::Submit(work, reply)).await?;
     Ok((StatusCode::CREATED, Json(view)))
 }
 
 /// Lists all jobs that were submitted here.
 pub(crate) async fn all(asker: Asker) -> Result<Json<Vec<WorkView>>, NotDone> {
-    Ok(Json(asker.app.fleet()?.work(WorkWish::List).await?))
+    Ok(Json(asker.app.fleet()?.work(WorkCommand::List).await?))
 }
 
 /// Cancels a job.
@@ -60,7 +60,7 @@ pub(crate) async fn cancel(
     asker.check_role(Role::Queue)?;
     let port = asker.app.fleet()?;
     Ok(Json(
-        port.work(|reply| WorkWish::Cancel(work, reply)).await?,
+        port.work(|reply| WorkCommand::Cancel(work, reply)).await?,
     ))
 }
 
@@ -71,7 +71,9 @@ pub(crate) async fn give(
 ) -> Result<Json<WorkView>, NotDone> {
     asker.check_role(Role::Control)?;
     let port = asker.app.fleet()?;
-    Ok(Json(port.work(|reply| WorkWish::Give(work, reply)).await?))
+    Ok(Json(
+        port.work(|reply| WorkCommand::Give(work, reply)).await?,
+    ))
 }
 
 impl FleetWork {

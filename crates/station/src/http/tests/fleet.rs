@@ -9,7 +9,7 @@ use serde_json::json;
 
 use super::Harness;
 use crate::http::StationApi;
-use crate::{FleetEnd, FleetPort, FleetWish, Members};
+use crate::{FleetChannels, FleetCommand, FleetPort, Members};
 
 fn member(name: &str, group: &str) -> Arc<Member> {
     Arc::new(Member {
@@ -52,19 +52,19 @@ fn answer(member: &Arc<Member>) -> MemberAnswer {
     }
 }
 
-async fn stand_in(mut end: FleetEnd) -> Vec<ApiRequest> {
+async fn stand_in(mut end: FleetChannels) -> Vec<ApiRequest> {
     let mut asked = Vec::new();
     while let Some(wish) = end.wishes.recv().await {
         match wish {
-            FleetWish::Look(seen) => drop(seen.send(())),
-            FleetWish::Ask(ask) => {
+            FleetCommand::Look(seen) => drop(seen.send(())),
+            FleetCommand::Ask(ask) => {
                 drop(ask.answers.send(ask.to.iter().map(answer).collect()));
                 asked.push(ask.request);
             }
-            FleetWish::TellStops(to, answers) => {
+            FleetCommand::SendStops(to, answers) => {
                 drop(answers.send(to.iter().map(answer).collect()));
             }
-            FleetWish::Work(wish) => panic!("nobody submits work here: {wish:?}"),
+            FleetCommand::Work(wish) => panic!("nobody submits work here: {wish:?}"),
         }
     }
     asked

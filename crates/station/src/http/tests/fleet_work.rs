@@ -6,17 +6,17 @@ use serde_json::{Value, json};
 
 use super::slots::is_time_of;
 use super::{Answer, Harness};
-use crate::{FleetEnd, FleetPort, FleetWish, WorkWish};
+use crate::{FleetChannels, FleetCommand, FleetPort, WorkCommand};
 
 const OFFERS: &str = "/api/v1/fleet/offers";
 const WORK: &str = "/api/v1/fleet/work";
 
 /// A station of a fleet.
-fn desk(takes_work: Option<TakesWork>) -> (Harness, FleetEnd) {
+fn desk(takes_work: Option<TakesWork>) -> (Harness, FleetChannels) {
     joined(Harness::near(), takes_work)
 }
 
-fn joined(harness: Harness, takes_work: Option<TakesWork>) -> (Harness, FleetEnd) {
+fn joined(harness: Harness, takes_work: Option<TakesWork>) -> (Harness, FleetChannels) {
     let (port, end) = FleetPort::new("desk-2", "0123");
     harness.app.fleet.set(port.taking(takes_work)).unwrap();
     (harness, end)
@@ -134,7 +134,8 @@ async fn work_is_submitted_with_whose_it_is_and_what_it_needs() {
         .header("idempotency-key", "7f3a");
     let request = request.body(Body::from(body.to_string())).unwrap();
     let answering = async {
-        let Some(FleetWish::Work(WorkWish::Submit(work, reply))) = end.wishes.recv().await else {
+        let Some(FleetCommand::Work(WorkCommand::Submit(work, reply))) = end.wishes.recv().await
+        else {
             panic!("work is submitted");
         };
         reply.send(Ok(view(&work.title))).unwrap();
@@ -216,7 +217,7 @@ async fn whoever_may_only_watch_sees_the_work_and_changes_none() {
         answer.is(403).is_problem("role");
     }
     let answering = async {
-        let Some(FleetWish::Work(WorkWish::List(reply))) = end.wishes.recv().await else {
+        let Some(FleetCommand::Work(WorkCommand::List(reply))) = end.wishes.recv().await else {
             panic!("the work is listed");
         };
         reply.send(Ok(vec![view("a house")])).unwrap();

@@ -12,11 +12,11 @@ use super::ticket::Ticket;
 
 /// A folder of tickets. Written tickets survive a power cut.
 #[derive(Debug)]
-pub(crate) struct Kept {
+pub(crate) struct TicketStore {
     folder: PathBuf,
 }
 
-impl Kept {
+impl TicketStore {
     /// Opens or creates the folder; returns its tickets, and the problems of invalid files, which
     /// are left unchanged.
     pub(crate) fn open(folder: &Path) -> io::Result<(Self, Vec<Ticket>, Vec<String>)> {

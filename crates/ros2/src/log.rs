@@ -7,11 +7,11 @@ use ros2_client::log::LogLevel;
 use ros2_client::rosout;
 
 /// Logs to `/rosout` and the terminal.
-pub(crate) struct Told {
+pub(crate) struct Log {
     node: NodeLoggingHandle,
 }
 
-impl Told {
+impl Log {
     pub(crate) const fn new(node: NodeLoggingHandle) -> Self {
         Self { node }
     }

@@ -6,21 +6,21 @@ use std::time::Instant;
 
 use dobot_api::problem_kinds::{ARM_BUSY, NO_FLEET, NO_SUCH_WORK, WORK_FILE, WORK_REFUSED};
 use dobot_api::{ApiAnswer, ApiRequest, Problem, WorkView};
-use dobot_station::{Members, NewWork, OFFERS, StationApi, WorkWish};
+use dobot_station::{Members, NewWork, OFFERS, StationApi, WorkCommand};
 use tokio::sync::oneshot;
 use tokio::task::{JoinError, JoinSet, spawn_blocking};
 
-use super::engine::{Answer, Ask, What, Wish, Work};
-use super::kept::Kept;
+use super::engine::{Action, Answer, Ask, What, Work};
 use super::ticket::{Place, Ticket};
-use crate::asking::{Way, ask_one};
+use super::ticket_store::TicketStore;
 use crate::id::new_id;
+use crate::requests::{Requester, ask_one};
 
 /// The jobs that were submitted to this station.
-pub(crate) struct Working {
+pub(crate) struct WorkTasks {
     engine: Work,
     /// Absent if the station has no folder for them.
-    kept: Option<Arc<Kept>>,
+    kept: Option<Arc<TicketStore>>,
     /// The in-flight tasks.
     pub(crate) doing: JoinSet<Done>,
     /// The submitters whose tickets are being written.
@@ -40,13 +40,13 @@ pub(crate) enum Done {
 
 type Reply = oneshot::Sender<Result<WorkView, Problem>>;
 
-impl Working {
+impl WorkTasks {
     /// Restores the tickets of the folder; also returns the problems of invalid files.
     pub(crate) fn open(folder: Option<&Path>) -> std::io::Result<(Self, Vec<String>)> {
         let (kept, tickets, wrong) = match folder {
             None => (None, Vec::new(), Vec::new()),
             Some(folder) => {
-                let (kept, tickets, wrong) = Kept::open(folder)?;
+                let (kept, tickets, wrong) = TicketStore::open(folder)?;
                 (Some(Arc::new(kept)), tickets, wrong)
             }
         };
@@ -67,16 +67,16 @@ impl Working {
     }
 
     /// Handles a request.
-    pub(crate) fn handle(&mut self, wish: WorkWish) {
+    pub(crate) fn handle(&mut self, command: WorkCommand) {
         // The requester may be gone.
-        match wish {
-            WorkWish::Submit(work, reply) => self.submit(*work, reply),
-            WorkWish::List(reply) => drop(reply.send(Ok(self.engine.views()))),
-            WorkWish::Cancel(id, reply) => match self.engine.cancel(&id) {
+        match command {
+            WorkCommand::Submit(work, reply) => self.submit(*work, reply),
+            WorkCommand::List(reply) => drop(reply.send(Ok(self.engine.views()))),
+            WorkCommand::Cancel(id, reply) => match self.engine.cancel(&id) {
                 Ok(_) => self.waiting.push((id, reply)),
                 Err(problem) => drop(reply.send(Err(problem))),
             },
-            WorkWish::Give(id, reply) => match self.engine.give(&id) {
+            WorkCommand::Give(id, reply) => match self.engine.give(&id) {
                 Ok(_) => self.waiting.push((id, reply)),
                 Err(problem) => drop(reply.send(Err(problem))),
             },
@@ -138,7 +138,7 @@ impl Working {
                 drop(reply.send(Err(WORK_FILE.problem(why))));
             }
             Ok(Done::Kept(outcome)) => {
-                self.engine.handle_kept(now, outcome.is_ok());
+                self.engine.handle_written(now, outcome.is_ok());
                 self.tell(outcome.as_ref().err());
                 let was = std::mem::replace(&mut self.trouble, outcome.err());
                 return self.trouble.clone().filter(|_| was.is_none());
@@ -166,9 +166,9 @@ impl Working {
 
     /// Starts the due actions. The members are only queried if there are jobs to offer. While
     /// `held` gives a reason, nothing is offered.
-    pub(crate) fn go_on(
+    pub(crate) fn start_due(
         &mut self,
-        way: Option<&Way>,
+        requester: Option<&Requester>,
         api: &StationApi,
         members: impl FnOnce() -> Members,
         held: Option<String>,
@@ -182,32 +182,34 @@ impl Working {
             Members::default()
         };
         self.engine.see(&members, held);
-        while let Some(wish) = self.engine.poll_wish(self.started.elapsed()) {
+        while let Some(action) = self.engine.poll_action(self.started.elapsed()) {
             let kept = kept.clone();
-            match wish {
-                Wish::Keep(ticket) => {
+            match action {
+                Action::Write(ticket) => {
                     self.doing.spawn(async move {
                         Done::Kept(written(spawn_blocking(move || kept.keep(&ticket)).await))
                     });
                 }
-                Wish::Forget(id) => {
+                Action::Forget(id) => {
                     self.doing.spawn(async move {
                         // A remaining file is removed after the next start.
                         drop(spawn_blocking(move || kept.forget(&id)).await);
                         Done::Forgotten
                     });
                 }
-                Wish::Ask(ask) => {
+                Action::Ask(ask) => {
                     let member = members
                         .iter()
                         .find(|member| member.id == ask.member.id)
                         .cloned();
-                    let (way, api) = (way.cloned(), api.clone());
+                    let (requester, api) = (requester.cloned(), api.clone());
                     self.doing.spawn(async move {
                         let answer = match (request(&kept, &ask).await, member) {
-                            (Ok(request), Some(member)) => {
-                                read(&ask_one(way.as_ref(), &api, &member, &request).await.answer)
-                            }
+                            (Ok(request), Some(member)) => read(
+                                &ask_one(requester.as_ref(), &api, &member, &request)
+                                    .await
+                                    .answer,
+                            ),
                             (Err(why), _) => Answer::Unclear(why),
                             (_, None) => Answer::Unclear("it is away".into()),
                         };
@@ -229,7 +231,7 @@ fn written(outcome: Result<std::io::Result<()>, JoinError>) -> Result<(), String
 }
 
 /// Returns the request to a station.
-async fn request(kept: &Arc<Kept>, ask: &Ask) -> Result<ApiRequest, String> {
+async fn request(kept: &Arc<TicketStore>, ask: &Ask) -> Result<ApiRequest, String> {
     let of_key = format!("{OFFERS}/{}", ask.key);
     let (method, path) = match ask.what {
         What::Look => ("GET", of_key),

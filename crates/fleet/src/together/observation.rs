@@ -6,7 +6,7 @@ use super::part::Part;
 
 /// The observed state of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Seen {
+pub(super) enum Observation {
     /// Its job waits to be started.
     Queued,
     /// Its job runs, or its arm is coming to rest.
@@ -30,7 +30,7 @@ pub(super) enum Seen {
     Ended(String),
 }
 
-impl Seen {
+impl Observation {
     /// Derives the state from the part's job and the state of its station.
     pub(super) fn of(part: &Part, job: &JobView, state: &State) -> Self {
         let reason = || {
@@ -51,24 +51,24 @@ impl Seen {
     }
 }
 
-fn paused(part: &Part, job: &JobView, reason: &str, state: &State) -> Seen {
+fn paused(part: &Part, job: &JobView, reason: &str, state: &State) -> Observation {
     if !rests(state) {
-        return Seen::Running;
+        return Observation::Running;
     }
     if let Some(name) = part.barrier_of(reason) {
         let cycles = job
             .program
             .as_ref()
             .map_or(0, |program| program.cycles_done);
-        return Seen::AtBarrier {
+        return Observation::AtBarrier {
             name: name.into(),
             progress: (cycles, job.completed),
         };
     }
     if part.waits_for_person(reason) {
-        return Seen::AtPerson(reason.into());
+        return Observation::AtPerson(reason.into());
     }
-    Seen::Paused(reason.into())
+    Observation::Paused(reason.into())
 }
 
 /// Returns the reason why the arm could not continue, whatever the place of its job.

@@ -174,7 +174,7 @@ pub(crate) async fn follow(
     if plan.job.commands.is_empty() {
         return Ok(Followed::Done(format!(
             "the arm is already there; {}",
-            plan.told
+            plan.summary
         )));
     }
     let no_job = |error: &RemoteError| Fault::invalid(refused(error));
@@ -205,7 +205,7 @@ pub(crate) async fn follow(
                 None => {}
                 Some((JobPhase::Done, _)) => {
                     check_end(station, wanted).await?;
-                    return Ok(Followed::Done(plan.told));
+                    return Ok(Followed::Done(plan.summary));
                 }
                 Some((_, text)) => {
                     // A paused job could be resumed later, unexpectedly.

@@ -20,7 +20,7 @@ use zenoh::session::SessionGetBuilder;
 
 use crate::id::new_id;
 use crate::identity::{Identity, Peer, statement};
-use crate::keys::{API, MemberKey, SEALED};
+use crate::key_expressions::{API, MemberKey, SEALED};
 use crate::sealing::{Agreed, Half, KEY, Meetings};
 
 /// The certificates of the members that accept requests.
@@ -28,13 +28,13 @@ pub(crate) type Peers = Arc<Mutex<BTreeMap<MemberKey, Arc<Peer>>>>;
 
 /// The session, identity and peers with which requests are sent.
 #[derive(Clone, Debug)]
-pub(crate) struct Way {
+pub(crate) struct Requester {
     pub(crate) session: Session,
     pub(crate) identity: Arc<Identity>,
     pub(crate) peers: Peers,
 }
 
-impl Way {
+impl Requester {
     fn peer(&self, member: &MemberKey) -> Option<Arc<Peer>> {
         let peers = self.peers.lock();
         let peers = peers.unwrap_or_else(PoisonError::into_inner);
@@ -50,8 +50,8 @@ impl Way {
         within: Duration,
     ) -> Result<Vec<u8>, String> {
         let peer = self.peer(member).ok_or("has not shown its certificate")?;
-        let asking = Asking {
-            way: self,
+        let asking = MemberRequest {
+            requester: self,
             peer: &peer,
         };
         let key = member.resource(what);
@@ -73,12 +73,12 @@ const LONGEST_STOP: usize = 4096;
 const AT_ONCE: usize = 64;
 
 /// Sends a request to all addressed members concurrently.
-pub(crate) async fn ask(way: Option<&Way>, api: &StationApi, ask: FleetAsk) {
+pub(crate) async fn ask(requester: Option<&Requester>, api: &StationApi, ask: FleetAsk) {
     let request = Arc::new(ask.request);
     let mut asked = JoinSet::new();
     for member in ask.to {
-        let (way, api, request) = (way.cloned(), api.clone(), request.clone());
-        asked.spawn(async move { ask_one(way.as_ref(), &api, &member, &request).await });
+        let (requester, api, request) = (requester.cloned(), api.clone(), request.clone());
+        asked.spawn(async move { ask_one(requester.as_ref(), &api, &member, &request).await });
     }
     let mut answers = asked.join_all().await;
     answers.sort_by(|one, other| (&one.member, &one.id).cmp(&(&other.member, &other.id)));
@@ -88,7 +88,7 @@ pub(crate) async fn ask(way: Option<&Way>, api: &StationApi, ask: FleetAsk) {
 
 /// Sends a request to one member.
 pub(crate) async fn ask_one(
-    way: Option<&Way>,
+    requester: Option<&Requester>,
     api: &StationApi,
     member: &Member,
     request: &ApiRequest,
@@ -98,7 +98,7 @@ pub(crate) async fn ask_one(
         // A stop goes to every station that might receive it.
         Presence::Refused { problem } if !is_stop(request) => Err(problem.clone()),
         _ if member.here => Ok(api.call(request).await),
-        _ => ask_other(way, member, request).await,
+        _ => ask_other(requester, member, request).await,
     };
     MemberAnswer {
         member: member.name.clone(),
@@ -109,7 +109,7 @@ pub(crate) async fn ask_one(
 }
 
 async fn ask_other(
-    way: Option<&Way>,
+    requester: Option<&Requester>,
     member: &Member,
     request: &ApiRequest,
 ) -> Result<ApiAnswer, Problem> {
@@ -122,18 +122,21 @@ async fn ask_other(
         MEMBER_AWAY.hinted(detail, hint)
     };
     let name = &member.name;
-    let way = way.ok_or_else(|| away(format!("{name} cannot be reached yet")))?;
+    let requester = requester.ok_or_else(|| away(format!("{name} cannot be reached yet")))?;
     let key = MemberKey {
         name: name.clone(),
         id: member.id.clone(),
     };
-    let peer = way.peer(&key);
+    let peer = requester.peer(&key);
     let peer = peer.ok_or_else(|| away(format!("{name} has not shown its certificate")))?;
-    let asking = Asking { way, peer: &peer };
+    let asking = MemberRequest {
+        requester,
+        peer: &peer,
+    };
     let answer = if is_open(request) {
         asking.openly(&key.resource(API), request).await
     } else {
-        let checked = way.identity.check(&peer);
+        let checked = requester.identity.check(&peer);
         checked.map_err(|why| away(format!("the certificate of {name} cannot be used: {why}")))?;
         asking.sealed(&key.resource(SEALED), request).await
     };
@@ -149,12 +152,12 @@ fn is_open(request: &ApiRequest) -> bool {
 }
 
 /// A request to one station. Responses that other stations send in its name are ignored.
-struct Asking<'a> {
-    way: &'a Way,
+struct MemberRequest<'a> {
+    requester: &'a Requester,
     peer: &'a Peer,
 }
 
-impl Asking<'_> {
+impl MemberRequest<'_> {
     /// Sends a public request or a stop without a handshake. The response is signed.
     async fn openly(&self, key: &str, request: &ApiRequest) -> Result<Vec<u8>, String> {
         let (within, priority) = if is_stop(request) {
@@ -192,7 +195,7 @@ impl Asking<'_> {
 
     /// Sends any other request: the receiver authenticates first, and only it can read the request.
     async fn sealed(&self, key: &str, request: &ApiRequest) -> Result<Vec<u8>, String> {
-        let own = &self.way.identity;
+        let own = &self.requester.identity;
         let random = || "cannot be asked: the system has no random numbers".to_owned();
         let half = Half::new(own).ok_or_else(random)?;
         let replies = self.question(key, &half.public, MEET_WITHIN);
@@ -227,7 +230,7 @@ impl Asking<'_> {
         payload: &[u8],
         within: Duration,
     ) -> SessionGetBuilder<'q, 'q, DefaultHandler> {
-        let question = self.way.session.get(key).payload(payload);
+        let question = self.requester.session.get(key).payload(payload);
         question
             .target(QueryTarget::All)
             .consolidation(ConsolidationMode::None)
@@ -299,7 +302,7 @@ pub(crate) fn asks_to_stop(query: &Query) -> bool {
 
 /// Serves the requests of other stations.
 #[derive(Clone)]
-pub(crate) struct Answering {
+pub(crate) struct Responder {
     api: StationApi,
     own: MemberKey,
     identity: Arc<Identity>,
@@ -307,7 +310,7 @@ pub(crate) struct Answering {
     places: Arc<Semaphore>,
 }
 
-impl Answering {
+impl Responder {
     pub(crate) fn new(api: StationApi, own: MemberKey, identity: Arc<Identity>) -> Self {
         Self {
             api,

@@ -142,7 +142,7 @@ pub(crate) fn of_all(what: &str) -> String {
 }
 
 /// The published state of a station.
-pub(crate) const TOLD: &str = "told";
+pub(crate) const STATE: &str = "told";
 /// The public requests of a station, and stops.
 pub(crate) const API: &str = "api";
 /// The exchange of the fleet's stops.
@@ -171,9 +171,9 @@ mod tests {
             proof: vec![1, 2, 255],
         };
         assert_eq!(Alive::of(&alive.key()), Some(alive));
-        let told = desk().resource(TOLD);
-        assert_eq!(MemberKey::of_resource(&told, TOLD), Some(desk()));
-        assert_eq!(MemberKey::of_resource(&told, API), None);
+        let state = desk().resource(STATE);
+        assert_eq!(MemberKey::of_resource(&state, STATE), Some(desk()));
+        assert_eq!(MemberKey::of_resource(&state, API), None);
     }
 
     #[test]
@@ -192,6 +192,6 @@ mod tests {
             assert_eq!(Alive::of(&key), None, "{key}");
         }
         let of_other_messages = format!("dobot/9/desk-3/{id}/told");
-        assert_eq!(MemberKey::of_resource(&of_other_messages, TOLD), None);
+        assert_eq!(MemberKey::of_resource(&of_other_messages, STATE), None);
     }
 }

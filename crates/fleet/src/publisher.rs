@@ -10,19 +10,19 @@ use dobot_supervisor::{is_plain, plain};
 use serde_json::Value;
 
 use crate::identity::{Identity, Peer, SIGNATURE, statement};
-use crate::keys::MemberKey;
-use crate::roster::Told;
+use crate::key_expressions::MemberKey;
+use crate::roster::StateReport;
 
 /// Signs the published states. Each has a sequence number, which prevents replay.
 #[derive(Clone, Debug)]
-pub(crate) struct Teller {
+pub(crate) struct StateSigner {
     identity: Arc<Identity>,
     own: MemberKey,
     run: u64,
     count: Arc<AtomicU64>,
 }
 
-impl Teller {
+impl StateSigner {
     pub(crate) fn new(identity: Arc<Identity>, own: MemberKey, run: u64) -> Self {
         let count = Arc::default();
         Self {
@@ -34,11 +34,11 @@ impl Teller {
     }
 
     /// Returns the attachment of a state: its sequence number and the signature.
-    pub(crate) fn sign(&self, told: &[u8]) -> Vec<u8> {
+    pub(crate) fn sign(&self, state: &[u8]) -> Vec<u8> {
         let count = 1 + self.count.fetch_add(1, Ordering::Relaxed);
         let signature = self
             .identity
-            .sign(&told_by(&self.own, self.run, count, told));
+            .sign(&state_statement(&self.own, self.run, count, state));
         [&count.to_be_bytes()[..], &signature].concat()
     }
 }
@@ -48,21 +48,21 @@ pub(crate) fn number_of(
     peer: &Peer,
     member: &MemberKey,
     run: u64,
-    told: &[u8],
-    signed: &[u8],
+    state: &[u8],
+    attachment: &[u8],
 ) -> Option<u64> {
-    let (count, signature) = signed.split_first_chunk::<8>()?;
+    let (count, signature) = attachment.split_first_chunk::<8>()?;
     let count = u64::from_be_bytes(*count);
-    let statement = told_by(member, run, count, told);
+    let statement = state_statement(member, run, count, state);
     (signature.len() == SIGNATURE && peer.has_signed(&statement, signature)).then_some(count)
 }
 
-fn told_by(member: &MemberKey, run: u64, count: u64, told: &[u8]) -> Vec<u8> {
+fn state_statement(member: &MemberKey, run: u64, count: u64, state: &[u8]) -> Vec<u8> {
     let MemberKey { name, id } = member;
     let (run, count) = (run.to_be_bytes(), count.to_be_bytes());
     statement(
         "told",
-        &[name.as_bytes(), id.as_bytes(), &run, &count, told],
+        &[name.as_bytes(), id.as_bytes(), &run, &count, state],
     )
 }
 
@@ -75,17 +75,18 @@ const LONGEST_PAGE: usize = 200;
 
 /// Parses the state of a station of this name, whose certificate names this holder. Invalid names,
 /// groups and links are dropped, and so are non-printable characters.
-pub(crate) fn read(told: &[u8], name: &str, holder: &str) -> Result<Told, String> {
-    if told.len() > LONGEST {
+pub(crate) fn read(message: &[u8], name: &str, holder: &str) -> Result<StateReport, String> {
+    if message.len() > LONGEST {
         return Err(format!(
             "it has {} bytes; at most {LONGEST} are allowed",
-            told.len()
+            message.len()
         ));
     }
-    let mut value = serde_json::from_slice(told).map_err(|error| error.to_string())?;
+    let mut value = serde_json::from_slice(message).map_err(|error| error.to_string())?;
     strip(&mut value);
-    let mut told: Told = serde_json::from_value(value).map_err(|error| error.to_string())?;
-    let about = &mut told.about;
+    let mut report: StateReport =
+        serde_json::from_value(value).map_err(|error| error.to_string())?;
+    let about = &mut report.about;
     for words in [&mut about.groups, &mut about.offers] {
         words.retain(|word| is_fleet_name(word));
         words.truncate(MOST_WORDS);
@@ -94,7 +95,7 @@ pub(crate) fn read(told: &[u8], name: &str, holder: &str) -> Result<Told, String
     about.page.take_if(|page| !is_page(page));
     // The holder of the certificate.
     about.given_by = (holder != name).then(|| holder.to_owned());
-    Ok(told)
+    Ok(report)
 }
 
 /// Removes control characters.
@@ -117,7 +118,7 @@ fn is_page(text: &str) -> bool {
 }
 
 /// Serialises this station's state.
-pub(crate) fn told(about: &MemberAbout, state: &Snapshot) -> Vec<u8> {
+pub(crate) fn state_message(about: &MemberAbout, state: &Snapshot) -> Vec<u8> {
     let about = serde_json::to_vec(about).expect("structures with text keys are JSON");
     let parts: [&[u8]; 5] = [
         br#"{"about":"#,
@@ -132,7 +133,7 @@ pub(crate) fn told(about: &MemberAbout, state: &Snapshot) -> Vec<u8> {
 /// Decides when to publish: a change immediately, and a sign of life every second.
 #[derive(Debug, Default)]
 pub(crate) struct Pace {
-    told: Option<(Duration, State)>,
+    last: Option<(Duration, State)>,
 }
 
 /// The interval at which an unchanged state is published.
@@ -140,11 +141,11 @@ const STILL_THERE: Duration = Duration::from_secs(1);
 
 impl Pace {
     pub(crate) fn is_due(&mut self, now: Duration, state: &State) -> bool {
-        let is_due = self.told.as_ref().is_none_or(|(at, told)| {
-            now.saturating_sub(*at) >= STILL_THERE || !is_like(told, state)
+        let is_due = self.last.as_ref().is_none_or(|(at, last)| {
+            now.saturating_sub(*at) >= STILL_THERE || !is_like(last, state)
         });
         if is_due {
-            self.told = Some((now, state.clone()));
+            self.last = Some((now, state.clone()));
         }
         is_due
     }
@@ -179,7 +180,7 @@ mod tests {
             given_by: Some("desk-1".into()),
             ..MemberAbout::default()
         };
-        let told = Told {
+        let report = StateReport {
             about,
             state: Some(Box::new(State {
                 stop: Some(StopView {
@@ -194,8 +195,8 @@ mod tests {
                 ..State::sample()
             })),
         };
-        let told = serde_json::to_vec(&told).unwrap();
-        let Told { about, state } = read(&told, "desk-2", "desk-2").unwrap();
+        let message = serde_json::to_vec(&report).unwrap();
+        let StateReport { about, state } = read(&message, "desk-2", "desk-2").unwrap();
         assert_eq!(about.version, "]0;pwn1.0");
         assert_eq!((about.page, about.given_by), (None, None));
         assert_eq!(

@@ -105,7 +105,7 @@ async fn a_cancelled_trajectory_holds_on_its_way_and_leaves_no_job_behind() {
     assert!(matches!(followed, Followed::Held(_)), "{followed:?}");
     let held = where_it_stands(&mut station).await;
     assert!(held[0] > 0.0, "{held:?}");
-    let jobs = station.jobs().await.expect("they are told");
+    let jobs = station.jobs().await.expect("the jobs are listed");
     assert!(jobs.iter().all(|job| job.phase.is_over()), "{jobs:?}");
 }
 
@@ -136,8 +136,8 @@ async fn pump_and_gripper_do_as_they_are_told_and_the_arm_stays() {
 #[tokio::test]
 async fn an_arm_that_is_stopped_goes_nowhere_and_says_who_has_to_look() {
     let mut station = station(Personality::Specification);
-    let told = stop(&mut station, "a hand").await.expect("anyone may");
-    assert!(told.contains("a person must check"), "{told}");
+    let text = stop(&mut station, "a hand").await.expect("anyone may");
+    assert!(text.contains("a person must check"), "{text}");
     let target = Target {
         place: TargetPlace::Point {
             mm: [220.0, 0.0, 50.0],
