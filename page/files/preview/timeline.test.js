@@ -56,7 +56,7 @@ test("what is wrong with a file is told by its place, what was found and what is
 });
 
 test("other files are refused by what they are", () => {
-  assert.throws(() => readTimeline("<svg/>"), /^Error: is no JSON/);
+  assert.throws(() => readTimeline("<svg/>"), /^Error: is not JSON/);
   assert.throws(() => readTimeline("[1, 2]"), /^Error: holds a list of 2; expected a timeline/);
   assert.throws(() => checkSize(0), /is empty/);
   assert.throws(() => checkSize(MOST_BYTES + 1), /has 50\.0 MB; expected a timeline of at most 50 MB/);
