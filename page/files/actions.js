@@ -112,9 +112,9 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     if (answer.problem) send({ type: "problem", problem: answer.problem });
   }
 
-  /** Whether the station answered a stop; what it refuses is told. @param {Promise<{ problem?: import("./state/types.js").Problem }>} asked */
-  async function isAnswered(asked) {
-    const { problem } = await asked;
+  /** Whether the station answered a stop; what it refuses is told. @param {Promise<{ problem?: import("./state/types.js").Problem }>} answer */
+  async function isAnswered(answer) {
+    const { problem } = await answer;
     if (!problem) return true;
     // Only a station gives a problem a type.
     const isAnswer = problem.type !== undefined && problem !== NO_CONNECTION.problem;
@@ -140,7 +140,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   const arming_s = () => Math.min(ARM_S, store.page.policy?.laser.arm_for_s ?? ARM_S);
 
   /** What is done when a person says yes. @param {Question} question @returns {Promise<unknown>} */
-  function asked({ about, values }) {
+  function confirmed({ about, values }) {
     switch (about) {
       case "arm_laser":
         takeControlIfFree();
@@ -177,7 +177,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       const { question } = store.page;
       send({ type: "question", question: null });
       if (!yes || !question) return;
-      void asked(question);
+      void confirmed(question);
     },
 
     go() {
@@ -185,7 +185,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       const to = commandOf(store.page);
       // Only what was found free may be gone to.
       if (!to || target.check.type !== "free") return;
-      void command(to).then((done) => done && target.asked === store.page.target.asked && send({ type: "target_goes" }));
+      void command(to).then((done) => done && target.revision === store.page.target.revision && send({ type: "target_goes" }));
     },
 
     /** To where a stock arm stands when it is switched on. */

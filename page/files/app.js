@@ -47,7 +47,7 @@ import { languageOf, formatDuration, translator } from "./i18n/i18n.js";
 
 const TICK_MS = 250;
 const KEEP_MS = 300;
-const TOLD_MS = 12_000;
+const MESSAGE_MS = 12_000;
 /** Where the program is kept that somebody teaches, so that nothing of it is lost. */
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
@@ -69,16 +69,16 @@ const viewOf = createViewOf();
 
 // --- The state, drawn: once for each picture of the screen, however much has changed -----------------
 
-let asked = 0;
+let frame = 0;
 /** @type {Page | null} */ let drawn = null;
-const changed = () => (asked ||= requestAnimationFrame(draw));
+const changed = () => (frame ||= requestAnimationFrame(draw));
 
 // Read only on a change: reading `matches` between frames makes Chromium swallow the event.
 let isSystemDark = dark.matches;
 const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, isSystemDark);
 
 function draw() {
-  asked = 0;
+  frame = 0;
   const { page } = store;
   drawn = page;
   const t = translator(page.language);
@@ -123,11 +123,11 @@ function drawStage(page, t) {
 
 // --- What comes in --------------------------------------------------------------------------------------
 
-/** @type {number | undefined} */ let told;
+/** @type {number | undefined} */ let hideTimer;
 
 /** Takes the message away, unless somebody is at it. */
-function forget() {
-  if (part("toasts").matches(":hover, :focus-within")) told = setTimeout(forget, TOLD_MS);
+function hideMessage() {
+  if (part("toasts").matches(":hover, :focus-within")) hideTimer = setTimeout(hideMessage, MESSAGE_MS);
   else store.send({ type: "problem_closed" });
 }
 
@@ -139,8 +139,8 @@ store.subscribe((page, message) => {
   if (message.type === "state" && drawn && rendersSame(drawn, page)) drawStage(page, translator(page.language));
   else changed();
   if (message.type === "problem") {
-    clearTimeout(told);
-    told = setTimeout(forget, TOLD_MS);
+    clearTimeout(hideTimer);
+    hideTimer = setTimeout(hideMessage, MESSAGE_MS);
   }
   if (page.teach.text !== kept) {
     kept = page.teach.text;

@@ -34,7 +34,7 @@ async function open(members, { answer, submitted, ...options } = {}) {
 }
 const asked = (station, path) => station.asked.filter((it) => it.path === path);
 /** The stops that were pressed, without those that a slow answer asked for again. */
-const stops = (station) => asked(station, "/api/v1/fleet/stop").filter(({ body }) => !body.reason.endsWith("again"));
+const stops = (station) => asked(station, "/api/v1/fleet/stop").filter(({ body }) => !body.reason.endsWith("(repeated)"));
 const focused = (page) => page.evaluate(() => document.activeElement.textContent);
 const text = (page, selector) => page.textContent(selector).then((it) => it.replace(/\s+/g, " ").trim());
 

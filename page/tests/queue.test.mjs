@@ -100,7 +100,7 @@ test("a drawing is submitted with its student, its group and needs that stations
   await page.fill("#submit-down", "-40");
   await page.click("#submit-send");
   await page.waitForSelector("#submit [role=alert]");
-  assert.match(await text(page, "#submit [role=alert]"), /Nothing answers at its address/);
+  assert.match(await text(page, "#submit [role=alert]"), /No response from the address of the station/);
   isLost = false;
   await page.click("#submit-send");
   await page.waitForSelector("#submitted");

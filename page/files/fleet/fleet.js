@@ -30,7 +30,7 @@ import { listenToWalk } from "./arrow_keys.js";
 
 /** Arms move all the time: their texts follow them so often, their pictures with each picture of the screen. */
 const TEXTS_MS = 150;
-const TOLD_MS = 12_000;
+const MESSAGE_MS = 12_000;
 /** What comes by itself, many times in a second. */
 const FREQUENT = new Set(["members", "alive", "tick", "queue", "learners", "slots"]);
 
@@ -57,7 +57,7 @@ function createActions() {
     answer(yes) {
       const { question } = store.page;
       store.send({ type: "question", question: null });
-      if (yes && question) agreed(question);
+      if (yes && question) confirmed(question);
     },
     /** @param {string} secret */
     useToken(secret) {
@@ -69,7 +69,7 @@ function createActions() {
 }
 
 /** A person has said yes. @param {import("./state.js").Question} question */
-function agreed(question) {
+function confirmed(question) {
   switch (question.about) {
     case "fleet_reset":
       return requests.reset(question.to);
@@ -84,7 +84,7 @@ function agreed(question) {
 
 // --- The state, drawn ------------------------------------------------------------------------------------
 
-let asked = 0;
+let frame = 0;
 /** @type {number | undefined} */ let later;
 
 /** Draws with the next picture of the screen; what comes many times in a second waits for the rest of it. @param {boolean} isFrequent */
@@ -92,11 +92,11 @@ function changed(isFrequent) {
   if (isFrequent) return void (later ??= setTimeout(() => changed(false), TEXTS_MS));
   clearTimeout(later);
   later = undefined;
-  asked ||= requestAnimationFrame(draw);
+  frame ||= requestAnimationFrame(draw);
 }
 
 function draw() {
-  asked = 0;
+  frame = 0;
   const { page: board } = store;
   const t = translator(board.language);
   document.documentElement.lang = board.language;
@@ -126,21 +126,21 @@ function show() {
 
 // --- What comes in ----------------------------------------------------------------------------------------
 
-/** @type {number | undefined} */ let told;
+/** @type {number | undefined} */ let hideTimer;
 
 /** Takes the message away that says that all went well, unless somebody is at it. */
-function forget() {
-  if (part("toasts").matches(":hover, :focus-within")) told = setTimeout(forget, TOLD_MS);
-  else store.send({ type: "outcome_closed", what: "asked" });
+function hideMessage() {
+  if (part("toasts").matches(":hover, :focus-within")) hideTimer = setTimeout(hideMessage, MESSAGE_MS);
+  else store.send({ type: "outcome_closed", what: "request" });
 }
 
 store.subscribe((board, message) => {
   changed(FREQUENT.has(message.type));
   if (message.type === "members") show();
-  if (message.type !== "answered" || board.asked?.number !== message.number) return;
-  clearTimeout(told);
+  if (message.type !== "answered" || board.request?.number !== message.number) return;
+  clearTimeout(hideTimer);
   const { silent, refused } = outcomeOf(message.answers ?? []);
-  if (!message.problem && silent.length + refused.length === 0) told = setTimeout(forget, TOLD_MS);
+  if (!message.problem && silent.length + refused.length === 0) hideTimer = setTimeout(hideMessage, MESSAGE_MS);
 });
 dark.addEventListener("change", () => changed(false));
 

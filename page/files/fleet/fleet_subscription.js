@@ -23,15 +23,15 @@ export function followFleet(store, http) {
   /** Whether the station answers, and there is a fleet. @param {AbortController} mine @returns {Promise<boolean>} */
   async function look(mine) {
     const answer = await http.get("api/v1/fleet", mine.signal);
-    const told = await answer?.json().catch(() => undefined);
+    const body = await answer?.json().catch(() => undefined);
     if (listening !== mine) return false;
     heard();
-    if (!answer || !told) send({ type: "closed", problem: null });
-    else if (answer.ok) send({ type: "fleet", name: told.name, members: told.members, now_ms: now_ms() });
+    if (!answer || !body) send({ type: "closed", problem: null });
+    else if (answer.ok) send({ type: "fleet", name: body.name, members: body.members, now_ms: now_ms() });
     else if (answer.status === 404) send({ type: "alone" });
-    else send({ type: "closed", problem: answer.status === 401 || answer.status === 403 ? told : null });
+    else send({ type: "closed", problem: answer.status === 401 || answer.status === 403 ? body : null });
     if (answer?.ok) void readFacts(mine);
-    return answer?.ok === true && told !== undefined;
+    return answer?.ok === true && body !== undefined;
   }
 
   /** @param {AbortController} mine */

@@ -122,10 +122,10 @@ function lost({ board: { connection, received_ms, now_ms }, t }) {
 
 /** @param {Context} context */
 export function toasts(context) {
-  const { board: { asked }, t, act } = context;
-  if (!asked) return nothing;
-  const close = html`<button id="outcome-close" type="button" class="small" aria-label=${t("close.message")} @click=${() => act.send({ type: "outcome_closed", what: "asked" })}>${t("close")}</button>`;
-  return html`<section id="outcome" class="banner" data-tone=${outcomeTone(context, asked)} role="status"><p>${outcomeText(context, asked)}</p>${close}</section>`;
+  const { board: { request }, t, act } = context;
+  if (!request) return nothing;
+  const close = html`<button id="outcome-close" type="button" class="small" aria-label=${t("close.message")} @click=${() => act.send({ type: "outcome_closed", what: "request" })}>${t("close")}</button>`;
+  return html`<section id="outcome" class="banner" data-tone=${outcomeTone(context, request)} role="status"><p>${outcomeText(context, request)}</p>${close}</section>`;
 }
 
 /** @param {Context} context */

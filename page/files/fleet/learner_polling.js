@@ -11,17 +11,17 @@ const AGAIN_MS = 4000;
 export function followLearners(store, http) {
   /** @type {number | undefined} */ let timer;
   /** How often they were asked: an answer to an earlier question is not taken. */
-  let asked = 0;
+  let requests = 0;
 
   async function read() {
     clearTimeout(timer);
-    const mine = asked += 1;
+    const mine = requests += 1;
     const { connection, members } = store.page;
     if (connection !== "open") return;
     const names = document.hidden ? [] : [...new Set(members.filter(isThere).map(({ name }) => name))];
     /** @type {import("../station/http.js").Outcome<import("./state.js").MemberAnswer[]>} */
     const { value } = names.length ? await http.ask("POST", "api/v1/fleet/requests", { to: { members: names }, method: "GET", path: "/api/v1/learners" }) : { value: [] };
-    if (mine !== asked) return;
+    if (mine !== requests) return;
     if (value?.length) store.send({ type: "learners", answers: value });
     timer = setTimeout(() => void read(), AGAIN_MS);
   }

@@ -32,8 +32,8 @@ function refuse(refused, member, problem) {
 /** What is wrong with an answer, if anything is. @param {MemberAnswer["answer"]} answer @returns {Problem | null} */
 export function problemOf({ status, body }) {
   if (status >= 200 && status < 300) return null;
-  const told = /** @type {Partial<Problem> | null} */ (body);
-  return typeof told?.detail === "string" ? { title: "", ...told, detail: told.detail, status } : { title: "", detail: `the station answered with status ${status}`, status };
+  const problem = /** @type {Partial<Problem> | null} */ (body);
+  return typeof problem?.detail === "string" ? { title: "", ...problem, detail: problem.detail, status } : { title: "", detail: `the station answered with status ${status}`, status };
 }
 
 /** Names as a person lists them, each once: two stations may claim one. @param {string} language @param {readonly string[]} names */

@@ -6,7 +6,7 @@ import { pageIn, pageOf } from "./members.js";
 import { list, outcomeOf, problemOf } from "./outcome.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
-/** @typedef {import("./state.js").Asked} Asked */
+/** @typedef {import("./state.js").FleetRequest} FleetRequest */
 /** @typedef {import("../state/types.js").Problem} Problem */
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 
@@ -19,7 +19,7 @@ export function toText(t, to, language) {
   return "group" in to ? to.group : list(language, to.members);
 }
 
-/** @param {Context} context @param {Asked} asked @returns {"good" | "warn" | "bad"} */
+/** @param {Context} context @param {FleetRequest} request @returns {"good" | "warn" | "bad"} */
 export function outcomeTone(context, { answers, problem }) {
   if (problem) return "bad";
   if (!answers) return "warn";
@@ -27,10 +27,10 @@ export function outcomeTone(context, { answers, problem }) {
   return silent.length + refused.length ? "bad" : "good";
 }
 
-/** @param {Context} context @param {Asked} asked */
-export function outcomeText(context, asked) {
+/** @param {Context} context @param {FleetRequest} request */
+export function outcomeText(context, request) {
   const { board: { language }, t } = context;
-  const { what, to, answers, problem } = asked;
+  const { what, to, answers, problem } = request;
   if (problem) return html`<strong>${t(`fleet.failed.${what}`)}</strong> ${problemText(problem)} ${what === "stop" ? pages(context, context.board.members.map(({ name }) => name)) : nothing}`;
   if (!answers) return html`${t(`fleet.pending.${what}`, { to: toText(t, to, language) })}`;
   const { done, silent, refused } = outcomeOf(answers);

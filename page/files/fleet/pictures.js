@@ -15,7 +15,7 @@ export function createPictures({ isStill }) {
   /** @type {Set<HTMLCanvasElement>} */ const inSight = new Set();
   /** @type {{ members: ReadonlyMap<string, Member>, facts: import("./picture.js").Facts | null, dark: boolean, old: boolean }} */ let shown = { members: new Map(), facts: null, dark: false, old: false };
   const isDue = createLimit();
-  let asked = 0;
+  let frame = 0;
 
   const sight = new IntersectionObserver((entries) => {
     for (const { target, isIntersecting } of entries) {
@@ -29,11 +29,11 @@ export function createPictures({ isStill }) {
     soon();
   });
 
-  const soon = () => (asked ||= requestAnimationFrame(draw));
+  const soon = () => (frame ||= requestAnimationFrame(draw));
 
   /** @param {number} now_ms */
   function draw(now_ms) {
-    asked = 0;
+    frame = 0;
     if (!isDue(now_ms)) return soon();
     let moving = false;
     for (const canvas of inSight) {

@@ -18,16 +18,16 @@ export function createQueueRequests(store, http) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
   /** How often it was read: an answer to an earlier question is not taken. */
-  let asked = 0;
+  let requests = 0;
   /** What the submission of the form as it is now goes by: after a lost answer it can be sent again. */
   let key = newKey();
 
   async function read() {
     clearTimeout(timer);
     if (store.page.connection !== "open") return;
-    const mine = asked += 1;
+    const mine = requests += 1;
     const all = document.hidden ? undefined : await http.json(WORK);
-    if (mine !== asked) return;
+    if (mine !== requests) return;
     if (all) send({ type: "queue", all });
     timer = setTimeout(() => void read(), AGAIN_MS);
   }
@@ -73,9 +73,9 @@ export function createQueueRequests(store, http) {
 /** @param {Form} form @returns {Promise<{ body?: unknown, problem?: Problem }>} */
 async function bodyOf(form) {
   const { student, group, needs } = form;
-  const { told, problem } = form.what === "file" && form.file ? await readDrawing(form.file) : {};
+  const { content, problem } = form.what === "file" && form.file ? await readDrawing(form.file) : {};
   if (problem) return { problem };
-  return { body: { drawing: { ...told, options: optionsOf(form) }, needs, student: student.trim(), ...(group.trim() && { group: group.trim() }) } };
+  return { body: { drawing: { ...content, options: optionsOf(form) }, needs, student: student.trim(), ...(group.trim() && { group: group.trim() }) } };
 }
 
 /** A number that no other submission has. */

@@ -19,12 +19,12 @@ const JOBS_MS = 2000;
 const LEASE = "/api/v1/lease", SLOTS = "/api/v1/slots", ARMS = "/api/v1/fleet/virtual-arms";
 
 /** @type {import("../state/types.js").Problem} */
-const UNANSWERED = { title: "no answer to STOP", detail: "nothing answers the STOP", hint: "switch the arms off; the board asks again every second" };
+const UNANSWERED = { title: "no answer to STOP", detail: "no station answered STOP", hint: "switch the arms off; the board repeats STOP every second" };
 
 /** @param {Store} store @param {import("../station/http.js").Http} http */
 export function createRequests(store, http) {
   const { send } = store;
-  let asked = 0;
+  let lastNumber = 0;
   /** @type {number | undefined} */ let timer;
   /** @type {number | undefined} */ let slotsTimer;
 
@@ -32,18 +32,18 @@ export function createRequests(store, http) {
   const request = (to, request) => http.ask("POST", "api/v1/fleet/requests", { to, ...request });
 
   /** Asks, and tells what came of it. @param {What} what @param {Recipients} to @param {() => ReturnType<typeof request>} does @returns {Promise<MemberAnswer[]>} */
-  async function told(what, to, does) {
-    const number = asked += 1;
+  async function withOutcome(what, to, does) {
+    const number = lastNumber += 1;
     // First of all: a stop waits for nothing.
     const outcome = does();
-    send({ type: "asked", asked: { number, what, to, answers: null, problem: null } });
+    send({ type: "requested", request: { number, what, to, answers: null, problem: null } });
     const { value, problem } = await outcome;
     send({ type: "answered", number, answers: value ?? null, problem: problem ?? null });
     return value ?? [];
   }
 
   /** @param {What} what @param {Recipients} to @param {Request} wanted */
-  const ask = (what, to, wanted) => told(what, to, () => request(to, wanted));
+  const ask = (what, to, wanted) => withOutcome(what, to, () => request(to, wanted));
 
   async function readJobs() {
     clearTimeout(timer);
@@ -92,7 +92,7 @@ export function createRequests(store, http) {
     stop(to) {
       const reason = `pressed on the board of ${store.page.name || "a fleet"}`;
       const own = store.page.members.find(({ here }) => here);
-      const number = asked += 1;
+      const number = lastNumber += 1;
       /** @param {MemberAnswer[] | null} answers @param {import("../state/types.js").Problem | null} problem */
       const tell = (answers, problem) => send({ type: "answered", number, answers, problem });
       // Where the fleet cannot be asked, the arm of this station stops at least, before anything is said about it.
@@ -105,9 +105,9 @@ export function createRequests(store, http) {
         tell(value ?? null, problem ?? null);
         return true;
       }
-      const again = () => (stopOwn(), ask(`${reason}, and asked for again`));
+      const again = () => (stopOwn(), ask(`${reason} (repeated)`));
       createStop({ first: () => ask(reason), again, late: () => tell(null, UNANSWERED), answered: () => {} })();
-      send({ type: "asked", asked: { number, what: "stop", to, answers: null, problem: null } });
+      send({ type: "requested", request: { number, what: "stop", to, answers: null, problem: null } });
     },
 
     /** A person has looked. Where no other station is shown as stopped, a stop of the fleet is over for its queue too. @param {Recipients} to */
@@ -125,7 +125,7 @@ export function createRequests(store, http) {
 
     /** Gives each arm its own slots, in place of those that it has. @param {Recipients} to @param {readonly import("./slots.js").Share[]} shares */
     async setSlots(to, shares) {
-      const answers = await told("slots", to, async () => ({ value: (await Promise.all(shares.map(setShare))).flat() }));
+      const answers = await withOutcome("slots", to, async () => ({ value: (await Promise.all(shares.map(setShare))).flat() }));
       await readSlots();
       return answers;
     },

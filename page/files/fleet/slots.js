@@ -22,8 +22,8 @@ export function deal(names, minutes, members, group) {
   return shares.filter(({ slots }) => slots.length > 0);
 }
 
-/** The slots of each station that has told them, by its number. @param {readonly MemberAnswer[]} answers @returns {Record<string, readonly TimeSlot[]>} */
+/** The slots of each station that has successful them, by its number. @param {readonly MemberAnswer[]} answers @returns {Record<string, readonly TimeSlot[]>} */
 export function listsOf(answers) {
-  const told = answers.filter(({ answer }) => !problemOf(answer));
-  return Object.fromEntries(told.map(({ id, answer }) => [id, /** @type {{ slots?: TimeSlot[] }} */ (answer.body).slots ?? []]));
+  const successful = answers.filter(({ answer }) => !problemOf(answer));
+  return Object.fromEntries(successful.map(({ id, answer }) => [id, /** @type {{ slots?: TimeSlot[] }} */ (answer.body).slots ?? []]));
 }

@@ -15,7 +15,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
 
 /** `token`: the station of this board wants one. `alone`: it belongs to no fleet. @typedef {"connecting" | "open" | "closed" | "token" | "alone"} Connection */
 /** What several stations are asked for. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing" | "slots" | "no_slots" | "give_arm" | "end_arm"} What */
-/** What came of it: the answers of all, or why nobody could be asked; nothing of both while they are waited for. @typedef {{ number: number, what: What, to: Recipients, answers: readonly MemberAnswer[] | null, problem: Problem | null }} Asked */
+/** What came of it: the answers of all, or why nobody could be asked; nothing of both while they are waited for. @typedef {{ number: number, what: What, to: Recipients, answers: readonly MemberAnswer[] | null, problem: Problem | null }} FleetRequest */
 /** What a person is asked before it is done. @typedef {({ about: "fleet_reset", to: Recipients } | { about: "fleet_reassign" | "fleet_cancel", work: string } | { about: "fleet_end_arm", giver: string, name: string }) & { values: Record<string, string | number> }} Question */
 
 /**
@@ -34,8 +34,8 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * @property {import("./queue.js").Queue} queue Work for any arm.
  * @property {{ open: boolean, lists: Record<string, readonly import("../state/slots.js").TimeSlot[]> }} slots Time slots: whether those of several arms are shown, and what each station has told of its own, by its number.
  * @property {readonly JobView[] | null} jobs The jobs of that station; nothing where they are not known yet.
- * @property {Asked | null} stop The stop that was asked for last; its outcome stays until it is let go.
- * @property {Asked | null} asked What else was asked for last.
+ * @property {FleetRequest | null} stop The stop that was asked for last; its outcome stays until it is let go.
+ * @property {FleetRequest | null} request What else was asked for last.
  * @property {Problem | null} denied Why a token is wanted, by a station or by several.
  * @property {boolean} lesson Whether a phone shows the words to all.
  * @property {boolean} wanting Whether somebody is about to ask for a virtual arm.
@@ -62,9 +62,9 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * | { type: "jobs", id: string, jobs: readonly JobView[] }
  * | { type: "slots_open", open: boolean }
  * | { type: "slots", lists: Board["slots"]["lists"] }
- * | { type: "asked", asked: Asked }
+ * | { type: "requested", request: FleetRequest }
  * | { type: "answered", number: number, answers: readonly MemberAnswer[] | null, problem: Problem | null }
- * | { type: "outcome_closed", what: "stop" | "asked" | "denied" }
+ * | { type: "outcome_closed", what: "stop" | "request" | "denied" }
  * | { type: "lesson", open: boolean }
  * | { type: "wanting", open: boolean }
  * | { type: "question", question: Question | null }
@@ -88,7 +88,7 @@ export const begin = ({ language, theme }) => ({
   queue: NO_QUEUE,
   slots: { open: false, lists: {} },
   stop: null,
-  asked: null,
+  request: null,
   denied: null,
   lesson: false,
   wanting: false,
@@ -130,9 +130,9 @@ export function reduce(board, message) {
       return { ...board, chosen: message.id, jobs: null, queue: { ...board.queue, open: board.queue.open && message.id === null }, slots: { ...board.slots, open: board.slots.open && message.id === null } };
     case "jobs":
       return message.id === board.chosen ? { ...board, jobs: message.jobs } : board;
-    case "asked":
+    case "requested":
       // Once somebody has looked at the arms, who did not answer is told by the tiles.
-      return { ...board, ...(message.asked.what === "reset" && { stop: null }), [placeOf(message.asked.what)]: message.asked, question: null };
+      return { ...board, ...(message.request.what === "reset" && { stop: null }), [placeOf(message.request.what)]: message.request, question: null };
     case "answered":
       return answered(board, message);
     case "outcome_closed":
@@ -157,7 +157,7 @@ export function reduce(board, message) {
 }
 
 /** A stop keeps a place of its own: nothing that is asked for later hides who did not answer. @param {What} what */
-const placeOf = (what) => (what === "stop" ? "stop" : "asked");
+const placeOf = (what) => (what === "stop" ? "stop" : "request");
 
 /** Members that came or changed among all of them; who came first has the same place as before. @param {readonly Member[]} members @param {readonly Member[]} news */
 function withNews(members, news) {
@@ -189,9 +189,9 @@ function learnersOf(answers, { id }) {
 /** Of two that were asked the later one counts. @param {Board} board @param {Extract<Message, { type: "answered" }>} message @returns {Board} */
 function answered(board, { number, answers, problem }) {
   const denied = problem && isDenial(problem) ? problem : firstDenial(answers ?? []) ?? board.denied;
-  for (const place of /** @type {const} */ (["stop", "asked"])) {
-    const asked = board[place];
-    if (asked?.number === number) return { ...board, denied, [place]: { ...asked, answers, problem } };
+  for (const place of /** @type {const} */ (["stop", "request"])) {
+    const request = board[place];
+    if (request?.number === number) return { ...board, denied, [place]: { ...request, answers, problem } };
   }
   return { ...board, denied };
 }

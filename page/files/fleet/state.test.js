@@ -6,7 +6,7 @@ import { member } from "./sample.test.js";
 
 const after = (...messages) => messages.reduce(reduce, begin({ language: "en", theme: "auto" }));
 const fleet = (...names) => ({ type: "fleet", name: names[0], members: names.map((it) => member(it)), now_ms: 1 });
-const asked = (number, what) => ({ type: "asked", asked: { number, what, to: "all", answers: null, problem: null } });
+const requested = (number, what) => ({ type: "requested", request: { number, what, to: "all", answers: null, problem: null } });
 const answered = (number, ...answers) => ({ type: "answered", number, answers, problem: null });
 const answer = (name, status, body = {}) => ({ member: name, id: name, took_ms: 1, answer: { status, body } });
 
@@ -20,20 +20,20 @@ test("a station that changes stays where it is, and one that comes takes its pla
 });
 
 test("who did not answer a stop stays told while other things are asked for", () => {
-  const board = after(asked(1, "stop"), answered(1, answer("desk-1", 200)), asked(2, "message"), answered(2));
+  const board = after(requested(1, "stop"), answered(1, answer("desk-1", 200)), requested(2, "message"), answered(2));
   assert.equal(board.stop.answers.length, 1);
-  assert.equal(board.asked.what, "message");
+  assert.equal(board.request.what, "message");
 });
 
 test("a second press asks anew, and the answers to the first do not count as its own", () => {
-  const board = after(asked(1, "stop"), asked(2, "stop"), answered(1, answer("desk-1", 200)));
+  const board = after(requested(1, "stop"), requested(2, "stop"), answered(1, answer("desk-1", 200)));
   assert.equal(board.stop.answers, null);
 });
 
 test("one station that wants a token is enough to ask for it, in its own words", () => {
   const denied = { detail: "this takes the role control", hint: "use another token", status: 403 };
-  assert.deepEqual(after(asked(1, "reset"), answered(1, answer("desk-1", 200), answer("desk-2", 403, denied))).denied, denied);
-  assert.equal(after(asked(1, "reset"), answered(1, answer("desk-1", 409, denied))).denied, null);
+  assert.deepEqual(after(requested(1, "reset"), answered(1, answer("desk-1", 200), answer("desk-2", 403, denied))).denied, denied);
+  assert.equal(after(requested(1, "reset"), answered(1, answer("desk-1", 409, denied))).denied, null);
 });
 
 test("the jobs of a station are shown at no other one", () => {
@@ -43,9 +43,9 @@ test("the jobs of a station are shown at no other one", () => {
 
 test("the students of a station stay told while its arm moves, and go when it does not answer any more", () => {
   const learner = { student: "Anna", lesson: "tour", done: 2, steps: 12, for_s: 5 };
-  const told = after(fleet("desk-1", "desk-2"), { type: "learners", answers: [answer("id-desk-1", 200, [learner]), answer("id-desk-2", 503, { detail: "away" })] });
-  assert.deepEqual(told.members.map(({ learners }) => learners), [[learner], []]);
-  const moved = reduce(told, { type: "members", members: [member("desk-1")], gone: [], now_ms: 2 });
+  const learning = after(fleet("desk-1", "desk-2"), { type: "learners", answers: [answer("id-desk-1", 200, [learner]), answer("id-desk-2", 503, { detail: "away" })] });
+  assert.deepEqual(learning.members.map(({ learners }) => learners), [[learner], []]);
+  const moved = reduce(learning, { type: "members", members: [member("desk-1")], gone: [], now_ms: 2 });
   assert.deepEqual(moved.members[0].learners, [learner]);
   assert.deepEqual(reduce(moved, { type: "learners", answers: [] }).members[0].learners, []);
 });

@@ -49,22 +49,22 @@ export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
  */
 export function createStream({ store, socket, takeControlIfFree, next, refused }) {
   let isHeld = false;
-  /** Packets that are asked for or under way. @type {Set<number>} */ const under_way = new Set();
-  let asking = 0;
-  /** What was over before its acceptance was heard. @type {Set<number>} */ const over = new Set();
+  /** Packets that are asked for or under way. @type {Set<number>} */ const inFlight = new Set();
+  let pending = 0;
+  /** What was over before its acceptance was heard. @type {Set<number>} */ const finished = new Set();
 
-  async function pump() {
-    while (isHeld && under_way.size + asking < AHEAD) {
+  async function fill() {
+    while (isHeld && inFlight.size + pending < AHEAD) {
       const command = next();
       if (!command) return;
-      asking += 1;
+      pending += 1;
       const { problem, reply } = await socket.ask({ type: "command", command });
-      asking -= 1;
+      pending -= 1;
       if (problem) {
         isHeld = false;
         return refused(problem.detail);
       }
-      if (reply?.type === "accepted" && !over.delete(reply.command)) under_way.add(reply.command);
+      if (reply?.type === "accepted" && !finished.delete(reply.command)) inFlight.add(reply.command);
     }
   }
 
@@ -72,25 +72,25 @@ export function createStream({ store, socket, takeControlIfFree, next, refused }
     if (message.type === "stop_pressed") isHeld = false;
     if (message.type === "closed") {
       isHeld = false;
-      under_way.clear();
+      inFlight.clear();
     }
     if (message.type !== "notice") return;
     const { notice } = message;
-    if (notice.type === "link_lost") under_way.clear();
+    if (notice.type === "link_lost") inFlight.clear();
     if (notice.type !== "command_done" && notice.type !== "command_failed") return;
-    if (!under_way.delete(notice.command) && asking) over.add(notice.command);
-    void pump();
+    if (!inFlight.delete(notice.command) && pending) finished.add(notice.command);
+    void fill();
   });
 
   return {
     begin() {
-      over.clear();
+      finished.clear();
       takeControlIfFree();
       isHeld = true;
-      void pump();
+      void fill();
     },
     /** There is something new to send. */
-    more: () => void pump(),
+    more: () => void fill(),
     end() {
       isHeld = false;
     },

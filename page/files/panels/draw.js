@@ -115,7 +115,7 @@ function way(context) {
 const named = (t, text) => sentence(withFieldNames(t, text));
 
 /** What is said of the plan, and how. @param {Context} context @returns {[string, string]} */
-function told({ page, t }) {
+function statusOf({ page, t }) {
   const { draw } = page;
   if (wrongField(draw.set)) return [t("target.number"), "off"];
   switch (draw.phase) {
@@ -141,7 +141,7 @@ function plan(context) {
   const { page, t, act } = context;
   const { draw } = page;
   if (!hasSubject(draw)) return nothing;
-  const [text, tone] = told(context);
+  const [text, tone] = statusOf(context);
   const why = blockedReason(page);
   const ready = draw.phase === "planned" && !draw.planned?.plan.refused && draw.drawing !== null && why === null;
   const warnings = draw.planned?.plan.warnings ?? [];

@@ -43,7 +43,7 @@ export function jogPanel({ page, t, act, jog }) {
   const why = blockedReason(page);
   const buttons = frame === "linear" ? LINEAR : JOINT;
   const hint = step === null ? t("jog.hint.hold") : t(`jog.hint.step.${frame}`, { step });
-  const told = why ? t(`blocked.${why}`) : refused ? `${nameOf(refused.axis)}: ${refused.detail}.` : hint;
+  const statusText = why ? t(`blocked.${why}`) : refused ? `${nameOf(refused.axis)}: ${refused.detail}.` : hint;
 
   const buttonOf = (/** @type {Event} */ event) => /** @type {HTMLButtonElement | null} */ (/** @type {Element} */ (event.target).closest("button[data-axis]"));
   const press = (/** @type {Event} */ event) => {
@@ -82,6 +82,6 @@ export function jogPanel({ page, t, act, jog }) {
       </div>
       <label class="speed">${t("jog.speed")} <input id="speed" type="range" min="5" max="100" step="5" .value=${live(String(speed_percent))}
         @input=${(/** @type {Event} */ event) => act.send({ type: "jog_set", set: { speed_percent: Number(/** @type {HTMLInputElement} */ (event.target).value) } })}> <output id="speed-shown" for="speed">${speed_percent} %</output></label>
-      <p id="jog-why" class="status" role="status" data-tone=${!why && refused ? "bad" : "off"}>${told}</p>
+      <p id="jog-why" class="status" role="status" data-tone=${!why && refused ? "bad" : "off"}>${statusText}</p>
     </section>`;
 }

@@ -27,7 +27,7 @@ export function pads({ page, t, pads }) {
   const { mouse, hand } = pads;
   const why = blockedReason(page);
   const off = why !== null;
-  const told = why ? t(`blocked.${why}`) : page.pad_refused;
+  const statusText = why ? t(`blocked.${why}`) : page.pad_refused;
   return html`
     <details class="card" id="pads">
       <summary><h2>${t("pads")}</h2></summary>
@@ -52,6 +52,6 @@ export function pads({ page, t, pads }) {
         <label>${t("pads.hand.height")} <input id="hand-height" type="number" min="-20" max="100" step="5" value="40" @change=${(/** @type {Event} */ event) => hand.height(/** @type {HTMLInputElement} */ (event.target).valueAsNumber || 0)}> mm</label>
         <label class="check"><input id="hand-grab" type="checkbox" @change=${(/** @type {Event} */ event) => hand.grab(/** @type {HTMLInputElement} */ (event.target).checked)}> ${t("pads.hand.grab")}</label>
       </div>
-      <p id="pad-status" class="status" role="status" data-tone=${!why && page.pad_refused ? "bad" : "off"}>${told ?? ""}</p>
+      <p id="pad-status" class="status" role="status" data-tone=${!why && page.pad_refused ? "bad" : "off"}>${statusText ?? ""}</p>
     </details>`;
 }

@@ -1,7 +1,7 @@
 // The paper from above, as a person behind the arm sees it: the drawing lies on it, and is moved, turned and enlarged by hand.
 
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
-import { kept } from "../state/selectors.js";
+import { memoize } from "../state/selectors.js";
 import { liesOf } from "../state/draw.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
@@ -16,7 +16,7 @@ const HANDLE_MM = 7;
 const LEAST_SCALE = 0.01;
 
 /** The lines of a plan around its middle, and how far they go. */
-const outline = kept((/** @type {{ plan: Plan, lies: Lies }} */ { plan, lies }) => {
+const outline = memoize((/** @type {{ plan: Plan, lies: Lies }} */ { plan, lies }) => {
   const { x_mm, y_mm, ink } = plan.timeline.path;
   const skip = Math.max(1, Math.ceil(ink.length / MOST_CORNERS));
   /** @type {string[]} */ const corners = [];

@@ -16,7 +16,7 @@ const NAMES = { x_mm: ["X", "mm"], y_mm: ["Y", "mm"], z_mm: ["Z", "mm"], rotatio
 const PATHS = ["movj", "movl", "jump"];
 
 /** What is said of the target, and how. @param {Context} context @returns {[string, string]} */
-function told({ page, t }) {
+function statusOf({ page, t }) {
   const { target } = page;
   if (!target.typed) return [t("target.hint"), "off"];
   if (!placeOf(target)) return [t("target.number"), "off"];
@@ -37,7 +37,7 @@ function told({ page, t }) {
 export function targetPanel(context) {
   const { page, t, act } = context;
   const { target } = page;
-  const [text, tone] = told(context);
+  const [text, tone] = statusOf(context);
   const why = blockedReason(page);
   const nearest = target.check.type === "refused" ? target.check.problem.nearest_mm : null;
   const arm = page.station?.arm;

@@ -3,7 +3,7 @@
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
-import { blockedReason, kept, rowsIn } from "../state/selectors.js";
+import { blockedReason, memoize, rowsIn } from "../state/selectors.js";
 import { rowAt, stepsIn } from "../state/teach.js";
 import { ROW_PX, carry } from "../input/row_drag.js";
 import { saveAs } from "../parts/download.js";
@@ -20,8 +20,8 @@ const PATHS = ["movj", "movl", "jump"];
 /** What is seen of a long program: so many rows of this height in pixels. */
 const SEEN = 40;
 
-const timed = kept(stepsIn);
-const badIn = kept((/** @type {readonly Row[]} */ rows, /** @type {Context["page"]["teach"]["report"]} */ report) => new Set(report?.problems.map(({ line }) => rowAt(rows, line))));
+const timed = memoize(stepsIn);
+const badIn = memoize((/** @type {readonly Row[]} */ rows, /** @type {Context["page"]["teach"]["report"]} */ report) => new Set(report?.problems.map(({ line }) => rowAt(rows, line))));
 
 /** @param {Context} context */
 export function teach(context) {

@@ -26,7 +26,7 @@ const MOST_PASSES = 10_000;
 export class Refused extends Error {
   /** @param {string} found @param {string} expected */
   constructor(found, expected) {
-    super(`${found}; expected is ${expected}, as in the file that ${COMMAND} writes.`);
+    super(`${found}; expected ${expected}, as written by ${COMMAND}`);
   }
 }
 
@@ -44,7 +44,7 @@ export const readTimeline = (text) => timelineOf(parse(text));
 export function timelineOf(file) {
   if (!isTable(file)) throw new Refused(`holds ${shown(file)}`, "a timeline, which is an object");
   if (file.version === undefined) throw new Refused("has no version", `a timeline of version ${VERSION}`);
-  if (file.version !== VERSION) throw new Refused(`says version ${shown(file.version)}`, `a timeline of version ${VERSION}`);
+  if (file.version !== VERSION) throw new Refused(`has version ${shown(file.version)}`, `a timeline of version ${VERSION}`);
   const duration_s = number(file.duration_s, "duration_s", MOST_S);
   const passes = readPasses(file.passes);
   const moves = readMoves(file.moves, passes.length, duration_s);
@@ -56,7 +56,7 @@ function parse(text) {
   try {
     return JSON.parse(text);
   } catch {
-    throw new Refused("is no JSON", "a timeline");
+    throw new Refused("is not JSON", "a timeline");
   }
 }
 
@@ -192,7 +192,7 @@ function within(found, least, most) {
 /** @param {unknown} found @param {string} name @param {number} rows @param {number} least @param {number} most @returns {number[]} */
 function column(found, name, rows, least, most) {
   const values = list(found, name);
-  if (values.length !== rows) throw new Refused(`has ${values.length} rows in ${name}`, `${rows}, as many as in the columns beside it`);
+  if (values.length !== rows) throw new Refused(`has ${values.length} rows in ${name}`, `${rows}, as in the other columns`);
   const wrong = values.findIndex((it) => !within(it, least, most));
   if (wrong >= 0) throw new Refused(`has ${shown(values[wrong])} at ${name}[${wrong}]`, `a number from ${least} to ${most}`);
   return /** @type {number[]} */ (values);
@@ -210,7 +210,7 @@ function whole(found, name, rows, most) {
 function rising(found, name, duration_s) {
   const values = Float64Array.from(column(found, name, list(found, name).length, 0, duration_s));
   const wrong = values.findIndex((it, i) => i > 0 && it < values[i - 1]);
-  if (wrong >= 0) throw new Refused(`has ${values[wrong]} at ${name}[${wrong}], after ${values[wrong - 1]}`, "a time that never goes back");
+  if (wrong >= 0) throw new Refused(`has ${values[wrong]} at ${name}[${wrong}], after ${values[wrong - 1]}`, "a time that does not decrease");
   return values;
 }
 

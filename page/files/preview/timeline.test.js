@@ -35,19 +35,19 @@ test("a line has the pass of its beginning", () => {
 
 test("what is wrong with a file is told by its place, what was found and what is expected", () => {
   const cases = [
-    [(it) => delete it.version, "has no version; expected is a timeline of version 1"],
-    [(it) => (it.version = 2), "says version 2; expected is a timeline of version 1"],
-    [(it) => (it.duration_s = -1), "has -1 as duration_s; expected is a number from 0 to"],
-    [(it) => (it.passes = []), "has nothing in passes; expected is a list of at least one"],
-    [(it) => (it.passes[0].tool = "brush"), 'has "brush" at passes[0].tool; expected is "pen" or "laser"'],
-    [(it) => (it.passes[0].color = [0, 0, 256]), "has a list of 3 at passes[0].color; expected is red, green and blue"],
-    [(it) => (it.moves.pass[1] = 1), "has 1 at moves.pass[1]; expected is a number from 0 to 0"],
-    [(it) => (it.moves.from_s[1] = 3.5), "has 3 at moves.from_s[2], after 3.5; expected is a time that never goes back"],
-    [(it) => it.path.z_mm.pop(), "has 3 rows in path.z_mm; expected is 4"],
-    [(it) => (it.path.x_mm[2] = 1001), "has 1001 at path.x_mm[2]; expected is a number from -1000 to 1000"],
-    [(it) => (it.path.ink[0] = 0.5), "has 0.5 at path.ink[0]; expected is a whole number"],
-    [(it) => (it.path.y_mm[0] = null), "has null at path.y_mm[0]; expected is a number"],
-    [(it) => delete it.path.error_mm, "has no path.error_mm; expected is a list"],
+    [(it) => delete it.version, "has no version; expected a timeline of version 1"],
+    [(it) => (it.version = 2), "has version 2; expected a timeline of version 1"],
+    [(it) => (it.duration_s = -1), "has -1 as duration_s; expected a number from 0 to"],
+    [(it) => (it.passes = []), "has nothing in passes; expected a list of at least one"],
+    [(it) => (it.passes[0].tool = "brush"), 'has "brush" at passes[0].tool; expected "pen" or "laser"'],
+    [(it) => (it.passes[0].color = [0, 0, 256]), "has a list of 3 at passes[0].color; expected red, green and blue"],
+    [(it) => (it.moves.pass[1] = 1), "has 1 at moves.pass[1]; expected a number from 0 to 0"],
+    [(it) => (it.moves.from_s[1] = 3.5), "has 3 at moves.from_s[2], after 3.5; expected a time that does not decrease"],
+    [(it) => it.path.z_mm.pop(), "has 3 rows in path.z_mm; expected 4"],
+    [(it) => (it.path.x_mm[2] = 1001), "has 1001 at path.x_mm[2]; expected a number from -1000 to 1000"],
+    [(it) => (it.path.ink[0] = 0.5), "has 0.5 at path.ink[0]; expected a whole number"],
+    [(it) => (it.path.y_mm[0] = null), "has null at path.y_mm[0]; expected a number"],
+    [(it) => delete it.path.error_mm, "has no path.error_mm; expected a list"],
   ];
   for (const [change, text] of cases) {
     const found = refusal(change);
@@ -56,10 +56,10 @@ test("what is wrong with a file is told by its place, what was found and what is
 });
 
 test("other files are refused by what they are", () => {
-  assert.throws(() => readTimeline("<svg/>"), /^Error: is no JSON/);
-  assert.throws(() => readTimeline("[1, 2]"), /^Error: holds a list of 2; expected is a timeline/);
+  assert.throws(() => readTimeline("<svg/>"), /^Error: is not JSON/);
+  assert.throws(() => readTimeline("[1, 2]"), /^Error: holds a list of 2; expected a timeline/);
   assert.throws(() => checkSize(0), /is empty/);
-  assert.throws(() => checkSize(MOST_BYTES + 1), /has 50\.0 MB; expected is a timeline of at most 50 MB/);
+  assert.throws(() => checkSize(MOST_BYTES + 1), /has 50\.0 MB; expected a timeline of at most 50 MB/);
   checkSize(MOST_BYTES);
 });
 

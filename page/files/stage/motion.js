@@ -20,7 +20,7 @@ export class Motion {
   /** What to add to the station's clock to get ours; of all statuses the one that was quickest tells it best. */
   #ahead_s = Infinity;
   /** When the last place was told the last time. */
-  #told_s = 0;
+  #last_report_s = 0;
   #status_s = 0;
 
   /** From one status to the next, as the station serves it. @param {number} seconds */
@@ -46,13 +46,13 @@ export class Motion {
     if (last && sample.at_s < last.at_s) return this.#again(sample, now_s);
     this.#ahead_s = Math.min(this.#ahead_s + DRIFT, now_s - sample.at_s);
     if (last && NAMES.every((name) => sample.joints[name] === last.joints[name])) {
-      this.#told_s = sample.at_s;
+      this.#last_report_s = sample.at_s;
       return;
     }
-    const until_s = Math.min(this.#told_s, sample.at_s - this.#status_s);
-    if (last && this.#told_s > last.at_s && sample.at_s > last.at_s + this.#behind_s) this.#samples.push({ at_s: until_s, joints: last.joints });
+    const until_s = Math.min(this.#last_report_s, sample.at_s - this.#status_s);
+    if (last && this.#last_report_s > last.at_s && sample.at_s > last.at_s + this.#behind_s) this.#samples.push({ at_s: until_s, joints: last.joints });
     this.#samples.push(sample);
-    this.#told_s = sample.at_s;
+    this.#last_report_s = sample.at_s;
     while (this.#samples.length > KEPT) this.#samples.shift();
   }
 
@@ -65,7 +65,7 @@ export class Motion {
   forget() {
     this.#samples = [];
     this.#ahead_s = Infinity;
-    this.#told_s = 0;
+    this.#last_report_s = 0;
   }
 
   /**

@@ -26,7 +26,7 @@ export function createStage(element) {
   let pace = createRenderQuality(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
-  let asked = 0, inked = 0, inSight = true;
+  let frame = 0, inked = 0, inSight = true;
   /** @type {ReturnType<typeof createScene3d> | ReturnType<typeof createScene2d>} */ let drawing;
 
   const outside = {
@@ -34,7 +34,7 @@ export function createStage(element) {
       return still.matches;
     },
     changed() {
-      if (inSight && !document.hidden) asked ||= requestAnimationFrame(draw);
+      if (inSight && !document.hidden) frame ||= requestAnimationFrame(draw);
     },
     /** @param {import("./view.js").Target} detail */
     target: (detail) => void element.dispatchEvent(new CustomEvent("target", { detail })),
@@ -42,7 +42,7 @@ export function createStage(element) {
 
   /** @param {number} now_ms */
   function draw(now_ms) {
-    asked = 0;
+    frame = 0;
     if (!isDue(now_ms)) return outside.changed();
     const at = motion.at(performance.now() / 1000);
     const swings = drawing.frame(at?.joints ?? null, performance.now() / 1000);
@@ -53,8 +53,8 @@ export function createStage(element) {
 
   /** Comes into sight, or goes out of it: what changed meanwhile is drawn when it is back. */
   function turnUp() {
-    cancelAnimationFrame(asked);
-    asked = 0;
+    cancelAnimationFrame(frame);
+    frame = 0;
     outside.changed();
   }
 
@@ -139,7 +139,7 @@ export function createStage(element) {
       if (changed) drawing.show(next);
     },
     end() {
-      cancelAnimationFrame(asked);
+      cancelAnimationFrame(frame);
       watched.disconnect();
       sight.disconnect();
       document.removeEventListener("visibilitychange", turnUp);

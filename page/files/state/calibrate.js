@@ -23,7 +23,7 @@ export const HIGHEST_BLOCK_MM = 100;
  * @property {Problem | null} bar_refused Why it has not.
  * @property {string} block How high a block stands on the next point, as it was typed.
  * @property {readonly Visit[]} visits
- * @property {number} asked How often they changed: what was told of earlier ones is not taken.
+ * @property {number} revision How often they changed: what was told of earlier ones is not taken.
  * @property {Schemas["FitReport"] | null} fit What the touches tell.
  * @property {Problem | null} problem Why they tell nothing.
  * @property {CalibrationFile | null} shown What is kept when a person says so.
@@ -31,7 +31,7 @@ export const HIGHEST_BLOCK_MM = 100;
  */
 
 /** @type {Calibrate} */
-export const NO_CALIBRATE = { known: null, sheet: null, bar: "", bar_mm: null, bar_refused: null, block: "", visits: [], asked: 0, fit: null, problem: null, shown: null, lost: 0 };
+export const NO_CALIBRATE = { known: null, sheet: null, bar: "", bar_mm: null, bar_refused: null, block: "", visits: [], revision: 0, fit: null, problem: null, shown: null, lost: 0 };
 
 /** @typedef {{ type: "calibrations", known: Schemas["Calibrations"] }
  * | { type: "calibrate_begun", sheet: Schemas["SheetPoints"] }
@@ -41,7 +41,7 @@ export const NO_CALIBRATE = { known: null, sheet: null, bar: "", bar_mm: null, b
  * | { type: "calibrate_block_typed", text: string }
  * | { type: "calibrate_visited", told_deg: readonly number[] | null }
  * | { type: "calibrate_back" }
- * | { type: "calibrate_fitted", asked: number, fit: Schemas["FitReport"] | null, problem: Problem | null }
+ * | { type: "calibrate_fitted", revision: number, fit: Schemas["FitReport"] | null, problem: Problem | null }
  * | { type: "calibrate_shown" }} CalibrateMessage */
 
 /** The point to touch next, counted from 0; after the last one of the sheet the first again. @param {Calibrate} calibrate */
@@ -113,7 +113,7 @@ export function rawDegrees(arm) {
 }
 
 /** After other visits all that was told of the ones before is void. @param {Calibrate} calibrate @param {readonly Visit[]} visits @returns {Calibrate} */
-const visited = (calibrate, visits) => ({ ...calibrate, visits, asked: calibrate.asked + 1, fit: null, problem: null, shown: null, lost: 0 });
+const visited = (calibrate, visits) => ({ ...calibrate, visits, revision: calibrate.revision + 1, fit: null, problem: null, shown: null, lost: 0 });
 
 /** An arm whose pose is not trusted counts its base anew. @param {Calibrate} calibrate @param {import("./types.js").Station} station */
 function heard(calibrate, station) {
@@ -123,14 +123,14 @@ function heard(calibrate, station) {
 
 /** @param {Calibrate} calibrate @param {import("./message.js").Message} message @returns {Calibrate} */
 export function reduceCalibrate(calibrate, message) {
-  const { known, asked, visits } = calibrate;
+  const { known, revision, visits } = calibrate;
   switch (message.type) {
     case "calibrations":
       return { ...calibrate, known: message.known };
     case "calibrate_begun":
-      return { ...NO_CALIBRATE, known, asked: asked + 1, sheet: message.sheet };
+      return { ...NO_CALIBRATE, known, revision: revision + 1, sheet: message.sheet };
     case "calibrate_ended":
-      return { ...NO_CALIBRATE, known, asked: asked + 1 };
+      return { ...NO_CALIBRATE, known, revision: revision + 1 };
     case "calibrate_bar_typed":
       return { ...calibrate, bar: message.text, bar_refused: null };
     case "calibrate_bar":
@@ -142,7 +142,7 @@ export function reduceCalibrate(calibrate, message) {
     case "calibrate_back":
       return visits.length ? visited(calibrate, visits.slice(0, -1)) : calibrate;
     case "calibrate_fitted":
-      return message.asked === asked ? { ...calibrate, fit: message.fit, problem: message.problem } : calibrate;
+      return message.revision === revision ? { ...calibrate, fit: message.fit, problem: message.problem } : calibrate;
     case "calibrate_shown":
       return { ...calibrate, shown: calibrate.fit?.calibration ?? null };
     case "state":

@@ -15,7 +15,7 @@ const SKIPPED = { type: "calibrate_visited", told_deg: null };
 const BEGUN = after([{ type: "calibrate_begun", sheet: SHEET }, { type: "calibrate_bar", bar_mm: 200, problem: null }]);
 
 /** The state after what is told of the touches as they are. */
-const fitted = (calibrate) => after([{ type: "calibrate_fitted", asked: calibrate.asked, fit: FIT, problem: null }], calibrate);
+const fitted = (calibrate) => after([{ type: "calibrate_fitted", revision: calibrate.revision, fit: FIT, problem: null }], calibrate);
 
 test("each touch and each point that is left out leads to the next one, and both can be taken back", () => {
   const all = after([touched(1), SKIPPED, touched(2)], BEGUN);
@@ -55,7 +55,7 @@ test("what is kept was shown: another touch takes the view of it away, and so do
 });
 
 test("what is told of earlier touches is not taken", () => {
-  const late = { type: "calibrate_fitted", asked: BEGUN.asked, fit: FIT, problem: null };
+  const late = { type: "calibrate_fitted", revision: BEGUN.revision, fit: FIT, problem: null };
   assert.equal(after([touched(1), late], BEGUN).fit, null);
   assert.equal(after([{ type: "calibrate_ended" }, late], BEGUN).fit, null);
 });
@@ -73,7 +73,7 @@ test("a pose that is not trusted any more makes the touches worthless, which is 
 test("leaving forgets all but what is known", () => {
   const known = { calibration: FILE, before: null };
   const left = after([{ type: "calibrations", known }, touched(1), { type: "calibrate_ended" }], BEGUN);
-  assert.deepEqual({ ...left, asked: 0 }, { ...NO_CALIBRATE, known });
+  assert.deepEqual({ ...left, revision: 0 }, { ...NO_CALIBRATE, known });
 });
 
 test("numbers are told with what changed, and those that a calibration does not have are left out", () => {

@@ -17,7 +17,7 @@ import { paperOf } from "./paper.js";
  * @property {File | null} file
  * @property {string} text
  * @property {Settings} set
- * @property {number} asked How often it was changed: an answer to an earlier question is not taken.
+ * @property {number} revision How often it was changed: an answer to an earlier question is not taken.
  * @property {"nothing" | "planning" | "planned" | "failed"} phase
  * @property {number | null} drawing Its number, while the station knows it.
  * @property {Problem | null} problem
@@ -51,7 +51,7 @@ export const NO_DRAW = {
   file: null,
   text: "",
   set: { x: "", y: "", scale: "", rotate: "", down: "", tool: "fineliner", speed: "", tolerance: "", layers: "nothing", pens: {}, hatch: false, clip: false, fit: false, height: "", font: "sans" },
-  asked: 0,
+  revision: 0,
   phase: "nothing",
   drawing: null,
   problem: null,
@@ -66,10 +66,10 @@ export const NO_DRAW = {
  * | { type: "draw_text", text: string }
  * | { type: "draw_what", what: Draw["what"] }
  * | { type: "draw_set", set: Partial<Settings> }
- * | { type: "draw_begun", asked: number, drawing: number }
- * | { type: "draw_planned", asked: number, title: string, plan: Plan, timeline: import("../preview/timeline.js").Timeline, set: Settings }
+ * | { type: "draw_begun", revision: number, drawing: number }
+ * | { type: "draw_planned", revision: number, title: string, plan: Plan, timeline: import("../preview/timeline.js").Timeline, set: Settings }
  * | { type: "draw_timeline", timeline: import("../preview/timeline.js").Timeline }
- * | { type: "draw_failed", asked: number, problem: Problem }
+ * | { type: "draw_failed", revision: number, problem: Problem }
  * | { type: "draw_cancelled" }
  * | { type: "materials", materials: Draw["materials"] }
  * | { type: "formats", formats: Formats }} DrawMessage */
@@ -124,7 +124,7 @@ const liesBy = (set, { scale }) => ({ x_mm: numberOf(set.x) ?? MIDDLE.x_mm, y_mm
 
 /** @param {Draw} draw @param {Partial<Draw>} change @returns {Draw} */
 function changed(draw, change) {
-  const next = { ...draw, ...change, asked: draw.asked + 1, problem: null };
+  const next = { ...draw, ...change, revision: draw.revision + 1, problem: null };
   if (!hasSubject(next)) return { ...next, phase: "nothing", planned: null, timeline: null };
   return { ...next, phase: "planning" };
 }
@@ -141,16 +141,16 @@ export function reduceDraw(draw, message) {
     case "draw_set":
       return changed(draw, { set: { ...draw.set, ...message.set } });
     case "draw_begun":
-      return message.asked === draw.asked ? { ...draw, drawing: message.drawing } : draw;
+      return message.revision === draw.revision ? { ...draw, drawing: message.drawing } : draw;
     case "draw_planned":
-      if (message.asked !== draw.asked) return draw;
+      if (message.revision !== draw.revision) return draw;
       return { ...draw, phase: "planned", timeline: { timeline: message.timeline }, planned: { plan: message.plan, title: message.title, lies: liesBy(message.set, message.plan) } };
     case "draw_timeline":
-      return { ...draw, asked: draw.asked + 1, phase: "nothing", file: null, drawing: null, problem: null, planned: null, what: "file", timeline: { timeline: message.timeline } };
+      return { ...draw, revision: draw.revision + 1, phase: "nothing", file: null, drawing: null, problem: null, planned: null, what: "file", timeline: { timeline: message.timeline } };
     case "draw_failed":
-      return message.asked === draw.asked ? { ...draw, phase: "failed", drawing: null, problem: message.problem } : draw;
+      return message.revision === draw.revision ? { ...draw, phase: "failed", drawing: null, problem: message.problem } : draw;
     case "draw_cancelled":
-      return { ...draw, asked: draw.asked + 1, phase: "failed", problem: null, drawing: null };
+      return { ...draw, revision: draw.revision + 1, phase: "failed", problem: null, drawing: null };
     case "hello":
       // A station that began anew knows no drawing.
       return hasSubject(draw) ? changed(draw, { drawing: null }) : draw;

@@ -6,7 +6,7 @@ import { silence_ms } from "./selectors.js";
 /** @typedef {import("./types.js").Station} Station */
 
 /** Compared by what is read of them. */
-const APART = new Set(["station", "received_ms", "now_ms", "history"]);
+const COMPARED_APART = new Set(["station", "received_ms", "now_ms", "history"]);
 /** How long a time slot lasts is counted by the station's clock: it is written so often in a second. */
 const SLOTS_PER_S = 4;
 
@@ -14,14 +14,14 @@ const SLOTS_PER_S = 4;
 function read(station, watched) {
   if (!station) return "";
   const { at_s, link, slots } = station;
-  const told = { ...link, statuses_per_s: link.statuses_per_s.toFixed(1), latency_ms: watched ? link.latency_ms : null };
-  return JSON.stringify({ ...station, at_s: slots ? Math.floor(at_s * SLOTS_PER_S) : 0, link: told });
+  const shownLink = { ...link, statuses_per_s: link.statuses_per_s.toFixed(1), latency_ms: watched ? link.latency_ms : null };
+  return JSON.stringify({ ...station, at_s: slots ? Math.floor(at_s * SLOTS_PER_S) : 0, link: shownLink });
 }
 
 /** @param {Page} before @param {Page} after */
 export function rendersSame(before, after) {
   const names = /** @type {(keyof Page)[]} */ (Object.keys(after));
-  if (names.some((name) => !APART.has(name) && before[name] !== after[name])) return false;
+  if (names.some((name) => !COMPARED_APART.has(name) && before[name] !== after[name])) return false;
   if (silence_ms(before) !== silence_ms(after)) return false;
   const watched = after.tab === "watch";
   return (!watched || before.history === after.history) && read(before.station, watched) === read(after.station, watched);

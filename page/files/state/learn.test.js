@@ -82,6 +82,6 @@ test("the numbers of the lesson on kinematics are those of the arm", () => {
   const corner = Math.acos((L1 ** 2 + wrist ** 2 - L2 ** 2) / (2 * L1 * wrist)) * degrees;
   const elbow = L1 * Math.cos((90 - corner) / degrees);
   const right = [Math.atan2(100, 200) * degrees, wrist, corner, 90 - corner, Math.asin(elbow / L2) * degrees];
-  const told = lessonOf("kinematics").steps.flatMap(({ until }) => until?.answer ?? []);
-  told.forEach(({ is, within }, n) => assert.ok(Math.abs(is - right[n]) < within / 2, `${is} instead of ${right[n]}`));
+  const answers = lessonOf("kinematics").steps.flatMap(({ until }) => until?.answer ?? []);
+  answers.forEach(({ is, within }, n) => assert.ok(Math.abs(is - right[n]) < within / 2, `${is} instead of ${right[n]}`));
 });

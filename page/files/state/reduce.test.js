@@ -19,17 +19,17 @@ const NEW = begin({ language: "en", theme: "auto", greeted: false, program: "" }
 /** The page after these messages. */
 const after = (messages, page = NEW) => messages.reduce(reduce, page);
 const OPEN = after([{ type: "hello", client: 7, role: "control", version: "1", now_ms: 1000 }, { type: "state", station: STATION, now_ms: 1000 }]);
-const told = (change, page = OPEN) => after([{ type: "state", station: { ...STATION, ...change }, now_ms: 1000 }], page);
+const afterState = (change, page = OPEN) => after([{ type: "state", station: { ...STATION, ...change }, now_ms: 1000 }], page);
 
 test("the arm can be moved by hand where nobody or this page has control, and nothing forbids it", () => {
   assert.equal(blockedReason(NEW), "no_connection");
   assert.equal(blockedReason(OPEN), null);
   const lease = (client) => ({ client, name: "desk", is_program: false, since_s: 0, asked_by: [] });
-  assert.equal(blockedReason(told({ lease: lease(7) })), null);
-  assert.equal(blockedReason(told({ lease: lease(8) })), "others_control");
-  assert.equal(blockedReason(told({ stop: { by: "x", reason: null, at_s: 0, rests_by_s: 0, at_rest: true } })), "stopped");
-  assert.equal(blockedReason(told({ trust: { trusted: false, reason: "reset" } })), "not_confirmed");
-  assert.equal(blockedReason(told({ link: { ...STATION.link, phase: "lost" } })), "no_arm");
+  assert.equal(blockedReason(afterState({ lease: lease(7) })), null);
+  assert.equal(blockedReason(afterState({ lease: lease(8) })), "others_control");
+  assert.equal(blockedReason(afterState({ stop: { by: "x", reason: null, at_s: 0, rests_by_s: 0, at_rest: true } })), "stopped");
+  assert.equal(blockedReason(afterState({ trust: { trusted: false, reason: "reset" } })), "not_confirmed");
+  assert.equal(blockedReason(afterState({ link: { ...STATION.link, phase: "lost" } })), "no_arm");
   assert.equal(blockedReason(after([{ type: "hello", client: 7, role: "watch", version: "1", now_ms: 0 }], OPEN)), "watching_only");
   assert.equal(blockedReason(after([{ type: "hello", client: 7, role: "queue", version: "1", now_ms: 0 }], OPEN)), "queueing_only");
   assert.equal(blockedReason(after([{ type: "closed", needs_token: false }], OPEN)), "no_connection");
@@ -37,7 +37,7 @@ test("the arm can be moved by hand where nobody or this page has control, and no
 
 test("a locked arm is moved by administrators alone, and the page knows that first", () => {
   const lock = { by: "Ms Lee", message: "eyes on me", at_s: 1 };
-  assert.equal(blockedReason(told({ lock })), "locked");
+  assert.equal(blockedReason(afterState({ lock })), "locked");
   const admin = after([{ type: "hello", client: 7, role: "admin", version: "1", now_ms: 1000 }, { type: "state", station: { ...STATION, lock }, now_ms: 1000 }]);
   assert.equal(blockedReason(admin), null);
 });
@@ -53,7 +53,7 @@ test("the picture is old half a second after the last status, and not while no a
   const later = (now_ms, page = OPEN) => silence_ms(after([{ type: "tick", now_ms }], page));
   assert.equal(later(1400), 0);
   assert.equal(later(1600), 600);
-  assert.equal(later(1600, told({ link: { ...STATION.link, phase: "searching" } })), 0);
+  assert.equal(later(1600, afterState({ link: { ...STATION.link, phase: "searching" } })), 0);
   assert.equal(later(1600, after([{ type: "closed", needs_token: false }], OPEN)), 600);
 });
 
@@ -70,32 +70,32 @@ test("an answer to an earlier question is not taken", () => {
   const asked = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
   const typed = after([{ type: "target_typed", field: "x_mm", text: "260" }], asked);
   const free = { type: "free", takes_s: 1 };
-  assert.equal(after([{ type: "target_checked", asked: asked.target.asked, check: free }], typed).target.check.type, "unknown");
-  assert.equal(after([{ type: "target_checked", asked: typed.target.asked, check: free }], typed).target.check.type, "free");
+  assert.equal(after([{ type: "target_checked", revision: asked.target.revision, check: free }], typed).target.check.type, "unknown");
+  assert.equal(after([{ type: "target_checked", revision: typed.target.revision, check: free }], typed).target.check.type, "free");
 });
 
 test("a target is forgotten when the arm that was sent there has come to it, not when it merely passes", () => {
   const there = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
   const arrives = { arm: { ...ARM, x_mm: 249.9 } };
-  assert.notEqual(told(arrives, there).target.typed, null);
-  assert.equal(told(arrives, after([{ type: "target_goes" }], there)).target.typed, null);
+  assert.notEqual(afterState(arrives, there).target.typed, null);
+  assert.equal(afterState(arrives, after([{ type: "target_goes" }], there)).target.typed, null);
 });
 
 test("a new connection asks for the target once more", () => {
   const there = after([{ type: "target_typed", field: "x_mm", text: "250" }, { type: "closed", needs_token: false }], OPEN);
   const again = after([{ type: "hello", client: 8, role: "control", version: "1", now_ms: 0 }], there);
-  assert.ok(again.target.asked > there.target.asked);
+  assert.ok(again.target.revision > there.target.revision);
 });
 
 test("a target is asked for once more when the policy, the link, the trust in the pose or the dialect is another one", () => {
   const there = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
-  const isAskedAgain = (page) => page.target.asked > there.target.asked;
+  const isAskedAgain = (page) => page.target.revision > there.target.revision;
   assert.ok(isAskedAgain(after([{ type: "notice", notice: { at_s: 1, type: "policy_changed", client: 8 } }], there)));
-  assert.ok(isAskedAgain(told({ link: { ...STATION.link, phase: "lost" } }, there)));
-  assert.ok(isAskedAgain(told({ arm: null }, there)));
-  assert.ok(isAskedAgain(told({ trust: { trusted: false, reason: "reset" } }, there)));
-  assert.ok(isAskedAgain(told({ dialect: null }, there)));
-  assert.ok(!isAskedAgain(told({ at_s: 2, arm: { ...ARM, x_mm: 201 } }, there)));
+  assert.ok(isAskedAgain(afterState({ link: { ...STATION.link, phase: "lost" } }, there)));
+  assert.ok(isAskedAgain(afterState({ arm: null }, there)));
+  assert.ok(isAskedAgain(afterState({ trust: { trusted: false, reason: "reset" } }, there)));
+  assert.ok(isAskedAgain(afterState({ dialect: null }, there)));
+  assert.ok(!isAskedAgain(afterState({ at_s: 2, arm: { ...ARM, x_mm: 201 } }, there)));
   assert.equal(after([{ type: "target_goes" }, { type: "notice", notice: { at_s: 1, type: "policy_changed", client: 8 } }], there).target.goes, true);
 });
 
@@ -116,7 +116,7 @@ test("a view has the same objects for what did not change", () => {
   const page = after([{ type: "policy", policy }, { type: "facts", facts: FACTS }, { type: "target_typed", field: "x_mm", text: "250" }], OPEN);
   const one = viewOf(page, words), two = viewOf(after([{ type: "tick", now_ms: 1001 }], page), words);
   for (const part of ["arm", "ghost", "limits", "keepOuts", "tool", "shape", "near"]) assert.equal(one[part], two[part], part);
-  assert.notEqual(viewOf(told({ at_s: 2 }, page), words).arm, one.arm);
+  assert.notEqual(viewOf(afterState({ at_s: 2 }, page), words).arm, one.arm);
 });
 
 test("the stage has no arm before the station has served its lengths, and then those of the tool that it carries", () => {
@@ -132,7 +132,7 @@ test("the limits of the ghost are brought out where there is one, and keep-outs 
   const viewOf = createViewOf();
   const words = { dark: false, note: "", label: "" };
   const [rear, z] = [{ quantity: "rear", bound: 85, closeness: 0.4 }, { quantity: "z", bound: 136, closeness: 1 }];
-  const page = told({ arm: { ...ARM, near: { limits: [rear], keep_outs: { cup: 0.5, lamp: 0.2 } } } });
+  const page = afterState({ arm: { ...ARM, near: { limits: [rear], keep_outs: { cup: 0.5, lamp: 0.2 } } } });
   assert.deepEqual(viewOf(page, words).near, { limits: [rear], keep_outs: { cup: 0.5, lamp: 0.2 } });
   const aimed = after([{ type: "ghost_near", near: { limits: [z], keep_outs: { cup: 0.1, lamp: 0.9 } } }], page);
   assert.deepEqual(viewOf(aimed, words).near, { limits: [z], keep_outs: { cup: 0.5, lamp: 0.9 } });
@@ -146,10 +146,10 @@ test("a STOP that nobody answers is told until somebody does, and that it was an
   assert.equal(after([{ type: "stop_pressed" }, answered], OPEN).late_stop, null);
   const late = after([{ type: "stop_pressed" }, { type: "stop_late" }], OPEN);
   assert.deepEqual(after([{ type: "stop_pressed" }, { type: "closed", needs_token: false }], late).late_stop, { after_s: null });
-  const told_late = told({ stop }, after([{ ...answered, after_s: 13 }], late));
-  assert.deepEqual(told_late.late_stop, { after_s: 13 });
-  assert.equal(told({ stop: null }, told_late).late_stop, null);
-  assert.equal(after([{ type: "stop_pressed" }], told_late).late_stop, null);
+  const lateStopped = afterState({ stop }, after([{ ...answered, after_s: 13 }], late));
+  assert.deepEqual(lateStopped.late_stop, { after_s: 13 });
+  assert.equal(afterState({ stop: null }, lateStopped).late_stop, null);
+  assert.equal(after([{ type: "stop_pressed" }], lateStopped).late_stop, null);
 });
 
 test("a drafted keep-out is shown while the next change of the draft is looked at, until the draft is forgotten", () => {
@@ -157,10 +157,10 @@ test("a drafted keep-out is shown while the next change of the draft is looked a
   const drafted = { ...policy, keep_out: { a: { box: {} } } };
   const page = after([{ type: "policy", policy }, { type: "tab", tab: "set_up" }, { type: "policy_text", text: "kept" }, { type: "policy_typed", text: "with a" }], OPEN);
   assert.deepEqual(shownPolicy(page), policy);
-  const known = after([{ type: "policy_checked", asked: page.set_up.asked, check: { type: "good" }, policy: drafted }], page);
+  const known = after([{ type: "policy_checked", revision: page.set_up.revision, check: { type: "good" }, policy: drafted }], page);
   const changed = after([{ type: "policy_typed", text: "with a, wider" }], known);
   for (const it of [known, changed]) assert.deepEqual(shownPolicy(it), drafted);
-  const bad = after([{ type: "policy_checked", asked: changed.set_up.asked, check: { type: "bad", problem: { detail: "no" } }, policy: null }], changed);
+  const bad = after([{ type: "policy_checked", revision: changed.set_up.revision, check: { type: "bad", problem: { detail: "no" } }, policy: null }], changed);
   assert.deepEqual(shownPolicy(bad), drafted);
   const inForce = after([{ type: "policy_kept", text: "with a, wider" }, { type: "policy_text", text: "with a, wider" }], changed);
   assert.deepEqual(shownPolicy(inForce), drafted);

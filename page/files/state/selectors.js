@@ -99,7 +99,7 @@ function nearBoth(text, ghost) {
  * Keeps the result of a function for as long as its arguments are the same objects: what is the same costs the stage nothing.
  * @template {unknown[]} A @template R @param {(...of: A) => R} make @returns {(...of: A) => R}
  */
-export function kept(make) {
+export function memoize(make) {
   /** @type {{ of: A, made: R } | null} */ let last = null;
   return (...of) => {
     if (!last || last.of.some((it, n) => it !== of[n])) last = { of, made: make(...of) };
@@ -111,8 +111,8 @@ export function kept(make) {
 const NONE = [];
 
 /** The rows of a program: those of a large one take a moment. */
-export const rowsIn = kept(rowsOf);
-const taughtAt = kept((/** @type {string} */ text, /** @type {number | null} */ chosen) => placeOfStep(text, chosen === null ? undefined : rowsIn(text)[chosen]));
+export const rowsIn = memoize(rowsOf);
+const taughtAt = memoize((/** @type {string} */ text, /** @type {number | null} */ chosen) => placeOfStep(text, chosen === null ? undefined : rowsIn(text)[chosen]));
 
 /** The place of the step that is chosen in the program, while somebody teaches. @param {Page} page */
 export const taughtPlace = ({ tab, teach }) => (tab === "teach" ? taughtAt(teach.text, teach.chosen) : null);
@@ -128,18 +128,18 @@ export const shownPolicy = ({ tab, set_up, policy }) => (tab === "set_up" && set
 
 /** Makes views for the stage; the same object for what did not change. */
 export function createViewOf() {
-  const rules = kept(ruled);
-  const facts = kept(built);
-  const near = kept(nearBoth);
-  const reported = kept((/** @type {Page["station"]} */ station) => (station?.arm ? { ...station.arm, at_s: station.at_s } : null));
-  const then = kept(recorded);
-  const ghostOf = kept((/** @type {Page["target"]} */ target) => {
+  const rules = memoize(ruled);
+  const facts = memoize(built);
+  const near = memoize(nearBoth);
+  const reported = memoize((/** @type {Page["station"]} */ station) => (station?.arm ? { ...station.arm, at_s: station.at_s } : null));
+  const then = memoize(recorded);
+  const ghostOf = memoize((/** @type {Page["target"]} */ target) => {
     const place = placeOf(target);
     return place && { ...place, refused: target.refused };
   });
-  const taughtOf = kept((/** @type {import("../stage/view.js").Pose} */ place, /** @type {boolean} */ refused) => ({ ...place, refused }));
-  const planeOf = kept((/** @type {Page["draw"]["paper"]} */ plane, /** @type {readonly import("../stage/view.js").Point[]} */ touches) => (plane || touches.length ? { z_mm: plane?.z_mm ?? NaN, slope_x: plane?.slope_x ?? 0, slope_y: plane?.slope_y ?? 0, touches } : null));
-  const drawingOf = kept((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
+  const taughtOf = memoize((/** @type {import("../stage/view.js").Pose} */ place, /** @type {boolean} */ refused) => ({ ...place, refused }));
+  const planeOf = memoize((/** @type {Page["draw"]["paper"]} */ plane, /** @type {readonly import("../stage/view.js").Point[]} */ touches) => (plane || touches.length ? { z_mm: plane?.z_mm ?? NaN, slope_x: plane?.slope_x ?? 0, slope_y: plane?.slope_y ?? 0, touches } : null));
+  const drawingOf = memoize((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
   /** @param {Page} page @param {{ dark: boolean, note: string, label: string }} words @returns {View} */
   return (page, { dark, note, label }) => {
     const around = { ...EMPTY, ...rules(shownPolicy(page)), ...page.around };

@@ -11,7 +11,7 @@
  * @typedef {object} SetUp
  * @property {string | null} kept The text of the policy that holds.
  * @property {string | null} draft
- * @property {number} asked How often the draft was changed: an answer to an earlier one is not taken.
+ * @property {number} revision How often the draft was changed: an answer to an earlier one is not taken.
  * @property {DraftCheck} check
  * @property {Policy | null} drafted What the draft was when it was a policy last; nothing before it was looked at.
  * @property {boolean} overtaken Whether another policy was put in place while this draft was made.
@@ -23,11 +23,11 @@
  */
 
 /** @type {SetUp} */
-export const NO_SET_UP = { kept: null, draft: null, asked: 0, check: { type: "unknown" }, drafted: null, overtaken: false, tokens: null, made: null, faults: null, refused: null, finding: null };
+export const NO_SET_UP = { kept: null, draft: null, revision: 0, check: { type: "unknown" }, drafted: null, overtaken: false, tokens: null, made: null, faults: null, refused: null, finding: null };
 
 /** @typedef {{ type: "policy_text", text: string }
  * | { type: "policy_typed", text: string }
- * | { type: "policy_checked", asked: number, check: DraftCheck, policy: Policy | null }
+ * | { type: "policy_checked", revision: number, check: DraftCheck, policy: Policy | null }
  * | { type: "policy_kept", text: string }
  * | { type: "policy_forgotten" }
  * | { type: "tokens", tokens: readonly Schemas["TokenView"][] }
@@ -46,15 +46,15 @@ export function reduceSetUp(setUp, message) {
       if (isChanged(setUp)) return { ...setUp, kept: message.text, overtaken: setUp.kept !== message.text };
       // Read again, as after it was put in force from here: what is known of it stays.
       if (setUp.draft === message.text) return setUp;
-      return { ...setUp, kept: message.text, draft: message.text, asked: setUp.asked + 1, check: { type: "unknown" }, drafted: null };
+      return { ...setUp, kept: message.text, draft: message.text, revision: setUp.revision + 1, check: { type: "unknown" }, drafted: null };
     case "policy_typed":
-      return { ...setUp, draft: message.text, asked: setUp.asked + 1, check: { type: "unknown" } };
+      return { ...setUp, draft: message.text, revision: setUp.revision + 1, check: { type: "unknown" } };
     case "policy_checked":
-      return message.asked === setUp.asked ? { ...setUp, check: message.check, drafted: message.policy ?? setUp.drafted } : setUp;
+      return message.revision === setUp.revision ? { ...setUp, check: message.check, drafted: message.policy ?? setUp.drafted } : setUp;
     case "policy_kept":
       return { ...setUp, kept: message.text, overtaken: false, refused: null };
     case "policy_forgotten":
-      return { ...setUp, draft: setUp.kept, asked: setUp.asked + 1, check: { type: "unknown" }, drafted: null, overtaken: false, refused: null };
+      return { ...setUp, draft: setUp.kept, revision: setUp.revision + 1, check: { type: "unknown" }, drafted: null, overtaken: false, refused: null };
     case "tokens":
       return { ...setUp, tokens: message.tokens };
     case "token_made":

@@ -18,19 +18,19 @@ export const FIELDS = ["x_mm", "y_mm", "z_mm", "rotation_deg"];
  * @typedef {object} Target
  * @property {Record<Field, string> | null} typed What stands in the fields; nothing where nobody asks for a place.
  * @property {Path} path
- * @property {number} asked How often it was changed: an answer to an earlier question is not taken.
+ * @property {number} revision How often it was changed: an answer to an earlier question is not taken.
  * @property {Check} check
  * @property {boolean} refused Whether the ghost is drawn as refused; kept while the next answer is awaited, so that it does not flicker.
  * @property {boolean} goes Whether the arm was sent there.
  */
 
 /** @type {Target} */
-export const NO_TARGET = { typed: null, path: "movj", asked: 0, check: { type: "unknown" }, refused: false, goes: false };
+export const NO_TARGET = { typed: null, path: "movj", revision: 0, check: { type: "unknown" }, refused: false, goes: false };
 
 /** @typedef {{ type: "target_typed", field: Field, text: string }
  * | { type: "target_placed", place: Partial<Record<Field, number>> }
  * | { type: "target_path", path: Path }
- * | { type: "target_checked", asked: number, check: Check }
+ * | { type: "target_checked", revision: number, check: Check }
  * | { type: "target_goes" }
  * | { type: "target_cleared" }} TargetMessage */
 
@@ -46,7 +46,7 @@ export function placeOf({ typed }) {
 const fieldsOf = (arm) => /** @type {Record<Field, string>} */ (Object.fromEntries(FIELDS.map((name) => [name, arm ? arm[name].toFixed(1) : ""])));
 
 /** @param {Target} target @param {Partial<Target>} change @returns {Target} */
-const changed = (target, change) => ({ ...target, ...change, asked: target.asked + 1, check: { type: "unknown" }, goes: false });
+const changed = (target, change) => ({ ...target, ...change, revision: target.revision + 1, check: { type: "unknown" }, goes: false });
 
 /**
  * @param {Target} target
@@ -68,17 +68,17 @@ export function reduceTarget(target, message, before, now) {
     case "target_path":
       return changed(target, { path: message.path });
     case "target_checked":
-      if (message.asked !== target.asked) return target;
+      if (message.revision !== target.revision) return target;
       return { ...target, check: message.check, refused: message.check.type === "refused" };
     case "target_goes":
       return { ...target, goes: true };
     case "target_cleared":
-      return { ...NO_TARGET, path: target.path, asked: target.asked + 1 };
+      return { ...NO_TARGET, path: target.path, revision: target.revision + 1 };
     case "hello":
       // What was asked before was never answered.
       return target.typed ? changed(target, {}) : target;
     case "state":
-      if (target.goes) return arm && isAt(target, arm) ? { ...NO_TARGET, path: target.path, asked: target.asked + 1 } : target;
+      if (target.goes) return arm && isAt(target, arm) ? { ...NO_TARGET, path: target.path, revision: target.revision + 1 } : target;
       return target.typed && groundOf(before) !== groundOf(now) ? changed(target, {}) : target;
     case "notice":
       // What was free may be forbidden now, and the other way round.

@@ -17,7 +17,7 @@
  * @property {string} name The name of the file that it came from, or is kept in.
  * @property {readonly Change[]} past What was changed, the newest last.
  * @property {readonly Change[]} future What was undone, the next one last.
- * @property {number} asked How often the text was changed: an answer to an earlier one is not taken.
+ * @property {number} revision How often the text was changed: an answer to an earlier one is not taken.
  * @property {Report | null} report What the station says of the text.
  * @property {Problem | null} refused Why the last thing that was asked for came to nothing.
  * @property {number | null} chosen Which row.
@@ -31,12 +31,12 @@
  */
 
 /** @type {Teach} */
-export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], asked: 0, report: null, refused: null, chosen: null, first: 0, dragged: null, carried: null, moved: null, mode: "table", path: "movj", job: null };
+export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], revision: 0, report: null, refused: null, chosen: null, first: 0, dragged: null, carried: null, moved: null, mode: "table", path: "movj", job: null };
 
 /** @typedef {{ type: "teach_text", text: string, chosen?: number | null, name?: string }
  * | { type: "teach_undo" }
  * | { type: "teach_redo" }
- * | { type: "teach_checked", asked: number, report: Report }
+ * | { type: "teach_checked", revision: number, report: Report }
  * | { type: "teach_refused", problem: Problem | null }
  * | { type: "teach_chosen", row: number | null }
  * | { type: "teach_scrolled", first: number }
@@ -186,7 +186,7 @@ export function stepOf(row, report) {
 }
 
 /** @param {Teach} teach @param {string} text @param {Partial<Teach>} more @returns {Teach} */
-const changed = (teach, text, more) => ({ ...teach, text, asked: teach.asked + 1, refused: null, moved: null, ...more });
+const changed = (teach, text, more) => ({ ...teach, text, revision: teach.revision + 1, refused: null, moved: null, ...more });
 
 /** The past with one more change. @param {Teach} teach @param {string} from @param {string} to */
 const remembered = ({ past }, from, to) => ({ past: [...past.slice(1 - MOST_PAST), changeOf(from, to)], future: [] });
@@ -234,7 +234,7 @@ export function reduceTeach(teach, message) {
     case "teach_moved":
       return { ...teach, moved: { to: message.to, of: message.of } };
     case "teach_checked":
-      return message.asked === teach.asked ? { ...teach, report: message.report } : teach;
+      return message.revision === teach.revision ? { ...teach, report: message.report } : teach;
     case "teach_refused":
       return { ...teach, refused: message.problem };
     case "teach_chosen":

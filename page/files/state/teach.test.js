@@ -47,7 +47,7 @@ test("a change after an undo forgets what was undone", () => {
 
 test("an answer to an earlier text is not taken", () => {
   const teach = after([typed("a"), typed("b")]);
-  assert.equal(reduceTeach(teach, { type: "teach_checked", asked: teach.asked - 1, report: REPORT }).report, null);
+  assert.equal(reduceTeach(teach, { type: "teach_checked", revision: teach.revision - 1, report: REPORT }).report, null);
 });
 
 test("a change is kept as what differs, so that a thousand changes of a long program fit into memory", () => {

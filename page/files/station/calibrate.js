@@ -13,7 +13,7 @@ const KNOWN = "api/v1/calibration";
 /** @param {Store} store @param {import("./http.js").Http} http @param {import("./set_up.js").Change} change */
 export function createCalibrate(store, http, change) {
   const { send } = store;
-  let seen = store.page.calibrate.asked;
+  let seen = store.page.calibrate.revision;
   let touched = store.page.touch_paper.places;
 
   async function read() {
@@ -26,9 +26,9 @@ export function createCalibrate(store, http, change) {
   const ask = (question) => http.ask("POST", `${KNOWN}/fit`, question);
 
   async function fit() {
-    const { asked } = store.page.calibrate;
+    const { revision } = store.page.calibrate;
     const { value, problem } = await ask(questionOf(store.page.calibrate));
-    send({ type: "calibrate_fitted", asked, fit: /** @type {Schemas["FitReport"] | undefined} */ (value) ?? null, problem: problem ?? null });
+    send({ type: "calibrate_fitted", revision, fit: /** @type {Schemas["FitReport"] | undefined} */ (value) ?? null, problem: problem ?? null });
   }
 
   /** @param {readonly import("../stage/view.js").Point[]} places */
@@ -44,8 +44,8 @@ export function createCalibrate(store, http, change) {
       touched = places;
       if (places && places.length >= PLACES) void judge(places);
     }
-    if (calibrate.asked === seen) return;
-    seen = calibrate.asked;
+    if (calibrate.revision === seen) return;
+    seen = calibrate.revision;
     if (touchesOf(calibrate).length >= LEAST_TOUCHES) void fit();
   });
 

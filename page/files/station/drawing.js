@@ -14,10 +14,10 @@ const PLAN_MS = 250;
 export function followDrawing(store, http) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
-  let seen = store.page.draw.asked;
+  let seen = store.page.draw.revision;
   /** The drawings that the station plans or keeps for this page. @type {Set<number>} */ const kept = new Set();
 
-  const isWanted = (/** @type {number} */ asked) => store.page.draw.asked === asked;
+  const isWanted = (/** @type {number} */ revision) => store.page.draw.revision === revision;
 
   /** @param {number | null} but */
   function forgetAll(but) {
@@ -34,37 +34,37 @@ export function followDrawing(store, http) {
     const { what, file } = page.draw;
     const options = optionsOf(page);
     if (what === "text" || !file) return { body: { options } };
-    const { told, problem } = await readDrawing(file);
-    return problem ? { problem } : { body: { ...told, options } };
+    const { content, problem } = await readDrawing(file);
+    return problem ? { problem } : { body: { ...content, options } };
   }
 
-  /** @param {number} asked @param {number} drawing */
-  async function follow(asked, drawing) {
+  /** @param {number} revision @param {number} drawing */
+  async function follow(revision, drawing) {
     const { set } = store.page.draw;
-    while (isWanted(asked)) {
+    while (isWanted(revision)) {
       const { value, problem } = await http.ask("GET", `api/v1/drawings/${drawing}`);
-      if (problem) return send({ type: "draw_failed", asked, problem });
+      if (problem) return send({ type: "draw_failed", revision, problem });
       const view = /** @type {Schemas["DrawingView"]} */ (value);
-      if (view.problem) return send({ type: "draw_failed", asked, problem: view.problem });
-      if (view.plan) return send({ type: "draw_planned", asked, title: view.title, plan: view.plan, timeline: timelineOf(view.plan.timeline), set });
+      if (view.problem) return send({ type: "draw_failed", revision, problem: view.problem });
+      if (view.plan) return send({ type: "draw_planned", revision, title: view.title, plan: view.plan, timeline: timelineOf(view.plan.timeline), set });
     }
   }
 
   async function plan() {
     const { draw } = store.page;
-    const { asked } = draw;
+    const { revision } = draw;
     forgetAll(null);
     if (!hasSubject(draw) || wrongField(draw.set)) return;
     const request = await body();
-    if (!isWanted(asked)) return;
-    if (request.problem) return send({ type: "draw_failed", asked, problem: request.problem });
+    if (!isWanted(revision)) return;
+    if (request.problem) return send({ type: "draw_failed", revision, problem: request.problem });
     const { value, problem } = await http.ask("POST", "api/v1/drawings", request.body);
-    if (problem) return send({ type: "draw_failed", asked, problem });
+    if (problem) return send({ type: "draw_failed", revision, problem });
     const { drawing } = /** @type {Schemas["DrawingView"]} */ (value);
     kept.add(drawing);
-    if (!isWanted(asked)) return forgetAll(null);
-    send({ type: "draw_begun", asked, drawing });
-    await follow(asked, drawing);
+    if (!isWanted(revision)) return forgetAll(null);
+    send({ type: "draw_begun", revision, drawing });
+    await follow(revision, drawing);
   }
 
   async function readChoices() {
@@ -75,8 +75,8 @@ export function followDrawing(store, http) {
 
   store.subscribe(({ draw }, { type }) => {
     if (type === "hello") void readChoices();
-    if (draw.asked === seen) return;
-    seen = draw.asked;
+    if (draw.revision === seen) return;
+    seen = draw.revision;
     clearTimeout(timer);
     if (type === "draw_cancelled") forgetAll(null);
     else timer = setTimeout(() => void plan(), PLAN_MS);

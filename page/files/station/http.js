@@ -5,7 +5,7 @@
 /** What came of it: a value, or a problem. @template T @typedef {{ value: T, problem?: undefined } | { value?: undefined, problem: Problem }} Outcome */
 
 /** @type {Problem} */
-const SILENT = { title: "the station does not answer", detail: "nothing answers at its address", hint: "look whether it runs; the page tries again by itself" };
+const SILENT = { title: "the station does not respond", detail: "no response from the address of the station", hint: "check that the station is running; the page retries automatically" };
 
 /** A stop that is not answered for so long gives its connection back: a browser has six of them to a station. */
 const STOP_MS = 3000;

@@ -16,15 +16,15 @@ export function createJobs(store, http, socket, takeControlIfFree) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
   /** How often the list was asked for: an answer to an earlier question is not taken. */
-  let asked = 0;
+  let requests = 0;
 
   const isSeen = () => store.page.tab === "jobs" && !document.hidden;
 
   async function read() {
     clearTimeout(timer);
-    const mine = asked += 1;
+    const mine = requests += 1;
     const all = await http.json("api/v1/jobs");
-    if (mine !== asked) return;
+    if (mine !== requests) return;
     if (all) send({ type: "jobs", all });
     if (store.page.tab === "jobs") timer = setTimeout(() => (isSeen() ? void read() : undefined), AGAIN_MS);
   }

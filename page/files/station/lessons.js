@@ -8,7 +8,7 @@ import { parse } from "../vendor/smol-toml/index.js";
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {ReturnType<typeof createLessons>} Lessons */
 
-/** Under what name it is told, for as long as this tab is open: on a computer of a school the next one is another one. */
+/** Under what name it is reported, for as long as this tab is open: on a computer of a school the next one is another one. */
 const STUDENT = "dobot.student";
 /** A station forgets a student of whom it hears nothing for a minute. */
 const REPORT_MS = 20_000;
@@ -16,7 +16,7 @@ const REPORT_MS = 20_000;
 /** @param {Store} store @param {import("./http.js").Http} http */
 export function createLessons(store, http) {
   const { send } = store;
-  let told = "";
+  let reported = "";
 
   const next = () => send({ type: "lesson_step", step: store.page.learn.step + 1, begun: begunNow(store.page) });
 
@@ -24,8 +24,8 @@ export function createLessons(store, http) {
   async function reportProgress() {
     const progress = store.page.fleet === null ? null : progressOf(store.page.learn);
     const text = JSON.stringify(progress);
-    if (text === told) return;
-    told = text;
+    if (text === reported) return;
+    reported = text;
     if (!progress) return;
     const { problem } = await http.ask("POST", "api/v1/learners", progress);
     send({ type: "lesson_reported", problem: problem ?? null });
@@ -38,7 +38,7 @@ export function createLessons(store, http) {
     else if (stepNow(page) === null) send({ type: "lesson", lesson: null, begun: begunNow(page) });
   });
   setInterval(() => {
-    told = "";
+    reported = "";
     void reportProgress();
   }, REPORT_MS);
   send({ type: "lesson_student", name: sessionStorage.getItem(STUDENT) ?? "" });

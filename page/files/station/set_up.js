@@ -13,7 +13,7 @@ const CHECK_MS = 150;
 export function createSetUp(store, http, socket) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
-  let checked = store.page.set_up.asked;
+  let checked = store.page.set_up.revision;
   /** How often it was read: an answer that a later one overtook would bring back a policy that holds no more. */
   let reads = 0;
 
@@ -35,18 +35,18 @@ export function createSetUp(store, http, socket) {
   }
 
   async function check() {
-    const { asked, draft } = store.page.set_up;
+    const { revision, draft } = store.page.set_up;
     const { problem, value } = await http.ask("PUT", "api/v1/policy", { text: draft, check: true });
     const policy = problem ? null : /** @type {Schemas["Policy"]} */ (value);
-    send({ type: "policy_checked", asked, check: problem ? { type: "bad", problem } : { type: "good" }, policy });
+    send({ type: "policy_checked", revision, check: problem ? { type: "bad", problem } : { type: "good" }, policy });
   }
 
   store.subscribe((page, message) => {
     const opened = message.type === "tab" && message.tab === "set_up";
     const again = page.tab === "set_up" && (message.type === "hello" || (message.type === "notice" && message.notice.type === "policy_changed"));
     if (opened || again) void read();
-    if (page.set_up.asked === checked) return;
-    checked = page.set_up.asked;
+    if (page.set_up.revision === checked) return;
+    checked = page.set_up.revision;
     clearTimeout(timer);
     if (page.set_up.draft !== null) timer = setTimeout(() => void check(), CHECK_MS);
   });

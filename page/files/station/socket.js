@@ -11,7 +11,7 @@ import { SILENT_MS, watchSilence } from "./silence.js";
 
 const RECONNECT_MS = 1000, CONNECT_MS = 5000;
 /** @type {Answer} */
-export const NO_CONNECTION = { problem: { type: "no-connection", title: "there is no connection", detail: "the station is not reached at the moment", hint: "the page tries again by itself" } };
+export const NO_CONNECTION = { problem: { type: "no-connection", title: "no connection", detail: "the station cannot be reached at the moment", hint: "the page reconnects automatically" } };
 
 /**
  * @param {object} outside
@@ -20,7 +20,7 @@ export const NO_CONNECTION = { problem: { type: "no-connection", title: "there i
  */
 export function createSocket({ store, http }) {
   /** @type {WebSocket | undefined} */ let socket;
-  let asked = 0;
+  let lastId = 0;
   /** @type {Map<number, (answer: Answer) => void>} */ const waiting = new Map();
 
   const isOpen = () => socket?.readyState === WebSocket.OPEN;
@@ -55,7 +55,7 @@ export function createSocket({ store, http }) {
   }
 
   function lose() {
-    for (const answered of waiting.values()) answered(NO_CONNECTION);
+    for (const resolve of waiting.values()) resolve(NO_CONNECTION);
     waiting.clear();
     // Nothing counts as held from now on, whatever the question about the token says.
     store.send({ type: "closed", needs_token: false });
@@ -100,11 +100,11 @@ export function createSocket({ store, http }) {
       // Whoever starts a job here is a person, and has seen what it waits for.
       const { job } = store.page.station ?? {};
       if ((request.type === "start_job" || request.type === "step_job") && job?.job === request.job && job.waits_for_person) void this.ask({ type: "confirm_job", job: request.job });
-      const id = asked += 1;
+      const id = lastId += 1;
       /** @type {Schemas["FromClient"]} */
       const message = { id, request };
       socket.send(JSON.stringify(message));
-      return new Promise((answered) => waiting.set(id, answered));
+      return new Promise((resolve) => waiting.set(id, resolve));
     },
   };
 }

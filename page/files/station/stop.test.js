@@ -3,15 +3,15 @@ import { test } from "node:test";
 
 import { createStop } from "./stop.js";
 
-/** A STOP button, with what was asked and told since its press; the ways answer as a test wants. */
+/** A STOP button, with what was asked and log since its press; the ways answer as a test wants. */
 function button(t, { first = () => false, again = () => false } = {}) {
   t.mock.timers.enable({ apis: ["setTimeout", "Date"] });
-  const told = [];
+  const log = [];
   const way = (name, answers) => async () => {
-    told.push(`${name} ${Date.now()}`);
+    log.push(`${name} ${Date.now()}`);
     return answers();
   };
-  const press = createStop({ first: way("first", first), again: way("again", again), late: () => told.push(`late ${Date.now()}`), answered: (after_ms) => told.push(`answered ${after_ms}`) });
+  const press = createStop({ first: way("first", first), again: way("again", again), late: () => log.push(`late ${Date.now()}`), answered: (after_ms) => log.push(`answered ${after_ms}`) });
   const pass = async (ms) => {
     await new Promise(setImmediate);
     for (let passed = 0; passed < ms; passed += 100) {
@@ -19,55 +19,55 @@ function button(t, { first = () => false, again = () => false } = {}) {
       await new Promise(setImmediate);
     }
   };
-  return { told, press, pass };
+  return { log, press, pass };
 }
 
 test("a stop is asked for in the moment of the press", (t) => {
-  const { told, press } = button(t);
+  const { log, press } = button(t);
   press();
-  assert.deepEqual(told, ["first 0"]);
+  assert.deepEqual(log, ["first 0"]);
 });
 
 test("a stop that is answered is not asked for again", async (t) => {
-  const { told, press, pass } = button(t, { first: () => true });
+  const { log, press, pass } = button(t, { first: () => true });
   press();
   await pass(5000);
-  assert.deepEqual(told, ["first 0", "answered 0"]);
+  assert.deepEqual(log, ["first 0", "answered 0"]);
 });
 
 test("a stop that nothing answers is asked for again after 0.3 s and each second, and after 1 s a person knows", async (t) => {
-  const { told, press, pass } = button(t);
+  const { log, press, pass } = button(t);
   press();
   await pass(3500);
-  assert.deepEqual(told, ["first 0", "again 300", "late 1000", "again 1300", "again 2300", "again 3300"]);
+  assert.deepEqual(log, ["first 0", "again 300", "late 1000", "again 1300", "again 2300", "again 3300"]);
 });
 
 test("an answer on any way ends it, however late, and says how long it took", async (t) => {
   let isThere = false;
-  const { told, press, pass } = button(t, { first: () => new Promise(() => {}), again: () => isThere });
+  const { log, press, pass } = button(t, { first: () => new Promise(() => {}), again: () => isThere });
   press();
   await pass(1500);
   isThere = true;
   await pass(5000);
-  assert.deepEqual(told, ["first 0", "again 300", "late 1000", "again 1300", "again 2300", "answered 2300"]);
+  assert.deepEqual(log, ["first 0", "again 300", "late 1000", "again 1300", "again 2300", "answered 2300"]);
 });
 
 test("each press asks at once, and presses in a row delay neither the next try nor what a person has to know", async (t) => {
-  const { told, press, pass } = button(t);
+  const { log, press, pass } = button(t);
   for (let times = 0; times < 6; times += 1) {
     press();
     await pass(200);
   }
-  assert.deepEqual(told, ["first 0", "first 200", "again 300", "first 400", "first 600", "first 800", "late 1000", "first 1000"]);
+  assert.deepEqual(log, ["first 0", "first 200", "again 300", "first 400", "first 600", "first 800", "late 1000", "first 1000"]);
 });
 
 test("the late answer to a stop before is none to this one", async (t) => {
   const answers = [];
-  const { told, press, pass } = button(t, { first: () => new Promise((answer) => answers.push(answer)), again: () => answers.length === 1 });
+  const { log, press, pass } = button(t, { first: () => new Promise((answer) => answers.push(answer)), again: () => answers.length === 1 });
   press();
   await pass(300);
   press();
   answers[0](true);
   await pass(100);
-  assert.deepEqual(told, ["first 0", "again 300", "answered 300", "first 300"]);
+  assert.deepEqual(log, ["first 0", "again 300", "answered 300", "first 300"]);
 });

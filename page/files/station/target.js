@@ -21,15 +21,15 @@ export function commandOf({ target, station }) {
 /** @param {Store} store @param {import("./socket.js").Socket} socket */
 export function followTarget(store, socket) {
   /** @type {number | undefined} */ let timer;
-  let seen = store.page.target.asked;
+  let seen = store.page.target.revision;
 
   async function check() {
     const { target } = store.page;
     const command = commandOf(store.page);
     if (!command) return;
     const { problem, reply } = await socket.ask({ type: "check_command", command });
-    if (problem) store.send({ type: "target_checked", asked: target.asked, check: { type: "refused", problem } });
-    else if (reply?.type === "way") store.send({ type: "target_checked", asked: target.asked, check: { type: "free", takes_s: reply.way.takes_s ?? null } });
+    if (problem) store.send({ type: "target_checked", revision: target.revision, check: { type: "refused", problem } });
+    else if (reply?.type === "way") store.send({ type: "target_checked", revision: target.revision, check: { type: "free", takes_s: reply.way.takes_s ?? null } });
   }
 
   let asking = false;
@@ -50,8 +50,8 @@ export function followTarget(store, socket) {
 
   store.subscribe(({ target }) => {
     void followGhost();
-    if (target.asked === seen) return;
-    seen = target.asked;
+    if (target.revision === seen) return;
+    seen = target.revision;
     clearTimeout(timer);
     timer = setTimeout(() => void check(), CHECK_MS);
   });

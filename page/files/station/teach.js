@@ -21,38 +21,38 @@ const hundredths = (value) => Math.round(value * 100) / 100;
 export function createTeach(store, http, socket, takeControlIfFree) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
-  let seen = store.page.teach.asked, checking = false;
+  let seen = store.page.teach.revision, checking = false;
 
   /** One at a time: a large program takes a moment. */
   async function check() {
     if (checking) return;
     checking = true;
-    const { asked, text } = store.page.teach;
+    const { revision, text } = store.page.teach;
     const { value, problem } = await http.ask("POST", "api/v1/programs/check", { text, files: {} });
     checking = false;
     if (problem) send({ type: "teach_refused", problem });
-    else send({ type: "teach_checked", asked, report: /** @type {Schemas["ProgramReport"]} */ (value) });
-    if (store.page.teach.asked !== asked) void check();
+    else send({ type: "teach_checked", revision, report: /** @type {Schemas["ProgramReport"]} */ (value) });
+    if (store.page.teach.revision !== revision) void check();
   }
 
   store.subscribe(({ teach, tab }, message) => {
     const opened = message.type === "tab" && tab === "teach" && teach.report === null && teach.text !== "";
-    if (teach.asked === seen && !opened) return;
-    seen = teach.asked;
+    if (teach.revision === seen && !opened) return;
+    seen = teach.revision;
     clearTimeout(timer);
     timer = setTimeout(() => void check(), CHECK_MS);
   });
 
   /** @param {Schemas["Edit"][]} edits @param {number | null} chosen the row that is chosen then */
   async function edit(edits, chosen) {
-    const { text, name, asked } = store.page.teach;
+    const { text, name, revision } = store.page.teach;
     const { value, problem } = await http.ask("POST", "api/v1/programs/edit", { text, edits });
     if (problem) {
       send({ type: "teach_refused", problem });
       return false;
     }
     // What somebody typed meanwhile is not lost.
-    if (store.page.teach.asked !== asked) return false;
+    if (store.page.teach.revision !== revision) return false;
     send({ type: "teach_text", text: titled(/** @type {Schemas["EditedProgram"]} */ (value).text, name), chosen });
     return true;
   }

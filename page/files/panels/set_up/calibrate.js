@@ -32,7 +32,7 @@ const onSheet = ([x_mm = 0, y_mm = 0]) => [SHEET.wide_mm / 2 - y_mm, SHEET.high_
 const focusOn = (id) => requestAnimationFrame(() => document.getElementById(id)?.focus());
 
 /** @param {Problem | null} problem */
-const told = (problem) => (problem ? html`<p class="status" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing);
+const problemLine = (problem) => (problem ? html`<p class="status" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing);
 
 /** @param {Context} context */
 export function calibrateGuide(context) {
@@ -110,7 +110,7 @@ function printing(context) {
       <button id="calibrate-next" type="submit" class="small strong">${t("calibrate.next")}</button>
       ${leave(context)}
     </form>
-    ${told(bar_refused)}`;
+    ${problemLine(bar_refused)}`;
 }
 
 /** The sheet as it lies before the arm, with the point that is next. @param {Context} context */
@@ -153,7 +153,7 @@ function touching(context) {
     </div>
     <p id="calibrate-why" class="quiet">${why ? t(`blocked.${why}`) : ""}</p>
     ${lost ? html`<p id="calibrate-lost" class="status" data-tone="warn" role="alert">${t("calibrate.lost", { lost })}</p>` : nothing}
-    ${told(problem)}
+    ${problemLine(problem)}
     ${touches(context)}
     ${fit ? result(context, fit) : nothing}
     ${shown ? review(context, shown) : nothing}`;

@@ -46,7 +46,7 @@ export function policy(context) {
   const shown = shownPolicy(page), zones = shown?.keep_out ?? {};
   const write = (/** @type {string} */ text) => act.send({ type: "policy_typed", text });
   const changed = isChanged(page.set_up);
-  const told = check.type === "bad" ? `${sentence(check.problem.detail)}.` : changed ? t(mayKeep ? "policy.changed" : "policy.admin") : t("policy.in_force");
+  const statusText = check.type === "bad" ? `${sentence(check.problem.detail)}.` : changed ? t(mayKeep ? "policy.changed" : "policy.admin") : t("policy.in_force");
   const tone = check.type === "bad" ? "bad" : changed ? "warn" : "off";
   return html`
     <section class="card" aria-labelledby="policy-title">
@@ -63,7 +63,7 @@ export function policy(context) {
         <textarea id="policy-text" rows="16" spellcheck="false" aria-label=${t("policy.text")} aria-describedby="policy-status" .value=${live(draft)}
           @input=${(/** @type {Event} */ event) => write(/** @type {HTMLTextAreaElement} */ (event.target).value)}></textarea>
       </details>
-      <p id="policy-status" class="status" role="status" data-tone=${tone}>${told}</p>
+      <p id="policy-status" class="status" role="status" data-tone=${tone}>${statusText}</p>
       ${overtaken ? html`<p class="status" data-tone="warn">${t("policy.conflict")}</p>` : nothing}
       <div class="row">
         <button id="policy-keep" type="button" class="strong" ?disabled=${!changed || check.type !== "good" || !mayKeep} @click=${() => act.setUp.keepPolicy()}>${t("policy.apply")}</button>
