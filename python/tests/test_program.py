@@ -133,7 +133,7 @@ def test_the_vendors_points_are_read_and_written(tmp_path: Path) -> None:
         arm.run(read)
         assert arm.joints.base_deg == pytest.approx(-10, abs=0.1)
     lost = dobot.program(steps=[*joints, {"go": {"x": 200, "y": 0, "z": 0}}]).save(tmp_path / "two.play")
-    assert any("joint angles alone" in it for it in lost)
+    assert any("joint angles only" in it for it in lost)
 
 
 def test_a_program_that_waits_for_a_person_says_so_and_goes_on() -> None:

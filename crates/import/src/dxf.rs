@@ -74,7 +74,7 @@ fn draw(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(file.text, options)?;
     if let Some(name) = unknown_code_page {
-        let instead = format!("its letters taken for western ones; its header tells {name:?}");
+        let instead = format!("read as Windows-1252; its header names {name:?}");
         sketch.warn(None, "file in an unknown code page", &instead);
     }
     let unit_mm = file.unit_mm.unwrap_or_else(|| {
@@ -103,7 +103,7 @@ fn too_far(from_origin: SourceError, from_there: &SourceError) -> SourceError {
             place,
             found: format!("an object at ({x_mm:.0}, {y_mm:.0}) mm, far from that at {other}"),
             expected: format!(
-                "all objects within {limit_mm:.0} mm; delete what lies far off the drawing"
+                "all objects within {limit_mm:.0} mm; delete objects far away from the drawing"
             ),
         },
         _ => from_origin,

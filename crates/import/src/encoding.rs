@@ -17,7 +17,7 @@ pub(crate) fn in_utf8(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
         None if mark > 0 => Ok(bytes),
         None => Err(SourceError::Encoding {
             name: encoding.name().to_owned(),
-            problem: "and holds what is none of its letters",
+            problem: "but contains bytes that are not valid in it",
         }),
     }
 }
@@ -48,7 +48,7 @@ fn declared(bytes: &[u8]) -> Result<&'static Encoding, SourceError> {
         Some(encoding) => Ok(encoding),
         None => Err(SourceError::Encoding {
             name: name.to_owned(),
-            problem: "which is not known",
+            problem: "which is unknown",
         }),
     }
 }
@@ -104,11 +104,11 @@ mod tests {
         for (bytes, told) in [
             (
                 &b"<?xml encoding=\"klingon\"?><svg/>"[..],
-                "the file says that it is in \"klingon\", which is not known; save it as UTF-8",
+                "the file declares the encoding \"klingon\", which is unknown; save it as UTF-8",
             ),
             (
                 b"<?xml encoding=\"shift_jis\"?><svg id=\"\x81\"/>",
-                "the file says that it is in \"Shift_JIS\", and holds what is none of its letters; save it as UTF-8",
+                "the file declares the encoding \"Shift_JIS\", but contains bytes that are not valid in it; save it as UTF-8",
             ),
         ] {
             let error = in_utf8(bytes.to_vec()).unwrap_err();

@@ -17,7 +17,7 @@ use crate::place::{Place, excerpt, place};
 #[non_exhaustive]
 pub enum SourceError {
     /// A calculated point is beyond any table, or no number.
-    #[error("point {point} of line {line} is ({}, {}); allowed are two numbers from -1000000 to 1000000 (mm)", found.0, found.1)]
+    #[error("point {point} of line {line} is ({}, {}); allowed are numbers from -1000000 to 1000000 (mm)", found.0, found.1)]
     Point {
         /// The line, counted from 1.
         line: usize,
@@ -28,7 +28,7 @@ pub enum SourceError {
     },
     /// Neither name nor contents tell what it is.
     #[error(
-        "{name:?} is of no kind that can be drawn; known are {} files",
+        "{name:?} is not a supported file; supported are {} files",
         extensions()
     )]
     UnknownKind {
@@ -36,14 +36,14 @@ pub enum SourceError {
         name: String,
     },
     /// A packed file that cannot be unpacked.
-    #[error("the packed file (gzip) cannot be read: {problem}")]
+    #[error("cannot unpack the file (gzip): {problem}; copy or download it again")]
     Packed {
         /// What is wrong with it.
-        problem: String,
+        problem: &'static str,
     },
     /// A file of more bytes than a drawing has, unpacked.
     #[error(
-        "the file has more than {} MB, and one of its kind may have {} MB; draw it in parts, or leave out detail that no pen shows",
+        "the file has more than {} MB, and its format may have {} MB; draw it in parts, or remove detail that no pen can show",
         most / 1_000_000,
         most / 1_000_000
     )]
@@ -52,7 +52,7 @@ pub enum SourceError {
         most: u64,
     },
     /// A file that other programs make a drawing of.
-    #[error("{what} is not drawn; {way}")]
+    #[error("found {what}, which is not supported; {way}")]
     Foreign {
         /// What it is.
         what: &'static str,
@@ -66,7 +66,7 @@ pub enum SourceError {
         line: usize,
     },
     /// A text in an encoding that cannot be read.
-    #[error("the file says that it is in {name:?}, {problem}; save it as UTF-8")]
+    #[error("the file declares the encoding {name:?}, {problem}; save it as UTF-8")]
     Encoding {
         /// The encoding.
         name: String,
@@ -122,7 +122,7 @@ pub enum SourceError {
     },
     /// Outlines that cut so often that it takes for ever.
     #[error(
-        "cutting lines and areas at the outlines in which they show takes for ever; simplify clip paths and hatched areas, or draw it in parts"
+        "clipping lines and areas takes too long; simplify clip paths and hatched areas, or draw it in parts"
     )]
     TooManyCuts,
     /// A point beyond any table.

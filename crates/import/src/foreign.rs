@@ -17,8 +17,8 @@ pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
         ),
         (
             start.starts_with(b"8BPS") || start.starts_with(b"gimp xcf"),
-            "a file of a picture program",
-            "export it as PNG there",
+            "a project file of an image editor",
+            "export it as PNG",
         ),
         (
             start.get(4..12).is_some_and(|it| {
@@ -27,17 +27,17 @@ pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
                     || it.starts_with(b"ftypavif")
             }),
             "an HEIC or AVIF picture",
-            "save it as JPEG or PNG: phones can be told to take JPEG",
+            "save it as JPEG or PNG; phones have a setting for JPEG",
         ),
         (
             start.starts_with(b"version https://git-lfs.github.com/spec/"),
-            "a pointer of Git LFS, which only stands for the file,",
-            "`git lfs pull` in its folder fetches the file itself",
+            "a Git LFS pointer instead of the file",
+            "run `git lfs pull` in its folder",
         ),
         (
             start.starts_with(b"PK\x03\x04"),
-            "a packed folder (zip)",
-            "unpack it, and give the drawing in it",
+            "a zip archive",
+            "unpack it and use the drawing in it",
         ),
     ];
     match kinds.into_iter().find(|it| it.0) {

@@ -50,7 +50,7 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
         moves += 1;
         if moves > MOST_MOVES {
             let found = format!("more than {MOST_MOVES} moves");
-            let expected = "no more in a drawing; simplify it, or draw it in parts";
+            let expected = "at most that in a drawing; simplify it, or draw it in parts";
             return Err(SourceError::found(text, it.at, found, expected));
         }
         statistics.count(it);

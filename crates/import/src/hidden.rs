@@ -76,7 +76,7 @@ impl Covers {
 /// What is drawn of lines and areas of which it is not known what shows, in the words of a warning.
 pub(crate) const UNKNOWN: (&str, &str) = (
     "shape",
-    "drawn whole, too many shapes lie over it to find what of it shows",
+    "drawn completely, because too many shapes lie over it to find the visible part",
 );
 
 /// Above how many covers the lines and areas of a layer lie, one by one.

@@ -56,9 +56,9 @@ pub(crate) fn read(
     let strokes = strokes(&tone, shading, spacing_mm);
     if strokes.is_empty() {
         let reason = if shading.style == ShadingStyle::Outline {
-            "the picture has no borders between tones, or what they surround is smaller than the spacing"
+            "the picture has no borders between tones, or the enclosed areas are smaller than the spacing"
         } else {
-            "the picture is of one light tone, or its dark parts are smaller than the spacing"
+            "the picture has only one light tone, or its dark parts are smaller than the spacing"
         };
         return Err(SourceError::nothing_to_draw([reason.to_owned()]));
     }
@@ -128,7 +128,7 @@ fn check_size(page: Point, spacing_mm: f64, scale: f64) -> Result<(), ImageError
 }
 
 fn warnings(header: Header) -> Vec<Warning> {
-    let instead = "only its first picture is drawn";
+    let instead = "only the first page is drawn";
     let further = header.series.map(|what| Warning::new(what, instead, 1));
     further.into_iter().collect()
 }

@@ -344,7 +344,7 @@ impl<'a> Sketch<'a> {
                     None => self.warnings.add(
                         None,
                         "filled shape",
-                        "not hatched, it crosses itself too often to be clipped",
+                        "not hatched, because it crosses itself too often",
                     ),
                 }
             }

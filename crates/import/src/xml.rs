@@ -23,7 +23,7 @@ pub(crate) fn tree(text: &str, allow_dtd: bool) -> Result<Document<'_>, SourceEr
             SourceError::unexpected(
                 text.as_bytes(),
                 at,
-                "an element: nothing there needs a DOCTYPE",
+                "an element; no drawing needs a DOCTYPE",
             )
         }
         other => unclosed(text, &other)
@@ -210,7 +210,7 @@ impl<'a> Measure<'a> {
         self.attributes += 1;
         if self.attributes > MOST_ATTRIBUTES {
             let found = format!("an element with more than {MOST_ATTRIBUTES} attributes");
-            let expected = format!("at most {MOST_ATTRIBUTES}; leave out what draws nothing");
+            let expected = format!("at most {MOST_ATTRIBUTES}; remove what draws nothing");
             return Err(SourceError::found(self.text, self.element, found, expected));
         }
         let name = name_before(self.text, at);
@@ -219,7 +219,7 @@ impl<'a> Measure<'a> {
             self.count(at, NAMESPACE_PARTS)?;
         }
         if self.prefixes.len() > MOST_PREFIXES {
-            let found = format!("more than {MOST_PREFIXES} names for namespaces (xmlns)");
+            let found = format!("more than {MOST_PREFIXES} namespace prefixes (xmlns)");
             let expected = "fewer; save it as plain SVG";
             return Err(SourceError::found(self.text, at, found, expected));
         }
@@ -247,12 +247,12 @@ impl<'a> Measure<'a> {
             let megabytes = self.text.len().div_ceil(1_000_000);
             let found = format!("a file of {megabytes} MB");
             let most_mb = crate::limits::MOST_BYTES / 1_000_000;
-            let expected = format!("at most {most_mb} MB; leave out what draws nothing");
+            let expected = format!("at most {most_mb} MB; remove what draws nothing");
             return Err(SourceError::found(self.text, at, found, expected));
         }
         let found = format!("more than {most} elements, texts and attributes");
         let expected = format!(
-            "no more in a file of {} MB; leave out what draws nothing, or draw it in parts",
+            "at most that in a file of {} MB; remove what draws nothing, or draw it in parts",
             self.text.len().div_ceil(1_000_000)
         );
         Err(SourceError::found(self.text, at, found, expected))
@@ -307,47 +307,47 @@ mod tests {
         for (text, told) in [
             (
                 "<a>\n <b><c/></b><d e='>'>",
-                "2:13: not well-formed XML: the file ends too soon, <d> begins here and is not closed",
+                "2:13: not well-formed XML: the file ends too soon: <d> starts here and is not closed",
             ),
             (
                 "<a>\n  <b c=\"M0 0",
-                "2:3: not well-formed XML: the file ends too soon, <b> begins",
+                "2:3: not well-formed XML: the file ends too soon: <b> starts",
             ),
             (
                 "<?x <a>?><a><!-- <b> --><![CDATA[<c>]]>",
-                "1:10: not well-formed XML: the file ends too soon, <a>",
+                "1:10: not well-formed XML: the file ends too soon: <a>",
             ),
             (
                 "<a>\n  <b c=",
-                "2:3: not well-formed XML: the file ends too soon, <b>",
+                "2:3: not well-formed XML: the file ends too soon: <b>",
             ),
             (
                 "<a>\n  <b c/",
-                "2:3: not well-formed XML: the file ends too soon, <b>",
+                "2:3: not well-formed XML: the file ends too soon: <b>",
             ),
             (
                 "<a>\n  <b",
-                "2:3: not well-formed XML: the file ends too soon, <b>",
+                "2:3: not well-formed XML: the file ends too soon: <b>",
             ),
             (
                 "<a>b",
-                "1:1: not well-formed XML: the file ends too soon, <a>",
+                "1:1: not well-formed XML: the file ends too soon: <a>",
             ),
             (
                 "<a><b></b",
-                "1:4: not well-formed XML: the file ends too soon, <b>",
+                "1:4: not well-formed XML: the file ends too soon: <b>",
             ),
             (
                 "<a>\n<",
-                "2:1: not well-formed XML: the file ends too soon, <>",
+                "2:1: not well-formed XML: the file ends too soon: <>",
             ),
             (
                 "<a><!-- b",
-                "1:4: not well-formed XML: the file ends too soon, a comment begins",
+                "1:4: not well-formed XML: the file ends too soon: a comment starts",
             ),
             (
                 "<a><![CDATA[",
-                "1:4: not well-formed XML: the file ends too soon, <! begins",
+                "1:4: not well-formed XML: the file ends too soon: <! starts",
             ),
         ] {
             refused(text, &[told]);
@@ -376,7 +376,7 @@ mod tests {
             let text = format!("<x>\n{}</x>", part.repeat(20_000_000 / part.len()));
             let told = [
                 "found more than 9",
-                " elements, texts and attributes; expected no more in a file of 21 MB",
+                " elements, texts and attributes; expected at most that in a file of 21 MB",
             ];
             refused(&text, &told);
         }
@@ -387,7 +387,7 @@ mod tests {
         let text = format!("<x>{}</x>", " ".repeat(100_000_000));
         refused(
             &text,
-            &["1:1: found a file of 101 MB; expected at most 64 MB; leave out what draws nothing"],
+            &["1:1: found a file of 101 MB; expected at most 64 MB; remove what draws nothing"],
         );
     }
 
@@ -420,7 +420,7 @@ mod tests {
             .collect();
         refused(
             &format!("<x>{}</x>", names.concat()),
-            &["more than 50 names for namespaces"],
+            &["more than 50 namespace prefixes"],
         );
     }
 }

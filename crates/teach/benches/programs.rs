@@ -1,4 +1,4 @@
-//! A program of 100,000 steps: read, made into commands, and checked.
+//! Parsing, compiling and checking a program of 100,000 steps.
 
 use std::fmt::Write;
 
@@ -12,7 +12,7 @@ fn main() {
     divan::main();
 }
 
-/// 100,000 steps to points of their own, by all three ways.
+/// 100,000 steps to different points, by all three path types.
 fn text() -> String {
     let mut text = String::new();
     for n in 0..100_000_u32 {

@@ -1,4 +1,4 @@
-//! Frames: where their axes point.
+//! Axes of frames.
 
 use dobot_arm::Position;
 
@@ -26,13 +26,13 @@ impl Axes {
         z: Position::new(0.0, 0.0, 1.0),
     };
 
-    /// The frame of three points: origin, on x, on the side of y.
+    /// Creates a frame from three points: its origin, a point on its x axis and a point on the side
+    /// of its y axis.
     pub(crate) fn of(origin: Position, on_x: Position, beside: Position) -> Result<Self, String> {
         let x = unit(on_x - origin)
-            .ok_or("its second point is its origin; they need 1 mm between them at least")?;
-        let z = unit(cross(x, beside - origin)).ok_or(
-            "its three points lie on one line; the third needs to be 1 mm beside it at least",
-        )?;
+            .ok_or("its second point is its origin; they must be at least 1 mm apart")?;
+        let z = unit(cross(x, beside - origin))
+            .ok_or("its three points lie on one line; the third must be at least 1 mm beside it")?;
         Ok(Self {
             origin,
             x,
@@ -41,17 +41,17 @@ impl Axes {
         })
     }
 
-    /// A place in the frame, in the base frame.
+    /// Converts a place in the frame to the base frame.
     pub(crate) fn place(&self, at: [f64; 3]) -> Position {
         self.origin + self.way(at)
     }
 
-    /// A way along the axes, in the base frame.
+    /// Converts a displacement along the axes to the base frame.
     pub(crate) fn way(&self, [x, y, z]: [f64; 3]) -> Position {
         self.x * x + self.y * y + self.z * z
     }
 
-    /// How the frame is turned about the vertical, in degrees; 0 where its x axis stands upright.
+    /// The rotation of the frame about the vertical, in degrees; 0 if its x axis is vertical.
     pub(crate) fn rotation_deg(&self) -> f64 {
         self.x.direction().0
     }
@@ -71,7 +71,7 @@ pub(crate) const fn numbers(at: Position) -> [f64; 3] {
     [at.x.0, at.y.0, at.z.0]
 }
 
-/// The direction of a way of 1 mm or more.
+/// The direction of a displacement of at least 1 mm.
 fn unit(way: Position) -> Option<Position> {
     let length = way.length().0;
     (length >= 1.0).then(|| way * (1.0 / length))

@@ -1,4 +1,4 @@
-//! The whole program looked at by the motion model, before anything moves.
+//! The check of a whole program with the motion model, before anything moves.
 
 use std::fmt;
 
@@ -11,43 +11,44 @@ use serde::Serialize;
 
 use crate::Compiled;
 
-/// What is wrong with a program, and how long it takes by the motion model.
+/// The problems of a program and its duration by the motion model.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Report {
-    /// All that is wrong, in the order of the commands.
+    /// All problems, in the order of the commands.
     pub problems: Vec<Problem>,
-    /// How long each step takes, in seconds, the first time.
+    /// The duration of each step, in seconds, the first time.
     pub steps_s: Vec<f64>,
-    /// How long all commands take once, in seconds; the way to the first target counts from where the model is.
+    /// The duration of all commands once, in seconds, including the way from the start of the model
+    /// to the first target.
     pub once_s: f64,
-    /// How long a cycle takes that follows another one, in seconds.
+    /// The duration of a cycle that follows another one, in seconds.
     pub cycle_s: Option<f64>,
-    /// How long all of it takes, in seconds; none where it goes on until a person ends it.
+    /// The total duration, in seconds; `None` if the program repeats until a person ends it.
     pub total_s: Option<f64>,
 }
 
-/// Something that is wrong with a program.
+/// A problem of a program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Problem {
-    /// The step, counted from 1 in the order in which they are done.
+    /// The step, counted from 1 in order of execution.
     pub step: usize,
-    /// The called program in which it stands; `None` in the program itself.
+    /// The called program that contains the step; `None` for the program itself.
     pub file: Option<String>,
-    /// The line on which it begins, counted from 1.
+    /// The first line of the step, counted from 1.
     pub line: usize,
-    /// What the step does.
+    /// A description of the step.
     pub label: String,
     /// The command, counted from 0.
     pub command: usize,
-    /// The rule of the policy, or `arm` where the arm itself cannot do it.
+    /// The rule of the policy, or `arm` if the arm itself cannot execute the command.
     pub rule: String,
     /// What is wrong, and what is allowed.
     pub message: String,
-    /// What helps.
+    /// The remedy.
     pub remedy: String,
 }
 
-/// `step 3 (line 12, go to tray): what is wrong; what helps`.
+/// Formats as `step 3 (line 12, go to tray): what is wrong; the remedy`.
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "step {} (", self.step)?;
@@ -63,11 +64,13 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Looks at every command of a program under a policy, from what is believed of the arm. The way to the first target
-/// is not judged: the arm may be anywhere by then; the station looks at it when the program is started.
+/// Checks every command of a program under a policy, from an estimated state of the arm. The way to
+/// the first target is not checked, because the arm may be anywhere by then; the station checks it
+/// at the start of the program.
 ///
-/// A cycle is looked at twice, for its second time begins where its first one ended. Behind a command that is not
-/// allowed it goes on from where that would have ended, or else from the next target.
+/// A cycle is checked twice, because its second pass starts where the first one ended. After a
+/// command that is not allowed, the check continues from the end of that command, or else from the
+/// next target.
 #[must_use]
 pub fn check(program: &Compiled, policy: &Policy, start: Model) -> Report {
     let mut walk = Walk {
@@ -91,9 +94,12 @@ pub fn check(program: &Compiled, policy: &Policy, start: Model) -> Report {
             .map(|at| walk.command(at))
             .sum();
         walk.report.cycle_s = Some(cycle_s);
-        #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
-        let more = times.map(|it| it.saturating_sub(1) as f64);
-        walk.report.total_s = more.map(|it| walk.report.once_s + cycle_s * it);
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "2^53 cycles take longer than any run"
+        )]
+        let more = times.map(|times| times.saturating_sub(1) as f64);
+        walk.report.total_s = more.map(|more| walk.report.once_s + cycle_s * more);
     }
     walk.report
 }
@@ -102,25 +108,26 @@ struct Walk<'a> {
     program: &'a Compiled,
     policy: &'a Policy,
     model: Model,
-    /// Whether the model says where the arm is: not before the first target, nor behind a command that leads nowhere.
+    /// Whether the model knows the position of the arm: not before the first target, nor after a
+    /// command whose end is unknown.
     is_known: bool,
-    /// Whether it is at the second cycle.
+    /// Whether this is the second pass of the cycle.
     is_again: bool,
     report: Report,
 }
 
 impl Walk<'_> {
-    /// How long the command takes, in seconds, as far as that is known.
+    /// The duration of the command, in seconds, as far as it is known.
     fn command(&mut self, at: usize) -> f64 {
         let command = &self.program.commands[at];
         let is_target = matches!(command, Command::MoveTo(_) | Command::MoveJoints(_));
         if !self.is_known && is_target {
-            return self.unjudged(at, command);
+            return self.check_from_unknown(at, command);
         }
         let judged = self.policy.check(&self.model, command);
         let planned = self.model.trajectory(command);
         if let Err(violation) = judged {
-            self.found(at, &violation);
+            self.report_violation(at, &violation);
         }
         let Ok(trajectory) = planned else {
             self.skip(command);
@@ -130,8 +137,8 @@ impl Walk<'_> {
         trajectory.duration_s().unwrap_or(0.0)
     }
 
-    /// A target from somewhere: only its end and its settings are judged.
-    fn unjudged(&mut self, at: usize, command: &Command) -> f64 {
+    /// Checks a target from an unknown position: only its end and its settings.
+    fn check_from_unknown(&mut self, at: usize, command: &Command) -> f64 {
         let mut took = 0.0;
         match (
             self.model.trajectory(command),
@@ -143,7 +150,7 @@ impl Walk<'_> {
             }
             (Err(_), Some(place)) => self.model.place = place,
             (Err(error), None) => {
-                self.found(at, &Violation::of_trajectory(&error));
+                self.report_violation(at, &Violation::of_trajectory(&error));
                 return 0.0;
             }
         }
@@ -152,12 +159,12 @@ impl Walk<'_> {
             self.policy
                 .check_place(&self.model.place, self.model.tool, &self.model.calibration)
         {
-            self.found(at, &violation);
+            self.report_violation(at, &violation);
         }
         took
     }
 
-    /// Goes on from where a command would have ended.
+    /// Continues from the place where a command would have ended.
     fn skip(&mut self, command: &Command) {
         match command {
             Command::MoveTo(_) | Command::MoveJoints(_) => match end_of(command, self.model.tool) {
@@ -169,7 +176,7 @@ impl Walk<'_> {
         }
     }
 
-    /// A laser that is left on burns a hole, and so does one that is on when the arm rests.
+    /// Reports a laser that is still on at the end: it burns a hole where the arm rests.
     fn check_end(&mut self) {
         if !self.model.laser {
             return;
@@ -178,12 +185,12 @@ impl Walk<'_> {
         self.problem(
             at,
             "laser",
-            "the laser is still on when the program is over".to_owned(),
-            "end with a step laser = false",
+            "the laser is still on at the end of the program".to_owned(),
+            "add a last step laser = false",
         );
     }
 
-    fn found(&mut self, at: usize, violation: &Violation) {
+    fn report_violation(&mut self, at: usize, violation: &Violation) {
         self.problem(
             at,
             &violation.rule,
@@ -193,7 +200,13 @@ impl Walk<'_> {
     }
 
     fn problem(&mut self, command: usize, rule: &str, message: String, remedy: &str) {
-        if self.is_again && self.report.problems.iter().any(|it| it.command == command) {
+        if self.is_again
+            && self
+                .report
+                .problems
+                .iter()
+                .any(|problem| problem.command == command)
+        {
             return;
         }
         let step = self.program.step_of(command).unwrap_or(0);
@@ -213,15 +226,15 @@ impl Walk<'_> {
     }
 }
 
-/// Where a target leads, if the arm can be there.
+/// The end of a target, if the arm can reach it.
 fn end_of(command: &Command, tool: Tool) -> Option<ArmPlace> {
-    // From a place from which every target can be come to.
+    // A pose from which every target can be reached.
     let anywhere = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), tool);
     let mut model = Model::standing(dobot_wire::Dialect::SPECIFICATION, anywhere);
     model.tool = tool;
     let by_joints = match command {
-        Command::MoveTo(it) => it.with_mode(dobot_wire::MovingMode::MovJ).into(),
-        Command::MoveJoints(it) => it.with_mode(dobot_wire::MovingMode::MovJ).into(),
+        Command::MoveTo(target) => target.with_mode(dobot_wire::MovingMode::MovJ).into(),
+        Command::MoveJoints(target) => target.with_mode(dobot_wire::MovingMode::MovJ).into(),
         _ => return None,
     };
     let trajectory = model.trajectory(&by_joints).ok()?;
@@ -237,7 +250,7 @@ fn steps_s(program: &Compiled, took: &[f64]) -> Vec<f64> {
         .steps
         .iter()
         .skip(1)
-        .map(|it| it.first)
+        .map(|step| step.first)
         .chain([took.len()]);
     program
         .steps
@@ -252,16 +265,16 @@ fn remedy(rule: &str) -> &'static str {
         "joints" => {
             "change the point, the angles or the rotation so that the joint turns less, or a straight line to path = \"movj\""
         }
-        "workspace" => "move the point to where the policy and the arm allow it",
-        "table" => "raise the point, or say the true length of the tool in the policy",
-        "keep_out" => "go around it by a point between, or by another path",
+        "workspace" => "move the point into the range of the arm and the policy",
+        "table" => "raise the point, or set the true length of the tool in the policy",
+        "keep_out" => "go around it with a point in between, or with another path",
         "speed" | "acceleration" => {
-            "put a step with a lower speed before it, such as speed = { percent = 30 }"
+            "add a step with a lower speed before it, for example speed = { percent = 30 }"
         }
-        "jump" => "set a lower jump_height in a speed step, or go by another path",
-        "laser" => "burn with a drawing step, and let the policy allow it",
+        "jump" => "set a lower jump_height in a speed step, or use another path",
+        "laser" => "burn with a drawing step, and allow the laser in the policy",
         _ => {
-            "move the point to where the arm reaches it, or add a point between if only the way is out of reach"
+            "move the point into reach of the arm, or add a point in between if only the path is out of reach"
         }
     }
 }

@@ -1,4 +1,4 @@
-//! From a program to commands.
+//! The compiler from programs to commands.
 
 mod emit;
 mod resolve;
@@ -15,7 +15,7 @@ use toml::Spanned;
 
 use self::resolve::Spot;
 use self::state::State;
-use crate::files::{Called, MOST_COMMANDS, beside, error};
+use crate::files::{Called, MAX_COMMANDS, beside, error};
 use crate::program::{Arc, Drawing, Go};
 use crate::{
     Action, Compiled, CompiledStep, Files, Here, Program, ProgramError, Steps, Times,
@@ -23,27 +23,27 @@ use crate::{
 };
 
 impl Program {
-    /// Makes commands of the program. `files` gives the programs that it calls and the drawings.
+    /// Compiles the program into commands. `files` provides the called programs and the drawings.
     ///
-    /// Inner repeats and grids are written out, up to 1,000,000 commands; a repeat that is the program's last step
-    /// is not: [`Compiled::repeat`] says so. Where its first cycle differs from the later ones, it is written out
-    /// before them.
+    /// Inner repeats and grids are expanded, up to 1,000,000 commands. A repeat that is the last
+    /// step of the program is not: see [`Compiled::repeat`]. If its first cycle differs from the
+    /// later ones, the first cycle is expanded before them.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] with the step's line: a file that cannot be read, calls that never end, too many commands, a
-    /// frame or an arc whose points lie on a line, a step that needs to know where the arm is before the first
-    /// motion.
+    /// [`ProgramError`] with the line of the step: an unreadable file, recursive calls, too many
+    /// commands, a frame or an arc whose points lie on a line, or a step that needs the position of
+    /// the arm before the first motion.
     pub fn compile(&self, files: &mut dyn Files) -> Result<Compiled, ProgramError> {
         self.compile_for(&Calibration::NONE, files)
     }
 
-    /// The same for an arm that differs so from the drawing of it: the program speaks of true places, the commands
-    /// are what this arm has to be told. Drawings come as it has to be told them.
+    /// Compiles the program for a calibrated arm: the program contains true places, the commands
+    /// raw ones. The commands of drawings must already be raw.
     ///
     /// # Errors
     ///
-    /// As of [`compile`](Self::compile), and where this arm cannot come to a place.
+    /// Those of [`compile`](Self::compile), and [`ProgramError`] if this arm cannot reach a place.
     pub fn compile_for(
         &self,
         arm: &Calibration,
@@ -76,15 +76,15 @@ impl Program {
 struct Compiler<'a> {
     files: &'a mut dyn Files,
     called: &'a Called,
-    /// How the arm differs from the drawing of it.
+    /// The calibration of the arm.
     arm: Calibration,
-    /// The angles that the arm says then, where a target led to them.
+    /// The angles that the arm reports at the last target, if known.
     from: Option<Joints>,
     state: State,
     out: Compiled,
 }
 
-/// Where names mean something: a program, and the cells that its grids have here.
+/// A scope of names: a program, and the current cells of its grids.
 #[derive(Clone)]
 struct Scope<'a> {
     program: &'a Program,
@@ -105,7 +105,7 @@ impl Scope<'_> {
 }
 
 impl Compiler<'_> {
-    /// The program itself: a repeat at its end is not written out.
+    /// Compiles the main program; a repeat at its end is not expanded.
     fn whole(&mut self, scope: &Scope<'_>) -> Result<(), ProgramError> {
         let steps = &scope.program.steps.0;
         let Some((last, before)) = steps.split_last() else {
@@ -119,7 +119,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Compiles a cycle twice: where the second time is another one than the first, the first stands alone.
+    /// Compiles a cycle twice: if the second pass differs from the first, the first is kept apart.
     fn cycle(
         &mut self,
         scope: &Scope<'_>,
@@ -147,7 +147,7 @@ impl Compiler<'_> {
         } else {
             second.commands
         };
-        // What is done once is no cycle.
+        // A cycle that runs once is not a repeat.
         self.out.repeat = Some(JobRepeat { from, times }).filter(|it| it.times != Some(1));
         Ok(())
     }
@@ -162,31 +162,22 @@ impl Compiler<'_> {
 
     fn finish(self, scope: &Scope<'_>) -> Result<Compiled, ProgramError> {
         let commands = self.out.commands.len() as u64;
-        let bad = |reason| ProgramError {
-            file: None,
-            line: scope
-                .program
-                .steps
-                .0
-                .first()
-                .map(|it| scope.program.line_of(it)),
-            reason,
-        };
-        if commands > MOST_COMMANDS {
+        let first = scope.program.steps.0.first();
+        let line = first.map(|step| scope.program.line_of(step));
+        let bad = |reason| ProgramError::at(line, reason);
+        if commands > MAX_COMMANDS {
             return Err(bad(format!(
-                "the program has {commands} commands; a job may have {MOST_COMMANDS}"
+                "the program has {commands} commands; a job may have {MAX_COMMANDS}"
             )));
         }
-        if self.out.pauses.len() > MOST_PAUSES {
+        if self.out.pauses.len() > MAX_PAUSES {
             let found = self.out.pauses.len();
             return Err(bad(format!(
-                "it waits {found} times for a person; a job may wait {MOST_PAUSES} times"
+                "the program waits {found} times for a person; allowed are {MAX_PAUSES}"
             )));
         }
         if !self.state.has_moved {
-            return Err(bad(
-                "nothing in it moves the arm; it needs a step with go at least".into(),
-            ));
+            return Err(bad("no step moves the arm; add a step with go".into()));
         }
         Ok(self.out)
     }
@@ -201,7 +192,7 @@ impl Compiler<'_> {
             Action::Repeat(times, inner) => {
                 let Times::Count(count) = times else {
                     return Err(bad(
-                        "a repeat for ever has to be the program's last step".into()
+                        "an endless repeat must be the last step of the program".into(),
                     ));
                 };
                 return (0..*count).try_for_each(|_| self.steps(scope, &inner.0));
@@ -213,7 +204,7 @@ impl Compiler<'_> {
         let first = self.out.commands.len();
         self.simple(scope, step.get_ref()).map_err(bad)?;
         self.limit().map_err(bad)?;
-        // A wait before the first motion belongs to the step behind it.
+        // A wait before the first motion belongs to the next step.
         if self.out.commands.len() > first {
             self.out.steps.push(CompiledStep {
                 first,
@@ -229,12 +220,12 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// A first cycle may stand here besides.
+    /// Limits the number of commands, with room for a separate first cycle.
     fn limit(&self) -> Result<(), String> {
         let found = self.out.commands.len() as u64;
-        if found > 2 * MOST_COMMANDS {
+        if found > 2 * MAX_COMMANDS {
             return Err(format!(
-                "up to here there are {found} commands; a job may have {MOST_COMMANDS}"
+                "the program has {found} commands up to here; a job may have {MAX_COMMANDS}"
             ));
         }
         Ok(())
@@ -273,7 +264,7 @@ impl Compiler<'_> {
         let path = beside(scope.path, file);
         let called = self.called;
         let Some(program) = called.get(&path) else {
-            return Err(scope.error(step, format!("{path} is not there any more")));
+            return Err(scope.error(step, format!("file {path} is not available any more")));
         };
         let within = Scope {
             program,
@@ -328,16 +319,16 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// A target; the first one is gone to softly.
+    /// Adds a target; the first one is approached slowly.
     fn target(&mut self, target: Command) -> Result<(), String> {
         let (tool, from) = (self.state.tool, self.from.as_ref());
-        let told = to_raw(&target, &self.arm, tool, from).map_err(|error| error.to_string())?;
-        self.from = joints_of(&told, tool);
+        let raw = to_raw(&target, &self.arm, tool, from).map_err(|error| error.to_string())?;
+        self.from = joints_of(&raw, tool);
         let soft = self.state.soft_start();
         if let Some([slow, _]) = soft {
             self.push(slow);
         }
-        self.push(told);
+        self.push(raw);
         if let Some([_, normal]) = soft {
             self.push(normal);
         }
@@ -345,7 +336,8 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// The arm is told to go where it is, by its joints: that moves nothing, and is no trap (note N34).
+    /// Sends the arm to its current place by its joints, which moves nothing and is safe (note
+    /// N34).
     fn here(&mut self, then: &Here) -> Result<(), String> {
         self.state.grip(then);
         let again = self.state.again(then.pause).ok_or(NOWHERE)?;
@@ -353,13 +345,12 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// Where the arm is somewhere, a command of its own follows: so a step can be waited for at a program's end.
+    /// Adds a wait. After the first motion a command follows it, so that a wait can be the last
+    /// step of a program.
     fn wait(&mut self, message: &str) -> Result<(), String> {
         let before = self.out.commands.len();
         if self.out.pauses.last().is_some_and(|it| it.before == before) {
-            return Err(
-                "two waits stand side by side before the first motion; make one of them".into(),
-            );
+            return Err("two waits follow each other before the first motion; merge them".into());
         }
         self.out.pauses.push(JobPause {
             before,
@@ -373,11 +364,12 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// The others are waited for as a person is; whoever goes on with the job says when all are there.
+    /// Adds a barrier as a pause; the client that resumes the job determines when all arms have
+    /// arrived.
     fn barrier(&mut self, name: &str) -> Result<(), String> {
         if !self.state.has_moved {
             return Err(format!(
-                "the barrier {name:?} comes before the first motion; all arms begin together anyway: put a step with go before it"
+                "the barrier {name:?} is before the first motion; all arms start together anyway: put a step with go before it"
             ));
         }
         self.wait(&barrier_reason(name))
@@ -419,7 +411,7 @@ impl Compiler<'_> {
         };
         let Some(Command::MoveTo(_) | Command::MoveJoints(_)) = commands.iter().find(moves) else {
             return Err(format!(
-                "the drawing {path} does not begin with a target (state 3 or 6), which says where it is"
+                "the drawing {path} does not start with a target (state 3 or 6), which gives its place"
             ));
         };
         self.out.commands.extend(commands);
@@ -429,7 +421,7 @@ impl Compiler<'_> {
     }
 }
 
-/// The angles to which a target leads.
+/// The joint angles at the end of a target.
 fn joints_of(target: &Command, tool: Tool) -> Option<Joints> {
     match target {
         Command::MoveTo(it) => {
@@ -448,14 +440,14 @@ fn joints_of(target: &Command, tool: Tool) -> Option<Joints> {
     }
 }
 
-/// How much there is.
+/// The size of the output at a moment.
 struct Mark {
     commands: usize,
     steps: usize,
     pauses: usize,
 }
 
-/// What a step does, for a person.
+/// A description of a step for people.
 fn label(action: &Action) -> String {
     use crate::Place;
     let name = |place: &Place| match place {
@@ -497,6 +489,7 @@ const fn on_off(on: bool) -> &'static str {
     if on { "on" } else { "off" }
 }
 
-/// What a job may have.
-const MOST_PAUSES: usize = 1000;
-const NOWHERE: &str = "nothing says where the arm is by now: a step with go has to come before it (behind a drawing, too)";
+/// The largest number of pauses of a job.
+const MAX_PAUSES: usize = 1000;
+const NOWHERE: &str =
+    "the position of the arm is unknown here; put a step with go before it (also after a drawing)";

@@ -1,4 +1,4 @@
-//! A program as commands.
+//! Compiled programs.
 
 use std::sync::Arc;
 
@@ -7,21 +7,22 @@ use dobot_wire::Command;
 
 use crate::Times;
 
-/// A program as the commands that an arm carries out.
+/// A program as the commands that an arm executes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Compiled {
-    /// What a person calls it.
+    /// The title.
     pub title: String,
-    /// The commands, in order; those of a repeat at the program's end stand here once.
+    /// The commands, in order; those of a repeat at the end of the program appear once.
     pub commands: Vec<Command>,
-    /// Where it waits for a person.
+    /// The pauses in which the arm waits for a person.
     pub pauses: Vec<JobPause>,
-    /// The steps, in the order in which they are done; each has one command at least.
+    /// The steps, in order of execution; each has at least one command.
     pub steps: Vec<CompiledStep>,
-    /// Which commands are done again.
+    /// The commands that repeat.
     pub repeat: Option<JobRepeat>,
-    /// Whether the first cycle stands before `repeat`, on its own: it is another one, for it begins with the soft
-    /// start or with another tool, speed or grip than it ends with. So there is one cycle more than `repeat` says.
+    /// Whether the first cycle precedes `repeat` because it differs from the others: it starts
+    /// softly, or with another tool, speed or grip than it ends with. The number of cycles is then
+    /// one more than that of `repeat`.
     pub first_apart: bool,
 }
 
@@ -30,28 +31,28 @@ pub struct Compiled {
 pub struct CompiledStep {
     /// Its first command, counted from 0.
     pub first: usize,
-    /// The called program in which it stands; `None` in the program itself.
+    /// The called program that contains the step; `None` for the program itself.
     pub file: Option<Arc<str>>,
-    /// The line on which it begins, counted from 1.
+    /// The first line of the step, counted from 1.
     pub line: usize,
-    /// What it does, for a person.
+    /// A description of the step.
     pub label: Arc<str>,
-    /// The barrier at which the arm waits for the others, before its first command.
+    /// The barrier at which the arm waits for the other arms before the first command.
     pub barrier: Option<Arc<str>>,
 }
 
 impl Compiled {
-    /// The step to which a command belongs.
+    /// Returns the step that contains a command.
     #[must_use]
     pub fn step_of(&self, command: usize) -> Option<usize> {
         let begun = self.steps.partition_point(|it| it.first <= command);
         begun.checked_sub(1)
     }
 
-    /// Has it done so often in all, whatever it says itself.
+    /// Sets the total number of cycles, whatever the program specifies.
     pub fn repeat(&mut self, times: Times) {
         let from = self.repeat.map_or(0, |it| it.from);
-        // The first cycle may stand before those that repeat.
+        // The first cycle may precede the repeated ones.
         let apart = u64::from(self.first_apart && self.repeat.is_some());
         let times = match times {
             Times::Count(count) => Some(count.saturating_sub(apart).max(1)),
@@ -60,7 +61,7 @@ impl Compiled {
         self.repeat = Some(JobRepeat { from, times });
     }
 
-    /// The job of it. Where it draws, the tool is lifted in a pause.
+    /// The program as a job. If it draws, a pause lifts the tool.
     #[must_use]
     pub fn job(&self) -> NewJob {
         let draws = |it: &Command| matches!(it, Command::WriteVector(_));
@@ -83,11 +84,11 @@ impl Compiled {
     }
 }
 
-/// Why the job of a program is paused at a barrier, as its station tells it.
+/// The pause message of a job at a barrier.
 #[must_use]
 pub fn barrier_reason(barrier: &str) -> String {
-    format!("at the barrier {barrier:?} it waits for the other arms")
+    format!("waiting for the other arms at the barrier {barrier:?}")
 }
 
-/// How far a pen is lifted where a program is paused that draws, in mm.
+/// The lift of the pen in a pause of a program that draws, in mm.
 const LIFT_MM: f32 = 10.0;

@@ -1,13 +1,16 @@
-//! A program's text that is edited, with its comments.
+//! The editor of program texts, which keeps comments.
 
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, value};
 
+use crate::plain::plain;
 use crate::{Action, Point, Program, ProgramError, Steps};
 
-/// A program's text, edited step by step: what is not touched keeps its comments and its form.
+/// A program text that is edited step by step; untouched parts keep their comments and their
+/// formatting.
 ///
-/// Each change is kept, so that it can be undone; one after which the text would be no program is not made.
-/// Steps are those of the program itself, counted from 0; those within `repeat` and `each` move with their step.
+/// Each change can be undone; a change that would make the text invalid is refused. Steps are those
+/// of the program itself, counted from 0; steps inside `repeat` and `each` move with their outer
+/// step.
 #[derive(Clone, Debug)]
 pub struct ProgramDocument {
     document: DocumentMut,
@@ -16,23 +19,23 @@ pub struct ProgramDocument {
 }
 
 impl ProgramDocument {
-    /// Begins to edit a text.
+    /// Starts to edit a text.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if it is no program, or if its steps are not written as `[[steps]]`.
+    /// [`ProgramError`] if the text is not a program, or its steps are not written as `[[steps]]`.
     pub fn new(text: &str) -> Result<Self, ProgramError> {
         Program::from_toml(text)?;
         let document: DocumentMut = text
             .parse()
-            .map_err(|error: toml_edit::TomlError| ProgramError::new(error.to_string()))?;
+            .map_err(|error: toml_edit::TomlError| ProgramError::new(plain(error.message())))?;
         if document
             .get("steps")
             .and_then(Item::as_array_of_tables)
             .is_none()
         {
             return Err(ProgramError::new(
-                "the steps are in one array; to be edited each has to be written as [[steps]]",
+                "the steps are written as one array; to edit them, write each as [[steps]]",
             ));
         }
         Ok(Self {
@@ -42,22 +45,22 @@ impl ProgramDocument {
         })
     }
 
-    /// The text as it is now.
+    /// Returns the current text.
     #[must_use]
     pub fn text(&self) -> String {
         self.document.to_string()
     }
 
-    /// The program as it is now.
+    /// Returns the current program.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] never comes of a text that was changed by these operations alone.
+    /// [`ProgramError`] never occurs for a text that only these operations have changed.
     pub fn program(&self) -> Result<Program, ProgramError> {
         Program::from_toml(&self.text())
     }
 
-    /// How many steps there are.
+    /// The number of steps.
     #[must_use]
     pub fn steps(&self) -> usize {
         self.document
@@ -66,11 +69,11 @@ impl ProgramDocument {
             .map_or(0, ArrayOfTables::len)
     }
 
-    /// Puts a step before the one that has this number; behind the last one with their number.
+    /// Inserts a step before the step with this number; the number of steps appends it.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if there are not so many, or if it names what is not there.
+    /// [`ProgramError`] if the number is too large or the step uses an unknown name.
     pub fn insert(&mut self, at: usize, action: Action) -> Result<(), ProgramError> {
         let table = table_of(action)?;
         self.change(|steps| {
@@ -80,11 +83,11 @@ impl ProgramDocument {
         })
     }
 
-    /// Puts another step in place of one; the comment above it stays.
+    /// Replaces a step; the comment above it stays.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if there is none of this number, or if it names what is not there.
+    /// [`ProgramError`] if there is no such step or the new step uses an unknown name.
     pub fn replace(&mut self, at: usize, action: Action) -> Result<(), ProgramError> {
         let mut table = table_of(action)?;
         self.change(|steps| {
@@ -97,11 +100,11 @@ impl ProgramDocument {
         })
     }
 
-    /// Takes a step away, with the comment above it.
+    /// Removes a step with the comment above it.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if there is none of this number, or if it is the only one.
+    /// [`ProgramError`] if there is no such step or it is the only one.
     pub fn remove(&mut self, at: usize) -> Result<(), ProgramError> {
         self.change(|steps| {
             within(at, steps.len())?;
@@ -110,11 +113,11 @@ impl ProgramDocument {
         })
     }
 
-    /// Moves a step, with the comment above it, so that it has another number.
+    /// Moves a step, with the comment above it, to another number.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if there is none of one of the numbers.
+    /// [`ProgramError`] if one of the steps does not exist.
     pub fn move_step(&mut self, from: usize, to: usize) -> Result<(), ProgramError> {
         self.change(|steps| {
             within(from.max(to), steps.len())?;
@@ -124,26 +127,26 @@ impl ProgramDocument {
         })
     }
 
-    /// Sets a named point, which may be new.
+    /// Sets a named point or adds it.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if it is in a frame that is not there.
+    /// [`ProgramError`] if the frame of the point does not exist.
     pub fn set_point(&mut self, name: &str, point: &Point) -> Result<(), ProgramError> {
         let mut new = self.document.clone();
         let fields = toml_edit::ser::to_document(point)
-            .map_err(|error| ProgramError::new(error.to_string()))?;
+            .map_err(|error| ProgramError::new(plain(&error.to_string())))?;
         let had_points = new.contains_key("points");
         let points = new.entry("points").or_insert_with(|| {
             let mut table = Table::new();
             table.set_implicit(true);
-            // Behind the title, before the tables that are there.
+            // After the title, before the existing tables.
             table.set_position(Some(0));
             Item::Table(table)
         });
         let points = points
             .as_table_like_mut()
-            .ok_or_else(|| ProgramError::new("points is no table"))?;
+            .ok_or_else(|| ProgramError::new("points is not a table"))?;
         let mut inline = fields.as_table().clone().into_inline_table();
         inline.fmt();
         match points.get_mut(name).and_then(Item::as_table_like_mut) {
@@ -166,7 +169,7 @@ impl ProgramDocument {
         self.take(new)
     }
 
-    /// Takes back the last change; `false` where there is none.
+    /// Undoes the last change; `false` if there is none.
     pub fn undo(&mut self) -> bool {
         let Some(before) = self.before.pop() else {
             return false;
@@ -176,7 +179,7 @@ impl ProgramDocument {
         true
     }
 
-    /// Makes the change again that was taken back last; `false` where there is none.
+    /// Redoes the last undone change; `false` if there is none.
     pub fn redo(&mut self) -> bool {
         let Some(undone) = self.undone.pop() else {
             return false;
@@ -192,9 +195,9 @@ impl ProgramDocument {
     ) -> Result<(), ProgramError> {
         let mut new = self.document.clone();
         let steps = new.get_mut("steps").and_then(Item::as_array_of_tables_mut);
-        let steps = steps.ok_or_else(|| ProgramError::new("there are no [[steps]]"))?;
+        let steps = steps.ok_or_else(|| ProgramError::new("the program has no [[steps]]"))?;
         edit(steps)?;
-        // In the order of the list, wherever they stood in the text.
+        // In the order of the list, whatever the order in the text was.
         steps.iter_mut().for_each(forget_position);
         self.take(new)
     }
@@ -207,12 +210,13 @@ impl ProgramDocument {
     }
 }
 
-/// A program, or steps, as people write them: a step is a table, and what it has stands on one line each, first where it
-/// goes; a point, a tool, a frame or a grid stands on one line.
+/// Formats a program or steps for people: each step is a table with one key per line, `go` first; a
+/// point, a tool, a frame or a grid is on one line.
 pub(crate) fn on_lines(program: &impl serde::Serialize) -> Result<DocumentMut, String> {
-    let text = toml::to_string(program).map_err(|error| error.to_string())?;
+    let text = toml::to_string(program).map_err(|error| plain(&error.to_string()))?;
     let document = text.parse();
-    let mut document: DocumentMut = document.map_err(|it: toml_edit::TomlError| it.to_string())?;
+    let mut document: DocumentMut =
+        document.map_err(|error: toml_edit::TomlError| plain(error.message()))?;
     for (_, item) in document.iter_mut() {
         match item {
             Item::Table(names) => inline(names),
@@ -223,7 +227,7 @@ pub(crate) fn on_lines(program: &impl serde::Serialize) -> Result<DocumentMut, S
     Ok(document)
 }
 
-/// A step as the table that stands in a text.
+/// A step as the table of a text.
 fn table_of(action: Action) -> Result<Table, ProgramError> {
     #[derive(serde::Serialize)]
     struct One {
@@ -235,14 +239,14 @@ fn table_of(action: Action) -> Result<Table, ProgramError> {
     let document = on_lines(&one).map_err(ProgramError::new)?;
     let steps = document.get("steps").and_then(Item::as_array_of_tables);
     let mut table = steps
-        .and_then(|it| it.get(0))
+        .and_then(|steps| steps.get(0))
         .cloned()
-        .ok_or_else(|| ProgramError::new("a step cannot be written"))?;
+        .ok_or_else(|| ProgramError::new("the step cannot be written as text"))?;
     table.decor_mut().set_prefix("\n");
     Ok(table)
 }
 
-/// Tables of a step that are no steps stand on one line.
+/// Puts inner tables that are not steps on one line.
 fn inline(table: &mut Table) {
     for (_, item) in table.iter_mut() {
         if let Item::Table(inner) = item {
@@ -275,6 +279,6 @@ fn within(at: usize, count: usize) -> Result<(), ProgramError> {
     }
     let most = count.saturating_sub(1);
     Err(ProgramError::new(format!(
-        "the step is {at}; allowed are 0 to {most}"
+        "step {at} does not exist; allowed are 0 to {most}"
     )))
 }

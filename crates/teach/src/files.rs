@@ -1,4 +1,4 @@
-//! What a program needs beside itself.
+//! The files that a program uses.
 
 use std::collections::BTreeMap;
 
@@ -7,38 +7,43 @@ use dobot_wire::Command;
 use crate::program::Drawing;
 use crate::{Action, Program, ProgramError, Steps};
 
-/// Gives what a program names: other programs and drawings. Paths are as seen from the program itself, with `/`.
+/// Provides the files that a program names: other programs and drawings. Paths are relative to the
+/// main program, with `/`.
 pub trait Files {
-    /// The text of a called program.
+    /// Returns the text of a called program.
     ///
     /// # Errors
     ///
-    /// Why it cannot be read, in one line.
+    /// The reason why it cannot be read, in one line.
     fn program(&mut self, path: &str) -> Result<String, String>;
 
-    /// The commands of a drawing whose file has this path; the first motion in them is a target.
+    /// Returns the commands of a drawing; their first motion is a target.
     ///
     /// # Errors
     ///
-    /// Why it cannot be drawn, in one line.
+    /// The reason why it cannot be drawn, in one line.
     fn drawing(&mut self, path: &str, drawing: &Drawing) -> Result<Vec<Command>, String>;
 }
 
-/// For programs that stand alone: no other file is there.
+/// No files, for programs that use none.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoFiles;
 
 impl Files for NoFiles {
     fn program(&mut self, path: &str) -> Result<String, String> {
-        Err(format!("there is no file {path} here"))
+        Err(format!(
+            "file {path} is not available; this program must not use other files"
+        ))
     }
 
     fn drawing(&mut self, path: &str, _: &Drawing) -> Result<Vec<Command>, String> {
-        Err(format!("there is no file {path} here"))
+        Err(format!(
+            "file {path} is not available; this program must not use other files"
+        ))
     }
 }
 
-/// All programs that are called, and how many steps each does.
+/// All called programs and their numbers of steps.
 #[derive(Debug, Default)]
 pub(crate) struct Called {
     programs: BTreeMap<String, Program>,
@@ -50,7 +55,8 @@ impl Called {
         self.programs.get(path)
     }
 
-    /// Reads all that a program calls, and counts the steps that it does; a repeat at its end counts once.
+    /// Loads all called programs and counts the steps; a repeat at the end of the program counts
+    /// once.
     pub(crate) fn load(
         &mut self,
         program: &Program,
@@ -85,24 +91,22 @@ impl Called {
                 }
                 Action::Each(grids, inner) => {
                     let once = self.steps(program, inner, files, calling, false)?;
-                    let grid = grids.first().and_then(|it| program.grids.get(it));
+                    let grid = grids.first().and_then(|name| program.grids.get(name));
                     once.saturating_mul(grid.map_or(0, crate::Grid::cells))
                 }
                 Action::Call(file) => {
                     let path = beside(calling.last().map(String::as_str), file);
-                    {
-                        let called = self.call(path, files, calling);
-                        called.map_err(|it| {
-                            it.or(|reason| error(program, step, calling.last(), reason))
-                        })?
-                    }
+                    let called = self.call(path, files, calling);
+                    called.map_err(|call| {
+                        call.or(|reason| error(program, step, calling.last(), reason))
+                    })?
                 }
                 _ => 1,
             };
             sum = sum.saturating_add(count);
-            if sum > MOST_COMMANDS {
+            if sum > MAX_COMMANDS {
                 let reason = format!(
-                    "up to here the program has {sum} steps when it is written out; allowed are {MOST_COMMANDS}; a repeat that is the program's last step counts once"
+                    "the program expands to {sum} steps up to here; allowed are {MAX_COMMANDS}; a repeat that is the last step of the program counts once"
                 );
                 return Err(error(program, step, calling.last(), reason));
             }
@@ -118,25 +122,20 @@ impl Called {
     ) -> Result<u64, CallError> {
         if calling.contains(&path) {
             return Err(CallError::Here(format!(
-                "the calls never end: {} calls {path} again",
+                "the calls never end: {} calls {path} again; remove one of the calls",
                 calling.join(" calls ")
             )));
         }
         if let Some(count) = self.counts.get(&path) {
             return Ok(*count);
         }
-        if calling.len() >= DEEPEST_CALL {
+        if calling.len() >= MAX_CALL_DEPTH {
             return Err(CallError::Here(format!(
-                "programs call each other {DEEPEST_CALL} deep; that is as deep as allowed"
+                "calls of programs are nested more than {MAX_CALL_DEPTH} deep; allowed are {MAX_CALL_DEPTH}"
             )));
         }
         let text = files.program(&path).map_err(CallError::Here)?;
-        let named = |it: ProgramError| {
-            CallError::There(ProgramError {
-                file: Some(path.clone()),
-                ..it
-            })
-        };
+        let named = |error: ProgramError| CallError::There(error.in_file(&path));
         let program = Program::from_toml(&text).map_err(named)?;
         calling.push(path.clone());
         let count = self
@@ -149,7 +148,7 @@ impl Called {
     }
 }
 
-/// Why a call is not possible: at the call, or in the program that is called.
+/// The reason why a call fails: at the call, or in the called program.
 enum CallError {
     Here(String),
     There(ProgramError),
@@ -172,29 +171,28 @@ pub(crate) fn error(
 ) -> ProgramError {
     ProgramError {
         file: file.cloned(),
-        line: Some(program.line_of(step)),
-        reason,
+        ..ProgramError::at(program.line_of(step), reason)
     }
 }
 
-/// The path of a file that a program names, as seen from the first program.
+/// The path of a file that a program names, relative to the main program.
 pub(crate) fn beside(program: Option<&str>, file: &str) -> String {
     let folder = program
-        .and_then(|it| it.rsplit_once('/'))
-        .map_or("", |it| it.0);
+        .and_then(|path| path.rsplit_once('/'))
+        .map_or("", |(folder, _)| folder);
     if folder.is_empty() || file.starts_with('/') {
         return tidy(file);
     }
     tidy(&format!("{folder}/{file}"))
 }
 
-/// Without `.`, and without `..` where that is possible: one file has one path.
+/// Removes `.`, and `..` if possible: one file has one path.
 fn tidy(path: &str) -> String {
     let mut parts: Vec<&str> = Vec::new();
     for part in path.split('/') {
         match part {
             "." => {}
-            ".." if parts.last().is_some_and(|it| !["..", ""].contains(it)) => {
+            ".." if parts.last().is_some_and(|part| !["..", ""].contains(part)) => {
                 parts.pop();
             }
             part => parts.push(part),
@@ -203,8 +201,7 @@ fn tidy(path: &str) -> String {
     parts.join("/")
 }
 
-const NOT_FOREVER: &str =
-    "a repeat for ever is the last step of the program itself; nothing behind it would be done";
-const DEEPEST_CALL: usize = 32;
-/// What a job may have.
-pub(crate) const MOST_COMMANDS: u64 = 1_000_000;
+const NOT_FOREVER: &str = "an endless repeat is not the last step of the main program; move it to the end, or give it a number";
+const MAX_CALL_DEPTH: usize = 32;
+/// The largest number of commands of a job.
+pub(crate) const MAX_COMMANDS: u64 = 1_000_000;

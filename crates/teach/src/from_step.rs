@@ -1,4 +1,4 @@
-//! The rest of a program, from one of its steps on.
+//! The remainder of a program from one of its steps.
 
 use std::ops::Range;
 
@@ -8,9 +8,9 @@ use dobot_wire::Command;
 use crate::{Compiled, CompiledStep};
 
 impl Compiled {
-    /// The program from a step on, counted from 0 among [`steps`](Self::steps): settings of speed and tool that
-    /// stand before it come first. What is left of a cycle is done once, and then the cycle as often as it would
-    /// still have been done. `None` where there is no such step.
+    /// Returns the program from a step on, counted from 0 among [`steps`](Self::steps), preceded by
+    /// the speed and tool settings before it. The rest of the current cycle runs once, then the
+    /// remaining cycles. `None` if there is no such step.
     #[must_use]
     pub fn from_step(&self, step: usize) -> Option<Self> {
         let first = self.steps.get(step)?.first;
@@ -32,7 +32,7 @@ impl Compiled {
         Some(rest)
     }
 
-    /// The whole cycle behind what is left of this one, if it is done again at all.
+    /// Appends the whole cycle after the rest of this one, if it runs again.
     fn append_cycle(&mut self, whole: &Self, repeat: JobRepeat) -> Option<JobRepeat> {
         let times = repeat.times.map(|it| it.saturating_sub(1));
         if times == Some(0) {
@@ -43,7 +43,7 @@ impl Compiled {
         Some(JobRepeat { from, times })
     }
 
-    /// Adds some of the commands of a program, with the steps and the pauses among them.
+    /// Appends some commands of a program with their steps and pauses.
     fn append(&mut self, whole: &Self, part: Range<usize>) {
         let at = |index: usize| index - part.start + self.commands.len();
         let steps = whole.steps.iter().filter(|it| part.contains(&it.first));
@@ -66,7 +66,7 @@ impl Compiled {
     }
 }
 
-/// Whether it holds from then on, wherever the arm is.
+/// Whether the command is a setting that persists, wherever the arm is.
 const fn is_setting(command: &Command) -> bool {
     matches!(
         command,
@@ -105,7 +105,7 @@ mod tests {
             .unwrap()
     }
 
-    /// The x of each target in all, cycle by cycle.
+    /// The x of all targets, cycle by cycle.
     fn targets(it: &Compiled, cycles: u64) -> Vec<f32> {
         let x = |command: &Command| match command {
             Command::MoveTo(it) => Some(it.x_mm),
@@ -141,7 +141,7 @@ mod tests {
     fn a_cycle_for_ever_goes_on_for_ever() {
         let whole = compiled("\"forever\"");
         let last = whole.from_step(whole.steps.len() - 1).unwrap();
-        // To wait is a target to where the arm is.
+        // A wait is a target at the position of the arm.
         assert_eq!(targets(&last, 1), [230.0, 210.0, 210.0, 220.0, 230.0]);
         assert_eq!(last.repeat.unwrap().times, None);
     }

@@ -1,6 +1,6 @@
-//! Taught programs of an original Dobot Arm: read, checked, edited, and made into the commands of a job.
+//! Reading, checking, editing and compiling taught programs of an original Dobot Arm.
 //!
-//! A program is TOML: named points, and steps that go to them. `docs/teaching.md` describes it.
+//! A program is TOML: named points, and steps that go to them. See `docs/teaching.md`.
 //!
 //! ```
 //! use dobot_safety::Policy;
@@ -51,6 +51,7 @@ mod from_step;
 mod lines;
 mod number;
 mod place;
+mod plain;
 mod program;
 mod program_form;
 mod read;

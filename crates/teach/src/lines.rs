@@ -1,6 +1,7 @@
 //! Lines of a text.
 
-/// Where the lines of a text begin. It takes no part in comparing programs.
+/// The start of each line of a text; equal for all texts, so that it does not affect comparison of
+/// programs.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lines(Vec<usize>);
 
@@ -9,7 +10,7 @@ impl Lines {
         Self(text.match_indices('\n').map(|(at, _)| at + 1).collect())
     }
 
-    /// The line of a place in the text, counted from 1.
+    /// Returns the line of an offset, counted from 1.
     pub(crate) fn at(&self, offset: usize) -> usize {
         self.0.partition_point(|start| *start <= offset) + 1
     }

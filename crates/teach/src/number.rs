@@ -1,9 +1,9 @@
-//! Numbers of a program file: finite, and within what a robot arm has to do with.
+//! Numbers of a program file: finite and within a range.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
-/// Reads a number.
+/// Deserializes a number.
 pub(crate) fn finite<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     let found = f64::deserialize(from)?;
     if found.abs() <= LARGEST {
@@ -14,12 +14,12 @@ pub(crate) fn finite<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error
     )))
 }
 
-/// Reads a number that may be left out.
+/// Deserializes an optional number.
 pub(crate) fn perhaps<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     finite(from).map(Some)
 }
 
-/// The value, if it lies within these bounds.
+/// Returns the value if it lies within the bounds.
 pub(crate) fn within(
     name: &str,
     unit: &str,
@@ -35,5 +35,5 @@ pub(crate) fn within(
     ))
 }
 
-/// More than any length, angle, time or speed of an arm.
+/// The largest number; lengths, angles, times and speeds of an arm are smaller.
 const LARGEST: f64 = 1e6;

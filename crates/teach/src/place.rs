@@ -1,4 +1,4 @@
-//! Places of a program: by name, or by numbers.
+//! Places of a program: names or coordinates.
 
 use std::fmt;
 
@@ -9,27 +9,28 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::number::perhaps;
 
-/// A place: the name of a point or of a grid's cell, or a point itself.
+/// A place: the name of a point or of a grid (for its current cell), or a point itself.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Place {
-    /// By its name.
+    /// A name.
     Named(String),
-    /// By its numbers.
+    /// Coordinates or angles.
     At(Point),
 }
 
-/// A point, as a place in mm or as joint angles in degrees.
+/// A point: coordinates in mm, or joint angles in degrees.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "PointTable", into = "PointTable")]
 pub enum Point {
-    /// A place in the base frame, or in a frame of the program.
+    /// Coordinates in the base frame or in a frame of the program.
     Cartesian {
         /// x, y and z in mm.
         position: [f64; 3],
-        /// How the tool is turned, in degrees, counter-clockwise from the frame's x axis; 0 if nothing is said.
+        /// The rotation of the tool in degrees, counter-clockwise from the frame's x axis; default
+        /// 0.
         rotation: Option<f64>,
-        /// The frame; the base frame if nothing is said.
+        /// The frame; default: the base frame.
         frame: Option<String>,
     },
     /// Angles of base, rear arm, forearm and servo.
@@ -37,7 +38,7 @@ pub enum Point {
 }
 
 impl Point {
-    /// A place in the base frame, in mm.
+    /// A point in the base frame, in mm.
     #[must_use]
     pub const fn xyz(x: f64, y: f64, z: f64) -> Self {
         Self::Cartesian {
@@ -94,25 +95,25 @@ impl JsonSchema for Point {
     }
 }
 
-/// A point: x, y and z in mm, with a rotation and a frame if wanted; or base, rear and fore in degrees, with the
-/// servo if it is not at 0.
+/// A point: x, y and z in mm, with an optional rotation and frame; or base, rear and fore in
+/// degrees, with an optional servo.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 #[schemars(rename = "Point")]
 pub(crate) struct PointTable {
-    /// Forward of the base's axis, or along the frame's x axis, in mm.
+    /// The position forward of the base's axis, or along the frame's x axis, in mm.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     x: Option<f64>,
-    /// To the left of it, or along the frame's y axis, in mm.
+    /// The position to the left of the base's axis, or along the frame's y axis, in mm.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     y: Option<f64>,
-    /// Above the rear arm's pivot, or along the frame's z axis, in mm.
+    /// The height above the rear arm's pivot, or the position along the frame's z axis, in mm.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     z: Option<f64>,
-    /// How the tool is turned from the frame's x axis, counter-clockwise, in degrees; 0 if nothing is said.
+    /// The rotation of the tool, counter-clockwise from the frame's x axis, in degrees; default 0.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     rotation: Option<f64>,
-    /// The name of a frame; the base frame if nothing is said.
+    /// The name of a frame; default: the base frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     frame: Option<String>,
     /// The base's angle in degrees, counter-clockwise seen from above.
@@ -124,7 +125,7 @@ pub(crate) struct PointTable {
     /// The forearm's angle in degrees below the horizontal.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     fore: Option<f64>,
-    /// The servo's angle in degrees.
+    /// The servo's angle in degrees; default 0.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     servo: Option<f64>,
 }
@@ -132,9 +133,9 @@ pub(crate) struct PointTable {
 impl TryFrom<PointTable> for Point {
     type Error = String;
 
-    fn try_from(it: PointTable) -> Result<Self, String> {
-        let found = it.found();
-        match it {
+    fn try_from(table: PointTable) -> Result<Self, String> {
+        let found = table.found();
+        match table {
             PointTable {
                 x: Some(x),
                 y: Some(y),
@@ -169,7 +170,7 @@ impl TryFrom<PointTable> for Point {
 }
 
 impl PointTable {
-    /// The keys that are there, for an error.
+    /// The keys of the table, for an error.
     fn found(&self) -> String {
         let keys = [
             ("x", self.x.is_some()),
@@ -182,7 +183,7 @@ impl PointTable {
             ("fore", self.fore.is_some()),
             ("servo", self.servo.is_some()),
         ];
-        let there: Vec<&str> = keys.iter().filter(|it| it.1).map(|it| it.0).collect();
+        let there: Vec<&str> = keys.iter().filter(|key| key.1).map(|key| key.0).collect();
         if there.is_empty() {
             return "nothing".to_owned();
         }
@@ -209,7 +210,7 @@ impl From<Point> for PointTable {
                 base: Some(base),
                 rear: Some(rear),
                 fore: Some(fore),
-                servo: Some(servo).filter(|it| *it != 0.0),
+                servo: Some(servo).filter(|servo| *servo != 0.0),
                 ..Self::default()
             },
         }

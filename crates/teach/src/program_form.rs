@@ -1,4 +1,4 @@
-//! The forms that programs have in files: taught ones, and those of the vendor's programs.
+//! The file formats of programs: TOML and the vendor's formats.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -6,11 +6,11 @@ use serde::Deserialize;
 use crate::vendor::{self, Read};
 use crate::{Program, ProgramError};
 
-/// A form of programs.
+/// The file format of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ProgramForm {
-    /// The text of a program.
+    /// TOML.
     #[default]
     Toml,
     /// `PlayBackPoints.xml`.
@@ -20,7 +20,7 @@ pub enum ProgramForm {
 }
 
 impl ProgramForm {
-    /// The form of a file, by the end of its name; letters may be large or small.
+    /// Returns the format for a file name extension, in upper or lower case.
     ///
     /// ```
     /// use dobot_teach::ProgramForm;
@@ -39,11 +39,11 @@ impl ProgramForm {
         }
     }
 
-    /// Reads a program of this form, and says what was surprising in it.
+    /// Parses a program of this format and returns warnings.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`]: where it is no such program.
+    /// [`ProgramError`] if it is not a program of this format.
     pub fn read(self, bytes: &[u8]) -> Result<Read<Program>, ProgramError> {
         let points = match self {
             Self::Toml => {
@@ -62,11 +62,11 @@ impl ProgramForm {
         })
     }
 
-    /// The text of a program in this form, and what that cannot carry.
+    /// Writes the program in this format and returns what the format cannot express.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] where nothing would be left of it.
+    /// [`ProgramError`] if the format can express none of the program.
     pub fn write(self, program: &Program) -> Result<Read<String>, ProgramError> {
         let write = match self {
             Self::Toml => {
@@ -81,7 +81,7 @@ impl ProgramForm {
         let (points, warnings) = vendor::points_of(program);
         if points.is_empty() {
             return Err(ProgramError::new(
-                "the program has no point that this form can carry: it knows joint angles alone",
+                "the program has no point that this format can express; it stores joint angles only",
             ));
         }
         Ok(Read {
@@ -93,7 +93,7 @@ impl ProgramForm {
 
 fn text_of(bytes: &[u8]) -> Result<&str, ProgramError> {
     std::str::from_utf8(bytes)
-        .map_err(|_| ProgramError::new("it is not text in UTF-8, so it is no program"))
+        .map_err(|_| ProgramError::new("the file is not UTF-8 text; save it as UTF-8"))
 }
 
 #[cfg(test)]
@@ -135,7 +135,7 @@ mod tests {
             let [warning] = <[String; 1]>::try_from(form.write(&mixed).unwrap().warnings).unwrap();
             assert!(warning.starts_with("line 7: "), "{warning}");
             let error = form.write(&places).unwrap_err().to_string();
-            assert!(error.contains("joint angles alone"), "{error}");
+            assert!(error.contains("joint angles only"), "{error}");
         }
     }
 
@@ -144,7 +144,7 @@ mod tests {
         let error = ProgramForm::Toml.read(b"title = \"\xff\"").unwrap_err();
         assert_eq!(
             error.to_string(),
-            "it is not text in UTF-8, so it is no program"
+            "the file is not UTF-8 text; save it as UTF-8"
         );
     }
 

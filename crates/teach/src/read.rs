@@ -1,53 +1,54 @@
-//! From text to program, and back.
+//! Programs from text and back.
 
 use std::collections::BTreeMap;
 
-use toml::de::{DeTable, DeValue};
+use serde::Deserialize;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, ValueDeserializer};
 
 use crate::document::on_lines;
 use crate::lines::Lines;
 use crate::number::within;
-use crate::place::Place;
-use crate::step_table::LEAST_SPEED;
+use crate::place::{Place, Point};
+use crate::plain::plain;
+use crate::program::{Frame, Grid, MountedTool};
+use crate::step_table::MIN_SPEED;
 use crate::{Action, Program, ProgramError, Steps};
 
 impl Program {
-    /// Reads a program.
+    /// Parses a program.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] with the line: no TOML, an unknown key, a value of another kind or outside its range, a
-    /// name that nothing has, no steps.
+    /// [`ProgramError`] with the line: not TOML, an unknown key, a value of another type or outside
+    /// its range, an unknown name, no steps. It lists all mistakes that are independent of each
+    /// other.
     pub fn from_toml(text: &str) -> Result<Self, ProgramError> {
-        let lines = Lines::of(text);
-        let bad = |line, reason| ProgramError {
-            file: None,
-            line,
-            reason,
-        };
-        if text.len() > LONGEST_TEXT {
-            let found = text.len();
-            return Err(bad(
-                None,
-                format!("the text has {found} bytes; allowed are {LONGEST_TEXT}"),
-            ));
+        if text.len() > MAX_TEXT_BYTES {
+            return Err(ProgramError::new(format!(
+                "the text has {} bytes; allowed are {MAX_TEXT_BYTES}",
+                text.len()
+            )));
         }
         if let Some(line) = deep_line(text) {
-            return Err(bad(
-                Some(line),
-                format!("a key has more than {MOST_DOTS} dots; that is deeper than any program"),
+            return Err(ProgramError::at(
+                line,
+                format!("a key has more than {MAX_DOTS} dots; that is deeper than any program"),
             ));
         }
-        let mut program: Self = toml::from_str(text).map_err(|error| {
-            let line = error.span().map(|span| lines.at(span.start));
-            bad(line, error.message().trim().replace('\n', ", "))
-        })?;
+        let lines = Lines::of(text);
+        let mut program: Self =
+            toml::from_str(text).map_err(|error| value_errors(text, &lines, &error))?;
         program.lines = lines;
-        program
-            .check_values()
-            .map_err(|(key, reason)| bad(line_of(text, &key), reason))?;
-        program.check_steps(&program.steps, 0)?;
-        Ok(program)
+        let mut mistakes = Vec::new();
+        program.check_values(&mut |key, reason| {
+            mistakes.push(ProgramError::at(line_of(text, key), reason));
+        });
+        program.check_steps(&mut mistakes);
+        match ProgramError::merge(mistakes) {
+            Some(error) => Err(error),
+            None => Ok(program),
+        }
     }
 
     /// Writes the program without comments; [`from_toml`](Self::from_toml) reads it back unchanged.
@@ -62,102 +63,98 @@ impl Program {
         document.to_string()
     }
 
-    /// The values that have a place in no step: the key that is wrong, and why.
-    fn check_values(&self) -> Result<(), (String, String)> {
-        let at = |key: String| move |reason: String| (key, reason);
+    /// Checks everything outside the steps; `report` receives the key and the reason.
+    fn check_values(&self, report: &mut impl FnMut(&str, String)) {
+        let mut check = |key: &str, outcome: Result<(), String>| {
+            if let Err(reason) = outcome {
+                report(key, reason);
+            }
+        };
         if let Some(percent) = self.start_speed_percent {
-            within("start_speed_percent", " %", percent, LEAST_SPEED, 100.0)
-                .map_err(at("start_speed_percent".into()))?;
+            let key = "start_speed_percent";
+            let outcome = within(key, " %", percent, MIN_SPEED, 100.0);
+            check(key, outcome.map(drop));
         }
         for (name, tool) in &self.tools {
             let key = format!("tools.{name}");
-            within(&format!("{key}.length"), " mm", tool.length, 0.0, 200.0).map_err(at(key))?;
+            let outcome = within(&format!("{key}.length"), " mm", tool.length, 0.0, 200.0);
+            check(&key, outcome.map(drop));
+        }
+        for (name, frame) in &self.frames {
+            for place in [&frame.origin, &frame.x, &frame.y] {
+                check(&format!("frames.{name}"), self.check_place(place, &[]));
+            }
         }
         for (name, grid) in &self.grids {
+            let key = format!("grids.{name}");
             for (field, found) in [
                 ("columns", grid.columns),
                 ("rows", grid.rows),
                 ("layers", grid.layers),
             ] {
-                let key = format!("grids.{name}");
-                within(&format!("{key}.{field}"), "", found.into(), 1.0, 1000.0)
-                    .map_err(at(key))?;
+                let outcome = within(&format!("{key}.{field}"), "", found.into(), 1.0, 1000.0);
+                check(&key, outcome.map(drop));
             }
             if self.points.contains_key(name) {
                 let reason = format!("a grid and a point have the name {name:?}; names are unique");
-                return Err((format!("grids.{name}"), reason));
+                check(&key, Err(reason));
             }
-        }
-        self.check_names()
-    }
-
-    /// That the places of points, frames and grids are there.
-    fn check_names(&self) -> Result<(), (String, String)> {
-        for (name, frame) in &self.frames {
-            for place in [&frame.origin, &frame.x, &frame.y] {
-                self.check_place(place, &[])
-                    .map_err(|reason| (format!("frames.{name}"), reason))?;
-            }
-        }
-        for (name, grid) in &self.grids {
-            self.check_place(&grid.at, &[])
-                .map_err(|reason| (format!("grids.{name}"), reason))?;
+            check(&key, self.check_place(&grid.at, &[]));
         }
         for (name, point) in &self.points {
-            self.check_place(&point.clone().into(), &[])
-                .map_err(|reason| (format!("points.{name}"), reason))?;
+            let outcome = self.check_place(&point.clone().into(), &[]);
+            check(&format!("points.{name}"), outcome);
         }
-        Ok(())
     }
 
-    /// That all that steps name is there. `cells` counts how deep they are in `each`.
-    fn check_steps(&self, steps: &Steps, depth: usize) -> Result<(), ProgramError> {
-        if steps.0.is_empty() {
-            let reason = "the program has no steps; it needs one at least, as [[steps]]".to_owned();
-            return Err(ProgramError::new(reason));
+    /// Checks that every name in the steps is defined.
+    fn check_steps(&self, mistakes: &mut Vec<ProgramError>) {
+        if self.steps.0.is_empty() {
+            let reason = "the program has no steps; add at least one, as [[steps]]";
+            mistakes.push(ProgramError::new(reason));
         }
-        let grids: Vec<&str> = Vec::new();
-        self.check_within(steps, &grids, depth)
+        self.check_nested(&self.steps, &[], 0, mistakes);
     }
 
-    fn check_within<'a>(
+    /// Checks steps at a nesting depth within `each` steps over the grids `cells`.
+    fn check_nested<'a>(
         &'a self,
         steps: &'a Steps,
         cells: &[&'a str],
         depth: usize,
-    ) -> Result<(), ProgramError> {
+        mistakes: &mut Vec<ProgramError>,
+    ) {
         for step in &steps.0 {
-            let bad = |reason| ProgramError {
-                file: None,
-                line: Some(self.line_of(step)),
-                reason,
+            let line = self.line_of(step);
+            let mut check = |outcome: Result<(), String>| {
+                if let Err(reason) = outcome {
+                    mistakes.push(ProgramError::at(line, reason));
+                }
             };
-            if depth > DEEPEST {
-                return Err(bad(format!(
-                    "steps are nested {depth} deep; allowed are {DEEPEST}"
+            if depth > MAX_DEPTH {
+                check(Err(format!(
+                    "steps are nested {depth} deep; allowed are {MAX_DEPTH}"
                 )));
+                return;
             }
             match step.get_ref() {
-                Action::Go(go) => self.check_place(&go.to, cells).map_err(bad)?,
+                Action::Go(go) => check(self.check_place(&go.to, cells)),
                 Action::Arc(arc) | Action::Circle(arc) => {
-                    self.check_place(&arc.through, cells).map_err(bad)?;
-                    self.check_place(&arc.to, cells).map_err(bad)?;
+                    check(self.check_place(&arc.through, cells));
+                    check(self.check_place(&arc.to, cells));
                 }
-                Action::Tool(name) => check_name("tool", name, &self.tools).map_err(bad)?,
-                Action::Repeat(_, steps) => self.check_within(steps, cells, depth + 1)?,
+                Action::Tool(name) => check(check_name("tool", name, &self.tools)),
+                Action::Repeat(_, steps) => self.check_nested(steps, cells, depth + 1, mistakes),
                 Action::Each(grids, steps) => {
-                    self.check_grids(grids).map_err(bad)?;
-                    let cells: Vec<&str> = cells
-                        .iter()
-                        .copied()
-                        .chain(grids.iter().map(String::as_str))
-                        .collect();
-                    self.check_within(steps, &cells, depth + 1)?;
+                    check(self.check_grids(grids));
+                    // Unknown grids count as cells: their uses inside are not reported again.
+                    let names = grids.iter().map(String::as_str);
+                    let cells: Vec<&str> = cells.iter().copied().chain(names).collect();
+                    self.check_nested(steps, &cells, depth + 1, mistakes);
                 }
                 _ => {}
             }
         }
-        Ok(())
     }
 
     fn check_grids(&self, names: &[String]) -> Result<(), String> {
@@ -168,7 +165,7 @@ impl Program {
             let (first, before) = *cells.get_or_insert((name, count));
             if count != before {
                 return Err(format!(
-                    "grid {name:?} has {count} cells and grid {first:?} {before}; side by side they need as many"
+                    "grid {name:?} has {count} cells and grid {first:?} {before}; grids in one step need the same number"
                 ));
             }
         }
@@ -179,10 +176,10 @@ impl Program {
         match place {
             Place::Named(name) if cells.contains(&name.as_str()) => Ok(()),
             Place::Named(name) if self.grids.contains_key(name) => Err(format!(
-                "{name:?} is a grid; its cells are places within a step with each = {name:?}"
+                "{name:?} is a grid; use it inside a step with each = {name:?}"
             )),
             Place::Named(name) => check_name("point", name, &self.points),
-            Place::At(crate::Point::Cartesian {
+            Place::At(Point::Cartesian {
                 frame: Some(frame), ..
             }) => check_name("frame", frame, &self.frames),
             Place::At(_) => Ok(()),
@@ -194,16 +191,14 @@ fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<
     if known.contains_key(name) {
         return Ok(());
     }
-    let names: Vec<&str> = known.keys().take(MOST_NAMES).map(String::as_str).collect();
-    let more = if known.len() > MOST_NAMES {
+    let names: Vec<&str> = known.keys().take(MAX_NAMES).map(String::as_str).collect();
+    let more = if known.len() > MAX_NAMES {
         " and more"
     } else {
         ""
     };
     Err(if names.is_empty() {
-        format!(
-            "there is no {kind} {name:?}; the program has none: teach it under [{kind}s.{name}]"
-        )
+        format!("there is no {kind} {name:?}; the program has none: add [{kind}s.{name}]")
     } else {
         format!(
             "there is no {kind} {name:?}; there are {}{more}",
@@ -212,7 +207,53 @@ fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<
     })
 }
 
-/// The line of a key in a text; where the key itself is not written, the nearest table that is.
+/// The errors of a text that is not a program: the first one, or all independent ones in its
+/// values.
+fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramError {
+    let mistake = |error: &toml::de::Error| {
+        let line = error.span().map(|span| lines.at(span.start));
+        ProgramError::at(line, plain(error.message()))
+    };
+    let mut mistakes = vec![mistake(first)];
+    if let Ok(document) = DeTable::parse(text) {
+        let errors = document.into_inner().into_iter().flat_map(|(key, value)| {
+            let (key, value) = (key.into_inner(), value.into_inner());
+            match (&*key, value) {
+                ("tools", DeValue::Table(tools)) => errors_in::<MountedTool>(values(tools)),
+                ("points", DeValue::Table(points)) => errors_in::<Point>(values(points)),
+                ("frames", DeValue::Table(frames)) => errors_in::<Frame>(values(frames)),
+                ("grids", DeValue::Table(grids)) => errors_in::<Grid>(values(grids)),
+                ("steps", DeValue::Array(steps)) => errors_in::<Action>(steps),
+                _ => Vec::new(),
+            }
+        });
+        for error in errors {
+            let mistake = mistake(&error);
+            // Two readers may give the same mistake with different spans.
+            if mistakes
+                .iter()
+                .all(|known| known.reason != mistake.reason || known.line != mistake.line)
+            {
+                mistakes.push(mistake);
+            }
+        }
+    }
+    ProgramError::merge(mistakes).unwrap_or_else(|| ProgramError::new(plain(first.message())))
+}
+
+fn values<'de>(table: DeTable<'de>) -> impl Iterator<Item = Spanned<DeValue<'de>>> {
+    table.into_iter().map(|(_, value)| value)
+}
+
+/// The errors of values that are read one by one.
+fn errors_in<'de, T: Deserialize<'de>>(
+    values: impl IntoIterator<Item = Spanned<DeValue<'de>>>,
+) -> Vec<toml::de::Error> {
+    let read = |value| T::deserialize(ValueDeserializer::from(value)).err();
+    values.into_iter().filter_map(read).collect()
+}
+
+/// The line of a key in a text, or of the nearest table that is written out.
 fn line_of(text: &str, key: &str) -> Option<usize> {
     let document = DeTable::parse(text).ok()?;
     let mut table = document.get_ref();
@@ -238,15 +279,15 @@ fn deep_line(text: &str) -> Option<usize> {
             .map_or(0, |key| key.matches('.').count())
     };
     text.lines()
-        .position(|line| dots(line) > MOST_DOTS)
+        .position(|line| dots(line) > MAX_DOTS)
         .map(|at| at + 1)
 }
 
-/// 64 MiB; a program of 1,000,000 steps has that.
-const LONGEST_TEXT: usize = 64 << 20;
-/// A key of a program has two for each level of steps.
-const MOST_DOTS: usize = 64;
-/// How deep repeats and grids may be in each other.
-pub(crate) const DEEPEST: usize = 32;
-/// How many names an error lists.
-const MOST_NAMES: usize = 12;
+/// 64 MiB: a program of 1,000,000 steps.
+const MAX_TEXT_BYTES: usize = 64 << 20;
+/// A key of a program has two dots for each level of steps.
+const MAX_DOTS: usize = 64;
+/// The deepest nesting of repeats and grids.
+pub(crate) const MAX_DEPTH: usize = 32;
+/// The number of names that an error lists.
+const MAX_NAMES: usize = 12;

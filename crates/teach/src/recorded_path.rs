@@ -1,4 +1,4 @@
-//! A path that was jogged, with as few points as keep it within a tolerance.
+//! Recorded paths, reduced to the fewest points within a tolerance.
 
 use dobot_geometry::distance_from_chord;
 use dobot_wire::{MovingMode, Status};
@@ -8,22 +8,22 @@ use toml::Spanned;
 
 use crate::{Action, Go, Here, Place, Point};
 
-/// A place of a path: where the tool was, and what it did there.
+/// A place of a path: the position and the state of the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RecordedPlace {
     /// x, y and z, in millimetres in the base frame.
     pub point_mm: [f64; 3],
-    /// The rotation of the tool relative to the base frame, in degrees.
+    /// The rotation of the tool in the base frame, in degrees.
     pub rotation_deg: f64,
-    /// Whether the pump ran.
+    /// Whether the pump runs.
     pub suction: bool,
     /// The gripper's angle, in degrees.
     pub gripper_deg: f64,
 }
 
 impl RecordedPlace {
-    /// Where a status says that the arm is.
+    /// The place that a status reports.
     #[must_use]
     pub fn of(status: &Status) -> Self {
         Self {
@@ -34,7 +34,8 @@ impl RecordedPlace {
         }
     }
 
-    /// The point, to a hundredth of a millimetre and of a degree, which is finer than an arm goes.
+    /// The point, rounded to a hundredth of a millimetre and of a degree, which is finer than the
+    /// arm's resolution.
     #[must_use]
     pub fn point(&self) -> Point {
         Point::Cartesian {
@@ -44,21 +45,21 @@ impl RecordedPlace {
         }
     }
 
-    /// Whether the tool does the same at both.
+    /// Whether the tool has the same state at both places.
     fn has_tool_of(&self, other: &Self) -> bool {
         self.suction == other.suction && self.gripper_deg == other.gripper_deg
     }
 
-    /// Point and rotation as one, a degree being as much as a millimetre.
+    /// Point and rotation as one vector; a degree counts as a millimetre.
     fn joined(&self) -> [f64; 4] {
         let [x, y, z] = self.point_mm;
         [x, y, z, self.rotation_deg]
     }
 }
 
-/// The fewest places that Ramer, Douglas and Peucker's choice leaves: straight lines from one to the
-/// next stay within the tolerance of all, in millimetres for the point together with degrees for the
-/// rotation. The first and the last stay, and those where the tool changes.
+/// Simplifies a path by the Ramer-Douglas-Peucker algorithm: straight lines between the remaining
+/// places stay within the tolerance, in millimetres for the point and in degrees for the rotation
+/// together. The first and the last place remain, and those where the state of the tool changes.
 ///
 /// ```text
 ///                  far .
@@ -86,8 +87,8 @@ pub fn simplified(places: &[RecordedPlace], tolerance: f64) -> Vec<RecordedPlace
         .collect()
 }
 
-/// Where a chord has to be split: where the tool changes first, else at the place that is farthest from
-/// it, if that is too far.
+/// The index at which a chord must be split: where the tool changes first, else at the place
+/// farthest from it, if that is too far.
 fn split(places: &[RecordedPlace], from: usize, to: usize, tolerance: f64) -> Option<usize> {
     let mut between = from + 1..to;
     let changes = |at: &usize| {
@@ -107,7 +108,7 @@ fn split(places: &[RecordedPlace], from: usize, to: usize, tolerance: f64) -> Op
     farthest.filter(|it| it.1 > tolerance).map(|it| it.0)
 }
 
-/// What the tool does at some place of a program.
+/// The state of the tool at a position in a program.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ToolState {
     /// Whether the pump runs.
@@ -117,7 +118,7 @@ pub struct ToolState {
 }
 
 impl ToolState {
-    /// How steps leave it that are done one after the other from the beginning of a program.
+    /// The state after these steps, executed in order from the start of a program.
     #[must_use]
     pub fn behind(steps: &[Spanned<Action>]) -> Self {
         let thens = steps.iter().filter_map(|it| match it.get_ref() {
@@ -128,7 +129,7 @@ impl ToolState {
         thens.fold(Self::default(), Self::after)
     }
 
-    /// What it does after that.
+    /// The state after an action.
     #[must_use]
     pub fn after(self, here: Here) -> Self {
         Self {
@@ -137,7 +138,7 @@ impl ToolState {
         }
     }
 
-    /// What has to be said so that the tool does as at a place.
+    /// The settings that change the tool to the state at a place.
     #[must_use]
     pub fn changes_to(self, place: &RecordedPlace) -> Here {
         let gripper = rounded(place.gripper_deg, 10.0);
@@ -149,7 +150,7 @@ impl ToolState {
     }
 }
 
-/// The steps along a path that was jogged: straight lines through its places.
+/// Steps along a recorded path: straight lines through its places.
 #[must_use]
 pub fn path_steps(places: &[RecordedPlace], mut before: ToolState) -> Vec<Action> {
     let step = |place: &RecordedPlace| {
@@ -164,7 +165,7 @@ pub fn path_steps(places: &[RecordedPlace], mut before: ToolState) -> Vec<Action
     places.iter().map(step).collect()
 }
 
-/// Without a negative zero.
+/// Replaces a negative zero by zero.
 fn rounded(number: f64, parts: f64) -> f64 {
     (number * parts).round() / parts + 0.0
 }
@@ -200,8 +201,8 @@ mod tests {
             place([200.0 * cos, 200.0 * sin, 0.0])
         };
         let path: Vec<RecordedPlace> = (0..=900).map(|it| at(f64::from(it) / 10.0)).collect();
-        // A chord of angle a is r (1 - cos(a / 2)) off: 1 mm of 200 mm allows 11.5 degrees. Halving 90
-        // degrees comes to 11.25, which is 8 chords.
+        // A chord of angle a is r (1 - cos(a / 2)) off: 1 mm of 200 mm allows 11.5 degrees. Halving
+        // 90 degrees gives 11.25 in the end, which is 8 chords.
         assert_eq!(simplified(&path, 1.0).len(), 9);
     }
 

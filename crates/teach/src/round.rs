@@ -1,4 +1,4 @@
-//! Arcs and circles by three points, cut into straight lines.
+//! Arcs and circles through three points, as straight lines.
 
 use std::f64::consts::TAU;
 
@@ -6,8 +6,8 @@ use dobot_arm::Position;
 
 use crate::axes::{cross, dot};
 
-/// The places that lead along an arc from `from` through `through`, the last of them its end: `to`, or `from` again
-/// where it is a whole circle. No straight line between them is farther than the tolerance from the arc.
+/// The places along an arc from `from` through `through`; the last one is its end: `to`, or `from`
+/// for a full circle. No straight line between them is farther than the tolerance from the arc.
 ///
 /// ```text
 ///        _ - - _        sagitta = radius (1 - cos(angle / 2))
@@ -24,15 +24,15 @@ pub(crate) fn chords(
     let area = dot(normal, normal);
     if area.sqrt() < 0.001 * a.length().0.max(b.length().0) || area == 0.0 {
         return Err(
-            "the three points of the arc lie on one line; they need to lie on a circle".into(),
+            "the three points of the arc lie on one line; they must lie on a circle".into(),
         );
     }
     let middle =
         from + (cross(normal, a) * dot(b, b) + cross(b, normal) * dot(a, a)) * (0.5 / area);
     let radius = middle.distance(from).0;
-    if radius > LARGEST_RADIUS_MM {
+    if radius > MAX_RADIUS_MM {
         return Err(format!(
-            "the radius of the arc is {radius:.0} mm; allowed are {LARGEST_RADIUS_MM} mm: go straight"
+            "the radius of the arc is {radius:.0} mm; allowed are up to {MAX_RADIUS_MM} mm: use a straight line"
         ));
     }
     let x = (from - middle) * (1.0 / radius);
@@ -58,8 +58,8 @@ pub(crate) fn chords(
     Ok((1..count).map(at).chain([end]).collect())
 }
 
-/// No arm's reach has a wider one; a flatter arc is a line.
-const LARGEST_RADIUS_MM: f64 = 10_000.0;
+/// The largest radius; a flatter arc is a line within any arm's reach.
+const MAX_RADIUS_MM: f64 = 10_000.0;
 
 #[cfg(test)]
 mod tests {
@@ -95,13 +95,13 @@ mod tests {
                 .iter()
                 .all(|it| (it.distance(middle).0 - 20.0).abs() < 1e-9)
         );
-        // It turns by way of the second point: to the left first.
+        // It turns left, through the second point.
         assert!(places[0].y.0 > 0.0);
     }
 
     #[test]
     fn three_points_on_a_line_are_no_arc() {
         let at = [200.0, 220.0, 240.0].map(|x| Position::new(x, 0.0, 0.0));
-        assert!(chords(at, false, 0.5).is_err_and(|it| it.contains("on one line")));
+        assert!(chords(at, false, 0.5).is_err_and(|reason| reason.contains("on one line")));
     }
 }

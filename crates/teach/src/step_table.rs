@@ -1,4 +1,4 @@
-//! A step as a table of the text: one key says what it does, others say how.
+//! Steps as tables of the text: one key selects the action, others set its details.
 
 use std::fmt;
 
@@ -11,8 +11,9 @@ use crate::number::{perhaps, within};
 use crate::place::Place;
 use crate::program::{Action, Arc, Drawing, Go, Here, Offset, Speed, Steps, Times};
 
-/// A step. Exactly one of `go`, `laser`, `wait`, `barrier`, `speed`, `tool`, `repeat`, `each`, `call`, `arc`, `circle`
-/// and `drawing` says what it does; or it has only `suction`, `gripper` and `pause`, which act where the arm is.
+/// A step. Exactly one of `go`, `laser`, `wait`, `barrier`, `speed`, `tool`, `repeat`, `each`,
+/// `call`, `arc`, `circle` and `drawing` selects the action; a step with only `suction`, `gripper`
+/// and `pause` acts at the current position.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 #[schemars(rename = "Step")]
@@ -20,53 +21,54 @@ pub(crate) struct StepTable {
     /// Goes to a place.
     #[serde(skip_serializing_if = "Option::is_none")]
     go: Option<Place>,
-    /// The way there: `jump` (as without it), `movl` in a straight line, or `movj` by the joints.
+    /// The path type: `jump` (default), `movl` in a straight line, or `movj` by the joints.
     #[serde(skip_serializing_if = "Option::is_none")]
     path: Option<MovingMode>,
-    /// So far from the place, in mm along the axes of its frame.
+    /// The offset from the place, in mm along the axes of its frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     offset: Option<Offset>,
-    /// Whether the pump runs from there on.
+    /// Whether the pump runs from here on.
     #[serde(skip_serializing_if = "Option::is_none")]
     suction: Option<bool>,
-    /// The gripper's angle from there on, -90 to 90 degrees.
+    /// The gripper's angle from here on, -90 to 90 degrees.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     gripper: Option<f64>,
-    /// How long the arm waits there, 0 to 655 seconds.
+    /// The pause, 0 to 655 seconds.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     pause: Option<f64>,
     /// Switches the laser.
     #[serde(skip_serializing_if = "Option::is_none")]
     laser: Option<bool>,
-    /// Waits for a person, who is told this, in 1 to 200 letters.
+    /// Waits for a person and shows this text of 1 to 200 characters.
     #[serde(skip_serializing_if = "Option::is_none")]
     wait: Option<String>,
-    /// Waits for the other arms of a program for several, at the barrier of this name, in 1 to 40 letters.
+    /// Waits for the other arms of a coordinated program at the barrier of this name, 1 to 40
+    /// characters.
     #[serde(skip_serializing_if = "Option::is_none")]
     barrier: Option<String>,
     /// Sets speeds.
     #[serde(skip_serializing_if = "Option::is_none")]
     speed: Option<Speed>,
-    /// Says which of the named tools is mounted.
+    /// Selects the mounted tool by name.
     #[serde(skip_serializing_if = "Option::is_none")]
     tool: Option<String>,
-    /// Does `steps` so often, or `"forever"`.
+    /// Repeats `steps` this many times, or `"forever"`.
     #[serde(skip_serializing_if = "Option::is_none")]
     repeat: Option<Times>,
-    /// Does `steps` for each cell of a grid, or of several side by side, by their names.
+    /// Repeats `steps` for each cell of a grid, or of several grids in parallel, given by name.
     #[serde(skip_serializing_if = "Option::is_none")]
     each: Option<Names>,
-    /// What `repeat` and `each` do.
+    /// The steps of `repeat` and `each`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<Vec<StepTable>>")]
     steps: Option<Steps>,
-    /// Does the steps of another program.
+    /// Executes the steps of another program.
     #[serde(skip_serializing_if = "Option::is_none")]
     call: Option<String>,
-    /// Goes along an arc from here to its end.
+    /// Follows an arc from the current position to its end.
     #[serde(skip_serializing_if = "Option::is_none")]
     arc: Option<Arc>,
-    /// Goes once around a circle from here.
+    /// Follows a full circle from the current position.
     #[serde(skip_serializing_if = "Option::is_none")]
     circle: Option<Arc>,
     /// Draws a file.
@@ -77,15 +79,15 @@ pub(crate) struct StepTable {
 impl TryFrom<StepTable> for Action {
     type Error = String;
 
-    fn try_from(mut it: StepTable) -> Result<Self, String> {
-        let there = it.there();
+    fn try_from(mut table: StepTable) -> Result<Self, String> {
+        let there = table.keys();
         let verbs: Vec<&str> = there
             .iter()
             .copied()
             .filter(|key| VERBS.contains(key))
             .collect();
         let verb = match verbs[..] {
-            [] if there.is_empty() => return Err(format!("a step has nothing to do; {ONE_OF}")),
+            [] if there.is_empty() => return Err(format!("a step is empty; {ONE_OF}")),
             [] => "here",
             [verb] => verb,
             [..] => return Err(format!("a step has {}; {ONE_OF}", verbs.join(" and "))),
@@ -96,17 +98,17 @@ impl TryFrom<StepTable> for Action {
             .find(|key| **key != verb && !beside.contains(key))
         {
             return Err(format!(
-                "a step has {key} beside {verb}; allowed there: {}",
+                "a step has {key} beside {verb}; allowed beside it: {}",
                 allowed(beside)
             ));
         }
-        it.action(verb)
+        table.action(verb)
     }
 }
 
 impl StepTable {
-    /// The keys that are there.
-    fn there(&self) -> Vec<&'static str> {
+    /// The keys that are present.
+    fn keys(&self) -> Vec<&'static str> {
         let keys = [
             ("go", self.go.is_some()),
             ("path", self.path.is_some()),
@@ -127,7 +129,7 @@ impl StepTable {
             ("circle", self.circle.is_some()),
             ("drawing", self.drawing.is_some()),
         ];
-        keys.iter().filter(|it| it.1).map(|it| it.0).collect()
+        keys.iter().filter(|key| key.1).map(|key| key.0).collect()
     }
 
     fn action(&mut self, verb: &str) -> Result<Action, String> {
@@ -149,7 +151,7 @@ impl StepTable {
         } = self;
         let (path, offset) = (self.path, self.offset);
         let steps = &mut self.steps;
-        let told = [
+        let actions = [
             go.take().map(|to| {
                 let (path, offset) = (path.unwrap_or(MovingMode::Jump), offset.unwrap_or_default());
                 Ok(Action::Go(Go {
@@ -159,25 +161,30 @@ impl StepTable {
                     then,
                 }))
             }),
-            laser.take().map(|it| Ok(Action::Laser(it))),
+            laser.take().map(|on| Ok(Action::Laser(on))),
             wait.take()
-                .map(|it| checked_text("wait", it, LONGEST_MESSAGE).map(Action::Wait)),
+                .map(|text| checked_text("wait", text, LONGEST_MESSAGE).map(Action::Wait)),
             barrier
                 .take()
-                .map(|it| checked_text("barrier", it, LONGEST_BARRIER).map(Action::Barrier)),
-            speed.take().map(|it| checked_speed(it).map(Action::Speed)),
-            tool.take().map(|it| Ok(Action::Tool(it))),
+                .map(|name| checked_text("barrier", name, LONGEST_BARRIER).map(Action::Barrier)),
+            speed
+                .take()
+                .map(|speed| checked_speed(speed).map(Action::Speed)),
+            tool.take().map(|name| Ok(Action::Tool(name))),
             repeat
                 .take()
-                .map(|it| Ok(Action::Repeat(it, nested(verb, steps)?))),
+                .map(|times| Ok(Action::Repeat(times, nested(verb, steps)?))),
             each.take()
-                .map(|it| Ok(Action::Each(it.0, nested(verb, steps)?))),
-            call.take().map(|it| Ok(Action::Call(it))),
-            arc.take().map(|it| checked_arc(it).map(Action::Arc)),
-            circle.take().map(|it| checked_arc(it).map(Action::Circle)),
-            drawing.take().map(|it| Ok(Action::Drawing(it))),
+                .map(|grids| Ok(Action::Each(grids.0, nested(verb, steps)?))),
+            call.take().map(|file| Ok(Action::Call(file))),
+            arc.take().map(|arc| checked_arc(arc).map(Action::Arc)),
+            circle
+                .take()
+                .map(|circle| checked_arc(circle).map(Action::Circle)),
+            drawing.take().map(|drawing| Ok(Action::Drawing(drawing))),
         ];
-        told.into_iter()
+        actions
+            .into_iter()
             .flatten()
             .next()
             .unwrap_or(Ok(Action::Here(then)))
@@ -218,8 +225,8 @@ impl From<Action> for StepTable {
                 then,
             }) => Self {
                 go: Some(to),
-                path: Some(path).filter(|it| *it != MovingMode::Jump),
-                offset: Some(offset).filter(|it| *it != Offset::default()),
+                path: Some(path).filter(|path| *path != MovingMode::Jump),
+                offset: Some(offset).filter(|offset| *offset != Offset::default()),
                 ..Self::with(then)
             },
             Action::Here(then) => Self::with(then),
@@ -324,9 +331,7 @@ impl<'de> Visitor<'de> for NamesVisitor {
             all.push(name);
         }
         if all.is_empty() {
-            return Err(A::Error::custom(
-                "each names no grid; it needs one at least",
-            ));
+            return Err(A::Error::custom("each has no grid; name at least one"));
         }
         Ok(Names(all))
     }
@@ -391,7 +396,7 @@ impl Visitor<'_> for TimesVisitor {
 fn nested(verb: &str, steps: &mut Option<Steps>) -> Result<Steps, String> {
     match steps.take() {
         Some(steps) if !steps.0.is_empty() => Ok(steps),
-        _ => Err(format!("{verb} has no steps; it needs one at least")),
+        _ => Err(format!("{verb} has no steps; add at least one")),
     }
 }
 
@@ -409,43 +414,42 @@ fn checked_arc(arc: Arc) -> Result<Arc, String> {
     within("tolerance", " mm", arc.tolerance, 0.01, 10.0).map(|_| arc)
 }
 
-fn checked_speed(it: Speed) -> Result<Speed, String> {
+fn checked_speed(speed: Speed) -> Result<Speed, String> {
     let percents = [
-        ("percent", it.percent),
-        ("acceleration_percent", it.acceleration_percent),
+        ("percent", speed.percent),
+        ("acceleration_percent", speed.acceleration_percent),
     ];
     let speeds = [
-        ("joint", it.joint),
-        ("joint_acceleration", it.joint_acceleration),
-        ("servo", it.servo),
-        ("servo_acceleration", it.servo_acceleration),
-        ("line", it.line),
-        ("line_acceleration", it.line_acceleration),
+        ("joint", speed.joint),
+        ("joint_acceleration", speed.joint_acceleration),
+        ("servo", speed.servo),
+        ("servo_acceleration", speed.servo_acceleration),
+        ("line", speed.line),
+        ("line_acceleration", speed.line_acceleration),
     ];
     let bounded = percents
-        .map(|it| (it, 100.0))
+        .map(|field| (field, 100.0))
         .into_iter()
-        .chain(speeds.map(|it| (it, 10_000.0)));
+        .chain(speeds.map(|field| (field, 10_000.0)));
     for ((key, value), most) in bounded {
-        within(key, "", value.unwrap_or(most), LEAST_SPEED, most)?;
+        within(key, "", value.unwrap_or(most), MIN_SPEED, most)?;
     }
     within(
         "jump_height",
         " mm",
-        it.jump_height.unwrap_or(0.0),
+        speed.jump_height.unwrap_or(0.0),
         0.0,
         300.0,
     )?;
-    if it == Speed::default() {
+    if speed == Speed::default() {
         return Err(
-            "speed says nothing; it needs percent, joint, line, jump_height or another of its keys"
-                .into(),
+            "speed is empty; set percent, joint, line, jump_height or another of its keys".into(),
         );
     }
-    Ok(it)
+    Ok(speed)
 }
 
-/// What may stand beside the key that says what a step does.
+/// The keys allowed beside the action.
 fn beside(verb: &str) -> &'static [&'static str] {
     match verb {
         "go" => &["path", "offset", "suction", "gripper", "pause"],
@@ -470,7 +474,7 @@ const ONE_OF: &str = "it needs one of go, suction, gripper, pause, laser, wait, 
 const FOREVER: &str = "forever";
 const LONGEST_MESSAGE: usize = 200;
 const LONGEST_BARRIER: usize = 40;
-/// What a target can say (note N10).
+/// The longest pause of a target (note N10).
 pub(crate) const LONGEST_PAUSE_S: f64 = 655.0;
-/// Slower is no speed: a way would take hours.
-pub(crate) const LEAST_SPEED: f64 = 0.001;
+/// The lowest speed; a lower one would take hours.
+pub(crate) const MIN_SPEED: f64 = 0.001;

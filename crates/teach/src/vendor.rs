@@ -1,7 +1,6 @@
-//! Files of the vendor's programs: points and speeds, read and written.
+//! Files of the vendor's software: points and speeds.
 //!
-//! They come from many machines: what is missing or written in another way is read where its meaning is clear, with
-//! a warning.
+//! Files come from many machines: deviations with a clear meaning are accepted with a warning.
 
 mod params;
 mod play;
@@ -15,36 +14,36 @@ pub use self::text::decode;
 use crate::program::{Go, Here};
 use crate::{Action, Place, Point, Program, ProgramError};
 
-/// A point of the vendor's programs: where to go by joint angles, and what the tool does there.
+/// A point of the vendor's software: joint angles and the state of the tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VendorPoint {
     /// Base, rear arm, forearm and servo, in degrees.
     pub joints_deg: [f64; 4],
-    /// The way there.
+    /// The path type.
     pub mode: MovingMode,
-    /// Whether the pump runs from there on.
+    /// Whether the pump runs from here on.
     pub grab: bool,
-    /// The gripper's angle from there on, in degrees.
+    /// The gripper's angle from here on, in degrees.
     pub gripper_deg: f64,
-    /// How long the arm waits there, in seconds.
+    /// The pause, in seconds.
     pub pause_s: f64,
 }
 
-/// What was read, and what was surprising about it, with its line.
+/// The content of a file and the warnings about it, with lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Read<T> {
-    /// What was read.
+    /// The content.
     pub it: T,
-    /// What was understood although it is not as the vendor's programs write it.
+    /// Deviations from the vendor's format that were accepted.
     pub warnings: Vec<String>,
 }
 
-/// Reads a `PlayBackPoints.xml`.
+/// Parses a `PlayBackPoints.xml`.
 ///
 /// # Errors
 ///
-/// [`ProgramError`] with the line: no XML, another root, a point without an angle, a value that is not allowed, or
-/// a document that declares entities.
+/// [`ProgramError`] with the line: not XML, another root element, a point without an angle, a value
+/// that is not allowed, or a document that declares entities.
 pub fn read_points(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError> {
     points::read(bytes)
 }
@@ -55,7 +54,7 @@ pub fn write_points(points: &[VendorPoint]) -> String {
     points::write(points)
 }
 
-/// Reads a `.play` file of the later vendor's program.
+/// Parses a `.play` file of the vendor's later software.
 ///
 /// # Errors
 ///
@@ -64,13 +63,13 @@ pub fn read_play(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError> {
     play::read(bytes)
 }
 
-/// Writes a `.play` file. It carries angles to a thousandth of a degree.
+/// Writes a `.play` file, with angles to a thousandth of a degree.
 #[must_use]
 pub fn write_play(points: &[VendorPoint]) -> String {
     play::write(points)
 }
 
-/// The program that goes through points.
+/// Creates the program that visits points.
 #[must_use]
 pub fn program_of(points: &[VendorPoint]) -> Program {
     let steps = points.iter().map(|it| {
@@ -87,7 +86,8 @@ pub fn program_of(points: &[VendorPoint]) -> Program {
     Program::new(steps.collect())
 }
 
-/// The points of a program, and what such a file cannot carry of it: its lines, each with what is lost.
+/// Returns the points of a program, and the lines that the format cannot express, each with the
+/// reason.
 #[must_use]
 pub fn points_of(program: &Program) -> (Vec<VendorPoint>, Vec<String>) {
     let mut points: Vec<VendorPoint> = Vec::new();
@@ -105,7 +105,7 @@ pub fn points_of(program: &Program) -> (Vec<VendorPoint>, Vec<String>) {
     (points, lost)
 }
 
-/// What was said so far.
+/// The state after the steps before.
 #[derive(Default)]
 struct Held {
     grab: bool,
@@ -118,7 +118,7 @@ impl Held {
         let (then, at) = match action {
             Action::Go(go) => (go.then, Some(place(program, go)?)),
             Action::Here(then) => (*then, None),
-            _ => return Err("the file knows points alone; this step is left out".to_owned()),
+            _ => return Err("the format has points only; this step is left out".to_owned()),
         };
         self.grab = then.suction.unwrap_or(self.grab);
         self.gripper_deg = then.gripper.unwrap_or(self.gripper_deg);
@@ -126,7 +126,7 @@ impl Held {
             (Some(at), _) => at,
             (None, Some(last)) => (last.joints_deg, MovingMode::MovJ),
             (None, None) => {
-                return Err("nothing says where the arm is; this step is left out".to_owned());
+                return Err("the position of the arm is unknown; this step is left out".to_owned());
             }
         };
         let pause_s = then.pause.unwrap_or(0.0);
@@ -153,15 +153,11 @@ fn place(program: &Program, go: &Go) -> Result<([f64; 4], MovingMode), String> {
             Ok((*joints, go.path))
         }
         _ => Err(
-            "the file knows joint angles alone, without offsets; this step is left out".to_owned(),
+            "the format has joint angles only, without offsets; this step is left out".to_owned(),
         ),
     }
 }
 
 fn bad(line: impl Into<Option<usize>>, reason: impl Into<String>) -> ProgramError {
-    ProgramError {
-        file: None,
-        line: line.into(),
-        reason: reason.into(),
-    }
+    ProgramError::at(line, reason)
 }

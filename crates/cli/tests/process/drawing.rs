@@ -700,10 +700,10 @@ fn bad_drawings_are_one_clear_error_each() {
         ),
         (
             "hello".to_owned(),
-            &["error: \"standard input\" is of no kind"],
+            &["error: \"standard input\" is not a supported file"],
         ),
         ("<svg".to_owned(), &["1:"]),
-        ("<html/>".to_owned(), &["of no kind that can be drawn"]),
+        ("<html/>".to_owned(), &["is not a supported file"]),
         (page(""), &["error: standard input: ", "nothing"]),
         (
             page(r#"<path d="M0 0 L10 10 L NaN 5 L20 20" stroke="red"/>"#),
@@ -720,7 +720,7 @@ fn bad_drawings_are_one_clear_error_each() {
     fs::write(&program, "[[steps]]\npause = 1\n").expect("there is room");
     dobot(&["draw", name]).fails(1, &["of no kind", &format!("dobot play {name}")]);
     dobot(&["draw", &example("")]).fails(1, &["cannot read"]);
-    dobot_reading(&["draw", "-"], &[0xFF, 0xFE, 0x00]).fails(1, &["of no kind that can be drawn"]);
+    dobot_reading(&["draw", "-"], &[0xFF, 0xFE, 0x00]).fails(1, &["is not a supported file"]);
 }
 
 #[test]

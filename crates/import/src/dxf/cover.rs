@@ -44,7 +44,7 @@ impl EntityRenderer<'_, '_> {
         if !self.sketch.hides() {
             self.left_out(
                 it,
-                "left out, what it covers is drawn; what.hide leaves that out",
+                "left out, and what it covers is drawn; what.hide removes that",
             );
             return Ok(());
         }

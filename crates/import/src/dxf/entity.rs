@@ -106,7 +106,7 @@ fn own_pairs(text: &[u8], from: usize) -> Result<Vec<Pair<'_>>, SourceError> {
     for pair in pairs(text, from).take_while(is_own) {
         let pair = pair?;
         if own.len() == MOST_PAIRS {
-            let found = format!("an entity of more than {MOST_PAIRS} groups");
+            let found = format!("an entity with more than {MOST_PAIRS} groups");
             let expected = "fewer; simplify it, or draw it in parts";
             return Err(SourceError::found(text, pair.at, found, expected));
         }

@@ -104,7 +104,7 @@ impl<'a> File<'a> {
 }
 
 fn refuse_binary(text: &[u8]) -> Result<(), SourceError> {
-    let expected = "a DXF file in text; save it as ASCII DXF";
+    let expected = "an ASCII DXF file; save it as such";
     if text.starts_with(b"AutoCAD Binary DXF") {
         return Err(SourceError::found(text, 0, "a binary DXF file", expected));
     }
@@ -207,7 +207,7 @@ impl<'a> SectionReader<'a> {
             // 0 is a file that does not tell.
             if code != 0.0 && self.file.unit_mm.is_none() {
                 let found = format!("$INSUNITS {code}");
-                let expected = "a unit of length that is drawn: 1, 2, 4 to 6, 8 to 10, 13 or 14";
+                let expected = "a supported unit of length: 1, 2, 4 to 6, 8 to 10, 13 or 14";
                 return Err(SourceError::found(
                     self.file.text,
                     pair.value_at,

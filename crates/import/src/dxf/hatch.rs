@@ -24,7 +24,7 @@ impl EntityRenderer<'_, '_> {
             let end = starts.get(i + 1).copied().unwrap_or(it.pairs.len());
             let path = &it.pairs[start..end];
             let Some(ring) = self.ring(it, path, frame)? else {
-                self.left_out(it, "a boundary of an unknown kind, left out");
+                self.left_out(it, "a boundary of unknown type left out");
                 return Ok(());
             };
             rings.push(ring);

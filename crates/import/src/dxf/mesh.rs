@@ -43,7 +43,7 @@ impl EntityRenderer<'_, '_> {
             edges = edges_of_grid(it, corners.len())?;
         }
         if edges.is_empty() || edges.iter().any(|(a, b)| *a.max(b) >= corners.len()) {
-            self.left_out(it, "left out, for its faces are not whole");
+            self.left_out(it, "left out, because its faces are incomplete");
             return Ok(());
         }
         // Faces may have corners of their own in the same places, and one may lie above another.
@@ -147,7 +147,7 @@ fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, So
         let found = || it.refused(format!("{:?} in the faces of MESH", shortened(&text)), what);
         Ok(Some(number.ok_or_else(found)?))
     };
-    let expected = "counts of corners, and for each as many numbers of corners that are there";
+    let expected = "counts of corners, each followed by that many existing corner numbers";
     while let Some(count) = next(corners, expected)? {
         let mut face = Vec::new();
         for _ in 0..count {

@@ -127,7 +127,7 @@ impl EntityRenderer<'_, '_> {
         let mut all = Vec::new();
         for line in lines {
             let Some(mut dashes) = line.dashes_in(frame, around) else {
-                self.left_out(it, "its pattern left out, for its lines are too many");
+                self.left_out(it, "its pattern left out, because it has too many lines");
                 return self.sketch.area(area);
             };
             all.append(&mut dashes);

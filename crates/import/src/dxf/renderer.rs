@@ -91,7 +91,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             self.copies_left = left;
             return Ok(());
         }
-        let expected = "copies of blocks (INSERT) of less than 200 MB together";
+        let expected = "copies of blocks (INSERT) of less than 200 MB in total";
         Err(self.sketch.found(span.at, "one copy too many", expected))
     }
 
@@ -210,11 +210,11 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(it, frame, depth > 0),
             b"MTEXT" => self.paragraphs(it, frame),
             b"RAY" | b"XLINE" => {
-                self.left_out(it, "left out, for it has no end");
+                self.left_out(it, "left out, because it has no end");
                 Ok(())
             }
             _ => {
-                self.left_out(it, "not known, left out");
+                self.left_out(it, "unknown, left out");
                 Ok(())
             }
         }
@@ -236,13 +236,16 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         let is_off = !is_block && info.is_some_and(LayerInfo::is_off);
         let is_unplotted = is_for_points || info.is_some_and(|it| it.is_unplotted);
         let (what, instead) = if is_off || info.is_some_and(|it| it.is_frozen) {
-            ("hidden object", "left out, for its layer is off or frozen")
+            (
+                "hidden object",
+                "left out, because its layer is off or frozen",
+            )
         } else if it.flags(67)? == 1 {
             ("paper space object", "left out")
         } else if is_unplotted && !is_block {
             (
                 "unplotted object",
-                "left out, for its layer is never plotted",
+                "left out, because its layer is not plotted",
             )
         } else {
             return Ok(false);
@@ -255,7 +258,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     fn seen(&mut self, it: &Entity<'_>, frame: Affine) -> Result<Option<Affine>, SourceError> {
         let (x, y) = (it.number_or(210, 0.0)?, it.number_or(220, 0.0)?);
         if x.hypot(y) > 1e-6 {
-            let instead = "left out, for only what lies in the plane XY is drawn";
+            let instead = "left out, because only objects in the XY plane are drawn";
             self.sketch.warn(it.at, "tilted object", instead);
             return Ok(None);
         }
@@ -289,7 +292,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         let name = it.find(2).map(Pair::text).unwrap_or_default();
         let Some(block) = self.file.blocks.get(&name) else {
             let first = shortened(&name);
-            let instead = format!("left out, for its block is not in the file: {first:?}");
+            let instead = format!("left out, because its block is not in the file: {first:?}");
             self.left_out(it, &instead);
             return Ok(());
         };
@@ -354,7 +357,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         let name = it.find(2).map(Pair::text).unwrap_or_default();
         let block = self.file.blocks.get(&name);
         if block.is_none() {
-            self.left_out(it, "left out, for its picture is not in the file");
+            self.left_out(it, "left out, because its picture is not in the file");
         }
         block
     }
@@ -367,7 +370,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
         if copy.depth == MOST_DEPTH {
-            return Err(it.refused("a block in itself", "blocks in at most 32 others"));
+            return Err(it.refused("a block inside itself", "blocks nested at most 32 deep"));
         }
         self.spend(Span {
             kind: b"",

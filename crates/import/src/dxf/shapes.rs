@@ -202,7 +202,7 @@ impl EntityRenderer<'_, '_> {
         weights: &[f64],
     ) -> Result<Vec<Point>, SourceError> {
         let spline = Spline::new(degree, knots, placed, weights);
-        let expected = "degree 1 to 15, knots for each control point and degree + 1 more";
+        let expected = "degree 1 to 15, and as many knots as control points plus degree plus 1";
         let spline = spline.map_err(|found| it.refused(found, expected))?;
         let points = spline.points(self.sketch.tolerance_mm(), MAX_SEGMENTS);
         let limit = MAX_SEGMENTS;

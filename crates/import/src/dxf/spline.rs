@@ -29,11 +29,14 @@ impl Spline {
             ));
         }
         if knots.windows(2).any(|it| it[0] > it[1]) {
-            return Err("knots that go back".to_owned());
+            return Err("knots in descending order".to_owned());
         }
         let all_count = weights.is_empty() || weights.len() == points.len();
         if !all_count || weights.iter().any(|&it| it <= 0.0) {
-            return Err("weights that are not one above 0 for each control point".to_owned());
+            return Err(
+                "a number of weights other than that of control points, or a weight of 0 or less"
+                    .to_owned(),
+            );
         }
         let weights = weights.iter().copied().chain(std::iter::repeat(1.0));
         let controls = points

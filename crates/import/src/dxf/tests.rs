@@ -63,7 +63,7 @@ fn more_objects_and_groups_than_fit_are_refused_with_their_place() {
     );
     let told = error(wide.as_bytes());
     let expected =
-        "2000029:1: found an entity of more than 1000000 groups; expected fewer; simplify";
+        "2000029:1: found an entity with more than 1000000 groups; expected fewer; simplify";
     assert_eq!(told.split(" it,").next(), Some(expected));
 }
 
@@ -148,7 +148,7 @@ fn what_lies_far_from_the_drawing_is_refused_with_both_places() {
         "",
         "0 POINT 10 3 20 4 0 POINT 10 3000000 20 0 0 POINT 10 5 20 5",
     );
-    let told = "33:1: found an object at (3000000, 0) mm, far from that at 27:1; expected all objects within 1000000 mm; delete what lies far off the drawing";
+    let told = "33:1: found an object at (3000000, 0) mm, far from that at 27:1; expected all objects within 1000000 mm; delete objects far away from the drawing";
     assert_eq!(error(text.as_bytes()), told);
 }
 
@@ -377,7 +377,7 @@ fn the_edges_of_old_meshes_are_drawn_once() {
         faces(&[]),
     ] {
         let (_, warnings) = draw(&format!("0 POINT 10 0 20 0 {broken}"));
-        let told = "1 POLYLINE: left out, for its faces are not whole";
+        let told = "1 POLYLINE: left out, because its faces are incomplete";
         assert!(warnings[0].ends_with(told), "{warnings:?}");
     }
 }
@@ -437,7 +437,7 @@ fn layers_have_names_and_colors_and_hidden_ones_are_left_out() {
     );
     assert_eq!(warnings.len(), 2);
     assert!(
-        warnings[0].ends_with("2 hidden objects: left out, for its layer is off or frozen"),
+        warnings[0].ends_with("2 hidden objects: left out, because its layer is off or frozen"),
         "{warnings:?}"
     );
 }
@@ -474,7 +474,7 @@ fn what_lies_on_layers_that_never_plot_is_left_out_with_a_warning() {
         0 LINE 8 DEFPOINTS 10 0 20 5 11 9 21 5 0 POINT 8 Defpoints 10 0 20 7";
     let (artwork, warnings) = draw_text(&file(tables, "", entities));
     assert_eq!(corners(&artwork), [[(0.0, 0.0), (9.0, 0.0)]]);
-    let told = "2 unplotted objects: left out, for its layer is never plotted";
+    let told = "2 unplotted objects: left out, because its layer is not plotted";
     assert!(
         warnings.len() == 1 && warnings[0].ends_with(told),
         "{warnings:?}"
@@ -528,7 +528,7 @@ fn names_of_layers_and_blocks_are_the_same_in_capitals() {
     // Programs that tell such names apart are not AutoCAD, and may have both.
     let wanted = [("Türen", Some([255, 0, 0])), ("türen", Some([0, 0, 255]))];
     assert_eq!(found, wanted);
-    let told = "1 hidden object: left out, for its layer is off or frozen";
+    let told = "1 hidden object: left out, because its layer is off or frozen";
     assert!(
         warnings.len() == 1 && warnings[0].ends_with(told),
         "{warnings:?}"
@@ -540,7 +540,7 @@ fn a_block_that_is_missing_is_left_out_with_a_warning() {
     let (artwork, warnings) =
         draw("0 LINE 10 0 20 0 11 9 21 0 0 INSERT 2 foo 10 0 20 0 0 INSERT 2 bar 10 5 20 5");
     assert_eq!(corners(&artwork), [[(0.0, 0.0), (9.0, 0.0)]]);
-    let told = "37:1: 2 INSERTs: left out, for its block is not in the file: \"foo\"";
+    let told = "37:1: 2 INSERTs: left out, because its block is not in the file: \"foo\"";
     assert_eq!(warnings, [told]);
 }
 
@@ -629,16 +629,16 @@ fn what_is_left_out_is_named_with_its_count() {
     assert_eq!(
         texts,
         [
-            "1 3DSOLID: not known, left out",
-            "2 formatted texts: written plainly: in one height, nothing underlined, fractions in a row",
+            "1 3DSOLID: unknown, left out",
+            "2 formatted texts: written plainly: one height, no underlines, fractions on one line",
             "2 characters: not in the sans letters, left out; the first is '漢'",
-            "2 TEXTs: left out, for its letters have no size",
-            "1 MTEXT: left out, for its letters have no size",
-            "1 DIMENSION: left out, for its picture is not in the file",
-            "1 RAY: left out, for it has no end",
-            "1 tilted object: left out, for only what lies in the plane XY is drawn",
-            "1 HATCH: a boundary of an unknown kind, left out",
-            "1 POLYLINE: left out, for its faces are not whole",
+            "2 TEXTs: left out, because its letters have no size",
+            "1 MTEXT: left out, because its letters have no size",
+            "1 DIMENSION: left out, because its picture is not in the file",
+            "1 RAY: left out, because it has no end",
+            "1 tilted object: left out, because only objects in the XY plane are drawn",
+            "1 HATCH: a boundary of unknown type left out",
+            "1 POLYLINE: left out, because its faces are incomplete",
         ]
     );
 }
@@ -653,11 +653,11 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             "AutoCAD Binary DXF\r\n\u{1a}\0".into(),
-            "1:1: found a binary DXF file; expected a DXF file in text; save it as ASCII DXF",
+            "1:1: found a binary DXF file; expected an ASCII DXF file; save it as such",
         ),
         (
             "AC1032\0\0".into(),
-            "1:1: found a DWG file; expected a DXF file in text; save it as ASCII DXF",
+            "1:1: found a DWG file; expected an ASCII DXF file; save it as such",
         ),
         (
             "hello\nworld\n".into(),
@@ -706,11 +706,11 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             in_text("0 SPLINE 71 3 10 0 20 0"),
-            "27:1: found a spline of degree 3 with 1 control points and 0 knots; expected degree 1 to 15, knots for each control point and degree + 1 more",
+            "27:1: found a spline of degree 3 with 1 control points and 0 knots; expected degree 1 to 15, and as many knots as control points plus degree plus 1",
         ),
         (
             in_text("0 INSERT 2 none 10 0 20 0"),
-            "nothing to draw: no lines in the file; 27:1: 1 INSERT: left out, for its block is not in the file: \"none\"",
+            "nothing to draw: no lines in the file; 27:1: 1 INSERT: left out, because its block is not in the file: \"none\"",
         ),
     ] {
         assert_eq!(error(text.as_bytes()), expected, "{text}");
@@ -718,7 +718,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
     let unit = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n20\n";
     assert_eq!(
         error(unit.as_bytes()),
-        "8:1: found $INSUNITS 20; expected a unit of length that is drawn: 1, 2, 4 to 6, 8 to 10, 13 or 14"
+        "8:1: found $INSUNITS 20; expected a supported unit of length: 1, 2, 4 to 6, 8 to 10, 13 or 14"
     );
 }
 
@@ -730,7 +730,7 @@ fn blocks_in_blocks_end_somewhere() {
         "0 INSERT 2 a 10 0 20 0",
     );
     assert!(
-        error(itself.as_bytes()).contains("found a block in itself"),
+        error(itself.as_bytes()).contains("found a block inside itself"),
         "{}",
         error(itself.as_bytes())
     );
@@ -741,7 +741,7 @@ fn blocks_in_blocks_end_somewhere() {
     }
     let laughs = file("", &blocks, "0 INSERT 2 b19 10 0 20 0");
     assert!(error(laughs.as_bytes()).contains(
-        "found one copy too many; expected copies of blocks (INSERT) of less than 200 MB together"
+        "found one copy too many; expected copies of blocks (INSERT) of less than 200 MB in total"
     ));
     let rows = file(
         "",
@@ -815,7 +815,7 @@ fn names_from_2007_on_are_in_utf8_and_those_without_a_code_page_western() {
     let unknown = "9 $ACADVER 1 AC1009 9 $DWGCODEPAGE 3 dos863";
     let (name, warnings) = layer_name(unknown, b"Fr\xe4ser");
     assert_eq!(name, "Fräser");
-    let told = "1 file in an unknown code page: its letters taken for western ones; its header tells \"dos863\"";
+    let told = "1 file in an unknown code page: read as Windows-1252; its header names \"dos863\"";
     assert_eq!(warnings, [told]);
     assert_eq!(layer_name(unknown, b"wall").1, [""; 0]);
 }

@@ -72,7 +72,7 @@ impl EntityRenderer<'_, '_> {
         let extent = LineExtent::of(&content.text, &mut self.lettering);
         let pose = text_pose(it, extent)?;
         if !has_size(it, &pose)? {
-            self.left_out(it, "left out, for its letters have no size");
+            self.left_out(it, "left out, because its letters have no size");
             return Ok(());
         }
         self.write(it, frame, &content.text, pose)
@@ -92,7 +92,7 @@ impl EntityRenderer<'_, '_> {
             up: up * unit,
         };
         if !has_size(it, &pose)? {
-            self.left_out(it, "left out, for its letters have no size");
+            self.left_out(it, "left out, because its letters have no size");
             return Ok(());
         }
         let (column, row) = attachment(it)?;
@@ -170,7 +170,7 @@ impl EntityRenderer<'_, '_> {
 
     fn tell_plainer(&mut self, it: &Entity<'_>, content: &Content) {
         if content.is_plainer {
-            let instead = "written plainly: in one height, nothing underlined, fractions in a row";
+            let instead = "written plainly: one height, no underlines, fractions on one line";
             self.sketch.warn(it.at, "formatted text", instead);
         }
     }
@@ -182,7 +182,7 @@ fn check_length(it: &Entity<'_>, text: &str) -> Result<(), SourceError> {
         return Ok(());
     }
     let found = format!("a text of {} bytes", text.len());
-    let expected = format!("at most {MOST_LETTERS}; divide it");
+    let expected = format!("at most {MOST_LETTERS}; split it");
     Err(it.refused(found, &expected))
 }
 

@@ -66,7 +66,7 @@ fn ring(it: &Entity<'_>) -> Result<Vec<Point>, SourceError> {
     let Some(&[xx, xy, _, x, yx, yy, _, y, ..]) =
         numbers.len().checked_sub(24).map(|it| &numbers[it..])
     else {
-        let found = format!("a clip with {} numbers (40)", numbers.len());
+        let found = format!("a clip with {} numbers (group 40)", numbers.len());
         return Err(it.refused(found, "two matrices of 12 numbers"));
     };
     let to_block = Affine::new([xx, yx, xy, yy, x, y]);

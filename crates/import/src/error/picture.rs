@@ -16,12 +16,12 @@ pub enum ImageError {
     EmptyFile,
     /// Another format, whatever its name says.
     #[error(
-        "the file begins as no {} does; save the picture anew as PNG or JPEG",
+        "the file is not a {} file; save the picture as PNG or JPEG",
         Format::names(Format::is_picture, "or")
     )]
     UnknownFormat,
     /// The file breaks off, or is not what its first bytes say.
-    #[error("the {format} picture cannot be read: {problem}; save it again as PNG or JPEG")]
+    #[error("cannot read the {format} picture: {problem}; save it again as PNG or JPEG")]
     Damaged {
         /// Which one.
         format: &'static str,
@@ -30,7 +30,7 @@ pub enum ImageError {
     },
     /// A width or height of 0, which a GIF file may have.
     #[error(
-        "the picture has {width} x {height} pixels; at least 1 x 1 is needed: save it again as PNG or JPEG"
+        "the picture has {width} x {height} pixels; allowed are 1 x 1 or more; save it again as PNG or JPEG"
     )]
     NoPixels {
         /// From left to right.
@@ -40,7 +40,7 @@ pub enum ImageError {
     },
     /// More pixels than are ever needed.
     #[error(
-        "the picture has {width} x {height} pixels; at most {limit} million are allowed: make it smaller"
+        "the picture has {width} x {height} pixels; allowed are {limit} million; make it smaller"
     )]
     TooManyPixels {
         /// From left to right.
@@ -51,7 +51,7 @@ pub enum ImageError {
         limit: usize,
     },
     /// A setting of the shading is out of range.
-    #[error("the {setting} of the shading is {found}; it must be {allowed}")]
+    #[error("the {setting} of the shading is {found}; allowed is {allowed}")]
     Setting {
         /// Which.
         setting: &'static str,
@@ -62,7 +62,7 @@ pub enum ImageError {
     },
     /// Lines so near to each other on so large a paper that drawing them would take days.
     #[error(
-        "a spacing of {spacing_mm} mm is too fine for a picture of {width_mm:.0} x {height_mm:.0} mm on the paper; it must be at least {least_mm:.2} mm, or the picture smaller"
+        "a spacing of {spacing_mm} mm is too fine for a picture of {width_mm:.0} x {height_mm:.0} mm on the paper; allowed are {least_mm:.2} mm or more; use a wider spacing or a smaller picture"
     )]
     TooFine {
         /// The spacing asked for, on the paper.

@@ -21,7 +21,7 @@ pub enum SvgError {
     },
     /// XML of which the end is missing, as after a broken download.
     #[error(
-        "{place}: not well-formed XML: the file ends too soon, {part} begins here and is not closed"
+        "{place}: not well-formed XML: the file ends too soon: {part} starts here and is not closed"
     )]
     EndsTooSoon {
         /// Where the innermost part begins that is not closed.
@@ -30,7 +30,7 @@ pub enum SvgError {
         part: String,
     },
     /// XML, but something else.
-    #[error("{place}: the outermost element is <{found}>, not <svg>")]
+    #[error("{place}: the outermost element is <{found}>; it must be <svg>")]
     NotSvg {
         /// Where the element begins.
         place: Place,
@@ -60,7 +60,7 @@ pub enum SvgError {
         problem: &'static str,
     },
     /// An element that is drawn inside itself.
-    #[error("{place}: <{element}> refers back to an element that holds it")]
+    #[error("{place}: <{element}> refers to an element that contains it")]
     Recursive {
         /// Where the element stands.
         place: Place,
@@ -69,7 +69,7 @@ pub enum SvgError {
     },
     /// Elements inside elements inside elements.
     #[error(
-        "{place}: elements are nested more than {limit} deep, counting references; ungroup them"
+        "{place}: elements are nested more than {limit} deep, including references; ungroup them"
     )]
     TooDeep {
         /// The first element that is too deep.
@@ -79,7 +79,7 @@ pub enum SvgError {
     },
     /// More elements than a plotter draws in a lifetime, counting each reference as a copy.
     #[error(
-        "the drawing has more than {limit} elements, counting copies; combine its paths, or draw it in parts"
+        "the drawing has more than {limit} elements, including copies; combine its paths, or draw it in parts"
     )]
     TooManyElements {
         /// How many are allowed.
@@ -87,7 +87,7 @@ pub enum SvgError {
     },
     /// More elements, and groups that they become, than there is room for.
     #[error(
-        "the drawing has more than {limit} elements, counting copies, and twice those that have a transform, an opacity, a clip path, a mask or a filter; combine its paths, or draw it in parts"
+        "the drawing has more than {limit} elements, including copies and counting those twice that have a transform, an opacity, a clip path, a mask or a filter; combine its paths, or draw it in parts"
     )]
     TooManyGroups {
         /// How many are allowed.
@@ -95,7 +95,7 @@ pub enum SvgError {
     },
     /// Styles that take for ever to read.
     #[error(
-        "the styles (CSS) of the elements take for ever to read, counting copies; save the file as plain SVG, without long style attributes"
+        "the styles (CSS) of the elements take too long to read, including copies; save the file as plain SVG, without long style attributes"
     )]
     LongStyles,
     /// More line segments than a plotter draws in a lifetime.
@@ -116,11 +116,11 @@ pub enum SvgError {
     },
     /// Clip paths that cut so often that it takes for ever.
     #[error(
-        "cutting lines and areas at the clip paths takes for ever; simplify the clip paths, or draw it in parts"
+        "clipping lines and areas takes too long; simplify the clip paths, or draw it in parts"
     )]
     TooManyCuts,
     /// The page has no area, or no size at all.
-    #[error("width, height or viewBox of <svg> leave the page without an area")]
+    #[error("the page has no area; set width, height or viewBox of <svg> above 0")]
     NoPage,
     /// A point beyond any table.
     #[error(
@@ -140,7 +140,7 @@ pub enum SvgError {
     )]
     NoFont,
     /// The tolerance must be a positive number of millimetres.
-    #[error("the tolerance is {found_mm} mm; it must be from {least_mm} mm up")]
+    #[error("the tolerance is {found_mm} mm; allowed are {least_mm} mm or more")]
     Tolerance {
         /// What was asked for.
         found_mm: f64,

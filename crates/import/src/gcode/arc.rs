@@ -24,11 +24,11 @@ pub(super) fn center_by_radius(
     let way = end - start;
     let half = way.length() / 2.0;
     if half < SAME_MM {
-        return Err("an arc by radius that ends where it begins".to_owned());
+        return Err("an arc given by its radius that ends at its start".to_owned());
     }
     if differ(half.max(radius.abs()), radius.abs()) {
         return Err(format!(
-            "an arc of radius {:.3} mm between points that are {:.3} mm apart",
+            "an arc of radius {:.3} mm between points {:.3} mm apart",
             radius.abs(),
             2.0 * half
         ));
@@ -58,7 +58,7 @@ pub(super) fn sweep_rad(
     }
     if differ(begins, ends) {
         return Err(format!(
-            "an arc that begins {begins:.3} mm from its center and ends {ends:.3} mm from it"
+            "an arc whose start is {begins:.3} mm and whose end is {ends:.3} mm from its center"
         ));
     }
     let turn = a.cross(b).atan2(a.dot(b));

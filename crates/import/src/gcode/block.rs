@@ -95,7 +95,7 @@ impl Block {
     fn set(&mut self, text: &[u8], at: usize, letter: u8, value: f64) -> Result<(), SourceError> {
         let i = usize::from(letter - b'A');
         if self.letters & (1 << i) != 0 {
-            let once = format!("{} once in a line", char::from(letter));
+            let once = format!("{} only once per line", char::from(letter));
             return Err(SourceError::unexpected(text, at, &once));
         }
         self.letters |= 1 << i;
@@ -191,7 +191,7 @@ impl BlockLexer<'_> {
         self.skip_line();
         let line = &self.text[begin..self.at];
         let Some(end) = comment_end(line) else {
-            return Err(self.found(begin, "a comment that ends with ) in its line"));
+            return Err(self.found(begin, "a comment closed by ) on the same line"));
         };
         self.at = begin + end + 1;
         Ok(())
@@ -227,7 +227,7 @@ impl BlockLexer<'_> {
         match found {
             Some((sum, length)) if sum == f64::from(expected) => self.at += 1 + length,
             _ => {
-                let sum = format!("*{expected}, the exclusive or of the line's bytes");
+                let sum = format!("*{expected}, the checksum (XOR of the bytes of the line)");
                 return Err(self.found(self.at, &sum));
             }
         }
@@ -311,4 +311,4 @@ fn comment_end(line: &[u8]) -> Option<usize> {
 }
 
 const NUMBER: &str = "a number from -1e9 to 1e9";
-const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas and subroutines have to be written out by the program that made the file)";
+const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas and subroutines are not supported; expand them in the program that made the file)";

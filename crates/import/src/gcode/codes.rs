@@ -16,25 +16,27 @@ pub(super) fn g(code: u32) -> Meaning {
     use Meaning::{LeftOut, Plain, Refused};
     match code {
         530..=599 => Plain,
-        50..=52 => Refused("splines are not read; have them written as lines or arcs"),
-        70 => Refused("diameters of a lathe are not read"),
-        100 => Refused("offsets set by the program are not read; have the file written without"),
-        120 | 130 => Refused("pockets are not read; have them written as lines or arcs"),
-        160 => Refused("polar coordinates are not read; have them written as X and Y"),
-        310 | 380..=389 => Refused("where a probe stops is not known"),
-        320 | 330 | 331 | 760 => Refused("threads are not read"),
-        410 | 411 | 420 | 421 => {
-            Refused("cutter compensation is not read; have the path written as the tool goes")
+        50..=52 => Refused("splines are not supported; export lines or arcs"),
+        70 => Refused("lathe diameters are not supported"),
+        100 => Refused("offsets set by the program are not supported; export without them"),
+        120 | 130 => Refused("pockets are not supported; export lines or arcs"),
+        160 => Refused("polar coordinates are not supported; export X and Y"),
+        310 | 380..=389 => {
+            Refused("probing is not supported, because the end of the move is unknown")
         }
-        510 => Refused("scaling is not read; have the file written at its true size"),
-        520 | 923 => Refused("offsets set by the program are not read; use G92"),
-        650 | 660 => Refused("macros are not read; have them written out"),
-        680 => Refused("rotation is not read; have the file written as it is to lie"),
-        870 | 880 => Refused("this canned cycle is not read; have it written as single moves"),
-        930 | 950 => LeftOut("speeds are taken for those by minute"),
+        320 | 330 | 331 | 760 => Refused("threading is not supported"),
+        410 | 411 | 420 | 421 => {
+            Refused("cutter compensation is not supported; export the path of the tool center")
+        }
+        510 => Refused("scaling is not supported; export at true size"),
+        520 | 923 => Refused("offsets set by the program are not supported; use G92"),
+        650 | 660 => Refused("macros are not supported; expand them"),
+        680 => Refused("rotation is not supported; export the rotated drawing"),
+        870 | 880 => Refused("this canned cycle is not supported; export single moves"),
+        930 | 950 => LeftOut("speeds are read as units per minute"),
         _ if is_drill(code) => Plain,
         _ if PLAIN_G.binary_search(&code).is_ok() => Plain,
-        _ => LeftOut("not known, left out"),
+        _ => LeftOut("unknown, left out"),
     }
 }
 
@@ -52,9 +54,9 @@ pub(super) const fn m(code: u32) -> Meaning {
         20 | 30 | 40 | 50 | 60 | 70 | 80 | 90 | 170 | 180 | 300 | 480 | 490 | 820 | 830 | 840
         | 990 | 1060 | 1070 | 2800 => Plain,
         0 | 10 | 600 => LeftOut("drawn without a pause"),
-        970 | 980 => Refused("subroutines are not read; have them written out"),
+        970 | 980 => Refused("subroutines are not supported; expand them"),
         1170 | 1180 => LeftOut("its message is not shown"),
-        _ => LeftOut("not known, left out"),
+        _ => LeftOut("unknown, left out"),
     }
 }
 

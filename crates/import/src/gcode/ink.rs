@@ -45,7 +45,7 @@ impl<'s, 'a> Inker<'s, 'a> {
 
     pub(super) fn draw(&mut self, it: &Move) -> Result<(), SourceError> {
         if it.kind == MoveKind::Drill && !matches!(self.rule, InkRule::Height { .. }) {
-            let instead = "left out, for the pen is not lifted by Z";
+            let instead = "left out, because Z does not lift the pen";
             self.sketch.warn(it.at, "drilled hole", instead);
             return Ok(());
         }
@@ -85,7 +85,7 @@ impl<'s, 'a> Inker<'s, 'a> {
             .filter(|it| it.speed_mm_s.is_none_or(|it| it > FASTEST_MM_S));
         let too_strong = strong.min_by(|a, b| a.share.total_cmp(&b.share));
         if let Some(first) = self.dim.first() {
-            let instead = "burned faster instead, for this laser is on or off";
+            let instead = "burned faster instead, because this laser is only on or off";
             self.sketch.warn(first.at, "weaker layer", instead);
         }
         if let Some(it) = too_strong {
@@ -97,7 +97,7 @@ impl<'s, 'a> Inker<'s, 'a> {
                 .speed_mm_s
                 .map_or(1.0 / it.share, |mm_s| mm_s / FASTEST_MM_S);
             let instead = format!(
-                "S{} is {percent:.3} % of full power ({full}), and the arm is not fast enough to burn as little: it burns {times:.1} times as much; leave the layer out with what.only",
+                "S{} is {percent:.3} % of full power ({full}), and the arm is too slow for that: it burns {times:.1} times as much; omit the layer with what.only",
                 it.share * full
             );
             self.sketch
@@ -133,7 +133,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         let is_dwell = it.kind == MoveKind::Dwell;
         let is_by_z = matches!(self.rule, InkRule::Height { .. } | InkRule::HighPen { .. });
         let (what, instead) = if it.stands() && (is_by_z || !is_dwell) {
-            let instead = "not burned, for Z and drilling cycles switch no laser on";
+            let instead = "not burned, because Z and drilling cycles do not switch a laser on";
             ("hole", instead)
         } else if switch.is_on(it) {
             return false;
@@ -141,7 +141,7 @@ impl<'s, 'a> Inker<'s, 'a> {
             let instead = "not burned (G4 before the first line, above all lines or of a drill)";
             ("spindle dwell", instead)
         } else {
-            let instead = "not burned, for the laser is off there (G0, M5, M107 or S0)";
+            let instead = "not burned, because the laser is off there (G0, M5, M107 or S0)";
             ("dark move", instead)
         };
         self.sketch.warn(it.at, what, instead);
@@ -163,7 +163,7 @@ impl<'s, 'a> Inker<'s, 'a> {
     fn dot(&mut self, mut it: Move) -> Result<(), SourceError> {
         if !self.has_moved && self.has_trial() {
             let instead = "left out, before the first move (M300)";
-            self.sketch.warn(it.at, "trial of the pen", instead);
+            self.sketch.warn(it.at, "pen test", instead);
             return Ok(());
         }
         if self.stays_dark(&it) {
@@ -240,7 +240,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         let first = layer.speed_mm_s;
         layer.speed_mm_s = first.or(tool.speed_mm_s);
         if first.is_some() && tool.speed_mm_s.is_some() && tool.speed_mm_s != first {
-            let instead = "drawn with the first speed of its tool";
+            let instead = "drawn with the first speed of the tool";
             self.sketch.warn(it.at, "speed change", instead);
         }
         Ok(())

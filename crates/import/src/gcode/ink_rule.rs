@@ -59,28 +59,29 @@ impl InkRule {
     pub(super) fn assumed(self) -> Option<(&'static str, String)> {
         match self {
             Self::Laser { is_at_heights, .. } => {
-                let draws = "all that M3, M4 or M106 burn is burned, at any Z".to_owned();
+                let draws =
+                    "everything with the laser on (M3, M4 or M106) is burned, at any Z".to_owned();
                 is_at_heights.then_some(("laser at several heights", draws))
             }
             Self::Height { below_mm, source } => source.assumed(below_mm),
             Self::HighPen { above_mm } => {
                 let draws = format!("drawn where Z is above {above_mm:.2} mm");
-                Some(("file whose travels (G0) are below its lines", draws))
+                Some(("file with travels (G0) below its lines", draws))
             }
             Self::Switch => {
-                let draws = "G1, G2 and G3 draw while M3, M4 or M106 hold".to_owned();
+                let draws = "G1, G2 and G3 draw while M3, M4 or M106 is active".to_owned();
                 Some(("file without powers (S)", draws))
             }
             Self::Servo { code, up, source } => {
-                let draws = format!("S{up} taken for up, {}", source.reason());
+                let draws = format!("S{up} read as pen up, {}", source.reason());
                 Some((code.what(), draws))
             }
             Self::Plain { has_switch } => {
                 let draws = "G1, G2 and G3 draw, G0 travels".to_owned();
                 let what = if has_switch {
-                    "file whose M3, M5 or S leave open when a pen is down"
+                    "file with ambiguous pen commands (M3, M5 or S)"
                 } else {
-                    "file without words for laser or pen (M3, Z)"
+                    "file without commands for a laser or a pen (M3, Z)"
                 };
                 Some((what, draws))
             }
@@ -93,13 +94,13 @@ impl InkRule {
         match self {
             Self::Laser { .. } | Self::Switch => "no move with the laser on",
             Self::Height { .. } | Self::HighPen { .. } | Self::Servo { .. } if burns => {
-                "no line that a laser burns"
+                "no line with the laser on"
             }
             Self::Height { .. } | Self::HighPen { .. } => "no move with the pen down",
             Self::Servo { .. } => "no move with the servo down",
             Self::Plain { .. } => "no moves by G1, G2 or G3",
             Self::Dark => {
-                "the laser never has power in a line (M3, M4 or M106, with S above 0 where the file has S)"
+                "the laser has no power in any line (M3, M4 or M106, and S above 0 if the file uses S)"
             }
         }
     }
@@ -115,18 +116,19 @@ impl HeightSource {
         Some(match self {
             Self::Zero => return None,
             Self::AboveZero => {
-                let draws = "left out, for only what is below is drawn".to_owned();
+                let draws = "left out, because only lines below Z 0 are drawn".to_owned();
                 ("file with lines at Z 0", draws)
             }
             Self::AtZero => {
-                let draws = "drawn as those below, for the tool comes down to them".to_owned();
+                let draws =
+                    "drawn like those below, because the tool moves down to them".to_owned();
                 ("file with lines at Z 0", draws)
             }
-            Self::BelowZero => ("file whose lines are all below Z 0", draws()),
+            Self::BelowZero => ("file with all lines below Z 0", draws()),
             Self::Rapids | Self::Lowest if lowest_mm < 0.0 => {
-                ("file whose travels are below Z 0", draws())
+                ("file with travels below Z 0", draws())
             }
-            Self::Rapids | Self::Lowest => ("file that never goes below Z 0", draws()),
+            Self::Rapids | Self::Lowest => ("file without moves below Z 0", draws()),
         })
     }
 }

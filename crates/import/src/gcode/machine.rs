@@ -155,7 +155,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         hand_on: &mut impl FnMut(&Move) -> Result<(), SourceError>,
     ) -> Result<(), SourceError> {
         if self.has_ended {
-            let instead = "left out, after the end (M2, M30 or M99)";
+            let instead = "left out, because it is after the end (M2, M30 or M99)";
             self.warn(block.at, "unreached line", instead);
             return Ok(());
         }
@@ -221,7 +221,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         for &letter in OTHER_AXES {
             if block.value(letter).is_some() {
                 let what = format!("{} word", char::from(letter));
-                let instead = "left out, for only X and Y are drawn";
+                let instead = "left out, because only X and Y are drawn";
                 self.warn(block.place(letter), &what, instead);
             }
         }
@@ -278,7 +278,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         let mut motions = block.g.0.iter().filter(|it| it.1 <= 30);
         match motions.nth(1) {
             Some(&(at, code)) => {
-                let expected = "one of G0 to G3 in a line";
+                let expected = "one of G0 to G3 per line";
                 Err(self.found(at, codes::name('G', code), expected))
             }
             None => Ok(()),
@@ -289,7 +289,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         let first = *self.system.get_or_insert(code);
         if first != code {
             let [what, first] = [code, first].map(|it| codes::name('G', it));
-            let instead = format!("drawn as if it lay where {first} lies");
+            let instead = format!("drawn in the place of {first}");
             self.warn(at, &format!("{what} coordinate system"), &instead);
         }
     }
@@ -381,7 +381,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         if self.motion < 20 && block.has_any(b"IJR") {
             let places = b"IJR".iter().filter(|it| block.value(**it).is_some());
             let at = places.map(|&it| block.place(it)).min().unwrap_or(block.at);
-            let expected = "I, J and R with G2 or G3 only";
+            let expected = "I, J and R only with G2 or G3";
             let found = format!(
                 "the center of an arc with {}",
                 codes::name('G', self.motion)
@@ -431,8 +431,8 @@ impl<'a, 'w> Machine<'a, 'w> {
         let sides = |p: Point| if is_zx { [p.x, p.y] } else { [p.y, p.x] };
         let [[from, across], [end, ends_across]] = [self.at, to].map(sides);
         if across != ends_across {
-            let found = "an upright arc (G18 or G19) that goes sideways, too";
-            return Err(self.found(block.at, found, "one that stays in its plane"));
+            let found = "an upright arc (G18 or G19) that also moves sideways";
+            return Err(self.found(block.at, found, "an arc within its plane"));
         }
         let ends = [
             Point::new(from, self.z_mm.unwrap_or(0.0)),
@@ -518,7 +518,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         cycle.bottom_mm = bottom_mm.or(cycle.bottom_mm);
         self.cycle = Some(cycle);
         let (Some(r_mm), Some(bottom_mm)) = (cycle.r_mm, cycle.bottom_mm) else {
-            let expected = "Z, where it ends, and R, where it begins";
+            let expected = "Z (the depth) and R (the start height)";
             return Err(self.found(block.at, "a drilling cycle without a depth", expected));
         };
         if let Some(times) = block.value(b'L').filter(|&it| it != 1.0) {
@@ -550,7 +550,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             return Ok(());
         }
         if !block.has_any(b"XYZE") {
-            return Err(self.found(block.at, "G92 alone", "X, Y or Z with it"));
+            return Err(self.found(block.at, "G92 without an axis", "X, Y or Z after it"));
         }
         let value = |letter| block.value(letter).map(|it| it * self.unit_mm);
         let [x, y, z] = [b'X', b'Y', b'Z'].map(value);
@@ -568,7 +568,7 @@ impl<'a, 'w> Machine<'a, 'w> {
 
     /// G28 and G30: the machine's own corner, where Marlin begins to count at 0.
     fn home(&mut self, block: &Block, at: usize) -> Move {
-        self.warn(at, "G28 or G30 homing", "taken for a travel to X 0, Y 0");
+        self.warn(at, "G28 or G30 homing", "read as a travel to X 0, Y 0");
         let is_all = !block.has_any(b"XYZ");
         let homes = |letter| is_all || block.value(letter).is_some();
         let axis = |letter, here| if homes(letter) { 0.0 } else { here };
@@ -581,7 +581,7 @@ impl<'a, 'w> Machine<'a, 'w> {
 
     /// G53: in the machine's own coordinates, which the file does not define.
     fn machine_move(&mut self, block: &Block) -> Result<Move, SourceError> {
-        self.warn(block.at, "G53 move", "taken for a travel with the pen up");
+        self.warn(block.at, "G53 move", "read as a travel with the pen up");
         let value = |letter, here| block.value(letter).map_or(here, |it| it * self.unit_mm);
         let to = Point::new(value(b'X', self.at.x), value(b'Y', self.at.y));
         let to = checked(self.text, block.at, to)?;

@@ -49,11 +49,11 @@ pub(super) enum UpSource {
 impl UpSource {
     pub(super) const fn reason(self) -> &'static str {
         match self {
-            Self::Comment => "as a comment says",
-            Self::Rapids => "as G0 has it",
-            Self::Larger => "for it is the largest angle",
-            Self::Last => "as the program ends with it",
-            Self::First => "as the first move has it",
+            Self::Comment => "as a comment states",
+            Self::Rapids => "the angle in G0 moves",
+            Self::Larger => "because it is the largest angle",
+            Self::Last => "the angle at the end of the program",
+            Self::First => "the angle in the first move",
         }
     }
 }

@@ -89,7 +89,7 @@ fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_told() {
     assert_eq!(strokes, [2, 1, 1]);
     assert_eq!(
         warnings,
-        ["4:1: 1 weaker layer: burned faster instead, for this laser is on or off"]
+        ["4:1: 1 weaker layer: burned faster instead, because this laser is only on or off"]
     );
     let speeds: Vec<_> = artwork.layers.iter().map(|it| it.speed_mm_s).collect();
     assert_eq!(speeds, [Some(10.0), Some(10.0 / 0.3), Some(1.0)]);
@@ -139,7 +139,7 @@ fn power_that_the_file_tells_in_percent_is_burned_as_fast_as_the_arm_can() {
             Some(true)
         );
         assert!(
-            warnings[1].contains("times as much; leave the layer out"),
+            warnings[1].contains("times as much; omit the layer"),
             "{warnings:?}"
         );
     }
@@ -184,14 +184,14 @@ fn a_pen_that_never_goes_below_zero_draws_below_its_travels() {
     assert_eq!(corners(text), [[(0.0, 5.0), (4.0, 5.0), (4.0, 0.0)]]);
     assert_eq!(
         warnings,
-        ["1 file that never goes below Z 0: drawn where Z is below 3.00 mm"]
+        ["1 file without moves below Z 0: drawn where Z is below 3.00 mm"]
     );
     let only_g1 = text.replace("G0", "G1").replace("0.4", "0.3");
     let (_, warnings) = draw(&only_g1);
     assert_eq!(corners(&only_g1), [[(0.0, 5.0), (4.0, 5.0), (4.0, 0.0)]]);
     assert_eq!(
         warnings,
-        ["1 file that never goes below Z 0: drawn where Z is below 0.40 mm"]
+        ["1 file without moves below Z 0: drawn where Z is below 0.40 mm"]
     );
 }
 
@@ -237,7 +237,7 @@ fn drilled_holes_are_dots_where_z_lifts_the_pen() {
     let (_, warnings) = draw("M280 S90\nG0 X1\nM280 S30\nG1 X5\nM280 S90\nG81 X9 Z-1 R1");
     assert!(
         warnings
-            .contains(&"6:1: 1 drilled hole: left out, for the pen is not lifted by Z".to_owned()),
+            .contains(&"6:1: 1 drilled hole: left out, because Z does not lift the pen".to_owned()),
         "{warnings:?}"
     );
 }
@@ -275,7 +275,7 @@ fn a_file_without_pen_or_laser_draws_with_g1_and_says_so() {
     let (_, warnings) = draw(text);
     assert_eq!(
         warnings,
-        ["1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels"]
+        ["1 file without commands for a laser or a pen (M3, Z): G1, G2 and G3 draw, G0 travels"]
     );
 }
 
@@ -427,14 +427,14 @@ fn what_is_left_out_is_named_with_its_place_and_count() {
         [
             "1:1: 1 M117 code: its message is not shown",
             "2:1: 1 machine setting: left out ($)",
-            "4:1: 2 M999 codes: not known, left out",
-            "5:7: 2 E words: left out, for only X and Y are drawn",
-            "7:1: 1 G55 coordinate system: drawn as if it lay where G54 lies",
-            "9:1: 1 G93 code: speeds are taken for those by minute",
-            "10:1: 1 G28 or G30 homing: taken for a travel to X 0, Y 0",
-            "11:1: 1 G53 move: taken for a travel with the pen up",
-            "13:1: 1 unreached line: left out, after the end (M2, M30 or M99)",
-            "1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels",
+            "4:1: 2 M999 codes: unknown, left out",
+            "5:7: 2 E words: left out, because only X and Y are drawn",
+            "7:1: 1 G55 coordinate system: drawn in the place of G54",
+            "9:1: 1 G93 code: speeds are read as units per minute",
+            "10:1: 1 G28 or G30 homing: read as a travel to X 0, Y 0",
+            "11:1: 1 G53 move: read as a travel with the pen up",
+            "13:1: 1 unreached line: left out, because it is after the end (M2, M30 or M99)",
+            "1 file without commands for a laser or a pen (M3, Z): G1, G2 and G3 draw, G0 travels",
         ]
     );
 }
@@ -457,7 +457,7 @@ fn words_of_other_codes_are_no_moves_no_tools_and_no_speeds() {
     assert!(
         warnings
             .iter()
-            .all(|it| it.ends_with("code: not known, left out")),
+            .all(|it| it.ends_with("code: unknown, left out")),
         "{warnings:?}"
     );
     // With a motion code beside it, and modal beside a laser's, a word is one of a move.
@@ -477,15 +477,15 @@ fn programs_have_numbers_and_an_end_and_lasers_that_are_switched_with_the_moves(
 
 #[test]
 fn what_would_draw_something_else_is_refused_with_its_place() {
-    let word = "expected a word such as G1 or X-2.5 (variables, formulas and subroutines have to be written out by the program that made the file)";
+    let word = "expected a word such as G1 or X-2.5 (variables, formulas and subroutines are not supported; expand them in the program that made the file)";
     for (text, expected) in [
         (
             "",
-            "nothing to draw: no moves by G1, G2 or G3; 1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels",
+            "nothing to draw: no moves by G1, G2 or G3; 1 file without commands for a laser or a pen (M3, Z): G1, G2 and G3 draw, G0 travels",
         ),
         (
             "G0 X1\nM5",
-            "nothing to draw: the laser never has power in a line (M3, M4 or M106, with S above 0 where the file has S)",
+            "nothing to draw: the laser has no power in any line (M3, M4 or M106, and S above 0 if the file uses S)",
         ),
         ("G1 X1\nG1 Xabc", &format!("2:4: found \"Xabc\"; {word}")),
         ("G1 X1,5", &format!("1:6: found \",5\"; {word}")),
@@ -500,12 +500,15 @@ fn what_would_draw_something_else_is_refused_with_its_place() {
         ("G1 X--5", &format!("1:4: found \"X--5\"; {word}")),
         (
             "G1 X1 (open",
-            "1:7: found \"(open\"; expected a comment that ends with ) in its line",
+            "1:7: found \"(open\"; expected a comment closed by ) on the same line",
         ),
-        ("G1 X1 X2", "1:7: found \"X2\"; expected X once in a line"),
+        (
+            "G1 X1 X2",
+            "1:7: found \"X2\"; expected X only once per line",
+        ),
         (
             "G1 G2 X1",
-            "1:4: found G2; expected one of G0 to G3 in a line",
+            "1:4: found G2; expected one of G0 to G3 per line",
         ),
         (
             "G1.25 X1",
@@ -521,28 +524,31 @@ fn what_would_draw_something_else_is_refused_with_its_place() {
         ),
         (
             "G5 X1",
-            "1:1: found G5; expected moves by G0 to G3: splines are not read; have them written as lines or arcs",
+            "1:1: found G5; expected moves by G0 to G3: splines are not supported; export lines or arcs",
         ),
         (
             "G18 G2 X10 Y1 R5",
-            "1:1: found an upright arc (G18 or G19) that goes sideways, too; expected one that stays in its plane",
+            "1:1: found an upright arc (G18 or G19) that also moves sideways; expected an arc within its plane",
         ),
         (
             "G41 D1",
-            "1:1: found G41; expected moves by G0 to G3: cutter compensation is not read; have the path written as the tool goes",
+            "1:1: found G41; expected moves by G0 to G3: cutter compensation is not supported; export the path of the tool center",
         ),
         (
             "G87 X1 Z-1 R1",
-            "1:1: found G87; expected moves by G0 to G3: this canned cycle is not read; have it written as single moves",
+            "1:1: found G87; expected moves by G0 to G3: this canned cycle is not supported; export single moves",
         ),
         (
             "M98 P1",
-            "1:1: found M98; expected moves by G0 to G3: subroutines are not read; have them written out",
+            "1:1: found M98; expected moves by G0 to G3: subroutines are not supported; expand them",
         ),
-        ("G92", "1:1: found G92 alone; expected X, Y or Z with it"),
+        (
+            "G92",
+            "1:1: found G92 without an axis; expected X, Y or Z after it",
+        ),
         (
             "G1 X1 I1",
-            "1:7: found the center of an arc with G1; expected I, J and R with G2 or G3 only",
+            "1:7: found the center of an arc with G1; expected I, J and R only with G2 or G3",
         ),
         (
             "G2 X1",
@@ -550,7 +556,7 @@ fn what_would_draw_something_else_is_refused_with_its_place() {
         ),
         (
             "G2 X10 I4",
-            "1:1: found an arc that begins 4.000 mm from its center and ends 6.000 mm from it; expected ends that fit the arc",
+            "1:1: found an arc whose start is 4.000 mm and whose end is 6.000 mm from its center; expected ends that fit the arc",
         ),
         (
             "G2 X10 I0 J0",
@@ -558,11 +564,11 @@ fn what_would_draw_something_else_is_refused_with_its_place() {
         ),
         (
             "G2 X10 R4",
-            "1:8: found an arc of radius 4.000 mm between points that are 10.000 mm apart; expected a radius of at least half their distance",
+            "1:8: found an arc of radius 4.000 mm between points 10.000 mm apart; expected a radius of at least half their distance",
         ),
         (
             "G2 X0 R4",
-            "1:7: found an arc by radius that ends where it begins; expected a radius of at least half their distance",
+            "1:7: found an arc given by its radius that ends at its start; expected a radius of at least half their distance",
         ),
         (
             "G2 I5 P2",
@@ -570,7 +576,7 @@ fn what_would_draw_something_else_is_refused_with_its_place() {
         ),
         (
             "N1 G1 X1*5",
-            "1:9: found \"*5\"; expected *96, the exclusive or of the line's bytes",
+            "1:9: found \"*5\"; expected *96, the checksum (XOR of the bytes of the line)",
         ),
     ] {
         assert_eq!(error(text), expected, "{text}");
@@ -588,7 +594,7 @@ fn an_upright_arc_without_a_center_and_a_drilling_cycle_without_a_depth_are_refu
         ),
         (
             "G81 X1 Z-1",
-            "1:1: found a drilling cycle without a depth; expected Z, where it ends, and R, where it begins",
+            "1:1: found a drilling cycle without a depth; expected Z (the depth) and R (the start height)",
         ),
         (
             "G91 G81 X1 Z-1 R1 L3",
@@ -609,7 +615,7 @@ fn what_would_fill_the_memory_is_refused() {
     let travels = "G0X1\nG0X2\n".repeat(1_500_001) + "oops";
     assert_eq!(
         error(&travels),
-        "3000001:1: found more than 3000000 moves; expected no more in a drawing; simplify it, or draw it in parts"
+        "3000001:1: found more than 3000000 moves; expected at most that in a drawing; simplify it, or draw it in parts"
     );
     let mut speeds = "M3 S1\n".to_owned();
     for i in 0..1001 {

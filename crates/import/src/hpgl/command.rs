@@ -159,7 +159,7 @@ impl<'a> CommandLexer<'a> {
                 _ => break,
             }
         }
-        Err(self.found("settings of the printer at the most: pictures and fonts of printers (PCL) are not drawn"))
+        Err(self.found("printer settings only; printer pictures and fonts (PCL) are not supported"))
     }
 
     fn skip_printer_lines(&mut self) {
@@ -213,7 +213,7 @@ impl<'a> CommandLexer<'a> {
         let begin = self.at;
         let text = self.until(self.label_end);
         if begin + text.len() == self.text.len() {
-            let expected = "ETX (character 3) behind it, or the character that DT sets";
+            let expected = "ETX (character 3) after it, or the terminator set by DT";
             return Err(SourceError::found(
                 self.text,
                 at,
@@ -222,8 +222,8 @@ impl<'a> CommandLexer<'a> {
             ));
         }
         if text.len() > MOST_LETTERS {
-            let found = format!("a label of {} letters", text.len());
-            let expected = format!("at most {MOST_LETTERS}; divide it");
+            let found = format!("a label of {} characters", text.len());
+            let expected = format!("at most {MOST_LETTERS}; split it");
             return Err(SourceError::found(self.text, at, found, expected));
         }
         let length = text.len() + usize::from(self.writes_end);

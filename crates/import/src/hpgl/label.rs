@@ -58,19 +58,21 @@ impl Plotter<'_> {
             b"ES" if numbers.len() < 3 => {
                 labels.characters.extra = Point::new(first, it.number(1).unwrap_or_default());
             }
-            b"ES" => return Err(self.refused(it, "the extra width and height of cells")),
+            b"ES" => {
+                return Err(self.refused(it, "the extra width and height of the character cells"));
+            }
             b"CS" | b"CA" if first != 0.0 => unlike(
                 "character set",
-                "taken for Roman-8, or for UTF-8 where it is (CS)",
+                "read as Roman-8, or as UTF-8 if it is valid UTF-8 (CS)",
             ),
             b"SD" | b"AD" if !numbers.is_empty() => unlike(
                 "font",
-                "written in plain letters, as large as SI or SR says (SD)",
+                "written in plain letters, in the size set by SI or SR (SD)",
             ),
             b"DV" if first != 0.0 => unlike("text path", "written to the right (DV)"),
             b"TD" if first != 0.0 => unlike(
                 "transparent label",
-                "its control characters are obeyed (TD)",
+                "its control characters are executed (TD)",
             ),
             _ => {}
         }
@@ -90,7 +92,7 @@ impl Plotter<'_> {
                 };
                 size(Vec2::new(width, height))
             }
-            _ => return Err(self.refused(it, "a width and a height, none of them 0")),
+            _ => return Err(self.refused(it, "a width and a height other than 0")),
         };
         Ok(())
     }
@@ -102,7 +104,7 @@ impl Plotter<'_> {
             _ => return Err(self.refused(it, "a direction as run,rise")),
         };
         if way.length() == 0.0 {
-            self.warn(it, "zero direction", "left as it was (DI or DR)");
+            self.warn(it, "zero direction", "ignored (DI or DR)");
             return Ok(());
         }
         self.labels.characters.direction = if &it.name == b"DR" {
@@ -117,7 +119,7 @@ impl Plotter<'_> {
     fn set_origin(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let mut number = it.number(0).unwrap_or(1.0);
         if number == PCL_ORIGIN {
-            let instead = "taken for LO 1 (LO 21)";
+            let instead = "read as LO 1 (LO 21)";
             self.labels
                 .unlike
                 .push((it.at, "PCL label origin", instead));
@@ -143,7 +145,7 @@ impl Plotter<'_> {
                 cursor.at += cell.advance * spaces;
                 cursor.lines(&cell, lines);
             }
-            _ => return Err(self.refused(it, "how many spaces and lines, or nothing")),
+            _ => return Err(self.refused(it, "the numbers of spaces and lines, or nothing")),
         }
         self.put_pen(it, cursor)
     }
@@ -189,7 +191,7 @@ impl Plotter<'_> {
             '\u{8}' => cursor.at -= cell.advance,
             '\t' => {
                 cursor.at += cell.advance * TAB;
-                self.warn(it, "label tab", "taken for five spaces");
+                self.warn(it, "label tab", "read as five spaces");
             }
             it if it.is_control() => {}
             _ => {
@@ -236,7 +238,7 @@ impl Plotter<'_> {
         }
         let characters = self.labels.characters;
         if characters.size == Size::Default {
-            let instead = "written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)";
+            let instead = "written as for an A4 sheet, 1.87 mm wide, 2.69 mm tall (no SI or SR)";
             self.warn(it, "sizeless text", instead);
         }
         characters.cell(&self.transform)

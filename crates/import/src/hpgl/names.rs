@@ -11,6 +11,6 @@ pub(super) const fn left_out(name: [u8; 2]) -> Option<&'static str> {
         | b"PP" | b"PT" | b"PW" | b"QL" | b"RP" | b"SA" | b"SB" | b"SS" | b"ST" | b"TL" | b"TR"
         | b"WD" | b"WU" | b"MU" | b"VN" => None,
         b"XT" | b"YT" | b"UC" | b"SV" | b"RF" => Some("left out"),
-        _ => Some("not known, left out"),
+        _ => Some("unknown, left out"),
     }
 }

@@ -295,7 +295,7 @@ impl<'a> Plotter<'a> {
             return Ok(false);
         }
         if std::mem::take(&mut self.is_new_page) && self.has_drawn {
-            self.warn(it, "further page", "drawn onto the same sheet (PG)");
+            self.warn(it, "further page", "drawn on the same sheet (PG)");
         }
         if !self.is_selected {
             self.select_layer(it)?;
@@ -320,7 +320,7 @@ impl<'a> Plotter<'a> {
             self.warn(
                 it,
                 "speed change",
-                "drawn with the first speed of its pen (VS)",
+                "drawn with the first speed of the pen (VS)",
             );
         }
         Ok(())
@@ -384,7 +384,7 @@ impl<'a> Plotter<'a> {
     fn fill_type(&mut self, it: &Command<'_>) {
         self.has_pattern = it.number(0).is_some_and(|kind| kind > 2.0);
         if self.has_pattern {
-            self.warn(it, "fill pattern", "filled as all areas are (FT)");
+            self.warn(it, "fill pattern", "filled like all other areas (FT)");
         }
     }
 

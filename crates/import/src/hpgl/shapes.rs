@@ -35,7 +35,7 @@ impl Plotter<'_> {
     /// AT and RT: an arc through a point to another.
     pub(super) fn arc_through(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let (&[x1, y1, x2, y2] | &[x1, y1, x2, y2, _]) = it.numbers.as_slice() else {
-            return Err(self.refused(it, "x,y of a point between, and of the end"));
+            return Err(self.refused(it, "x,y of an intermediate point, and of the end"));
         };
         let from = self.base(&it.name == b"RT");
         let (middle, end) = (from + Vec2::new(x1, y1), from + Vec2::new(x2, y2));

@@ -56,7 +56,7 @@ fn corners_in_percent_need_a_sheet_unless_they_only_shift_the_scale() {
     assert_eq!(
         warnings,
         [
-            "1:23: 1 shift of the scale: left out, for the size of the sheet is not known (IR without PS)"
+            "1:23: 1 shift of the scale: left out, because the size of the sheet is unknown (IR without PS)"
         ]
     );
     // Both corners, of a sheet of 100 mm by 50.
@@ -65,7 +65,7 @@ fn corners_in_percent_need_a_sheet_unless_they_only_shift_the_scale() {
     assert!(warnings.is_empty(), "{warnings:?}");
     let unknown = error(b"IP0,0,9,9;IR10,20,60,70;SC0,1,0,1;PA0,0;PD1,1");
     assert!(
-        unknown.contains("the size of the sheet is not known"),
+        unknown.contains("the size of the sheet is unknown"),
         "{unknown}"
     );
     let three = error(b"PS4000,2000;IR1,2,3");
@@ -115,7 +115,7 @@ fn scaled_units_are_stretched_into_their_corners() {
     let (_, warnings) = draw("SC0,1,0,1;PD1,1");
     assert_eq!(
         warnings,
-        ["1:1: 1 cornerless scale: taken for that of a sheet of A4 (SC without IP)"]
+        ["1:1: 1 cornerless scale: read as that of an A4 sheet (SC without IP)"]
     );
 }
 
@@ -503,11 +503,11 @@ fn what_is_left_out_is_named_with_its_place_and_count() {
         warnings,
         [
             "1:4: 1 line type without a pattern: drawn solid (LT)",
-            "2:1: 2 sizeless texts: written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)",
-            "2:30: 1 ZZ command: not known, left out",
-            "3:1: 1 fill pattern: filled as all areas are (FT)",
-            "3:8: 1 further page: drawn onto the same sheet (PG)",
-            "3:22: 1 late turn: turned about the origin, not on its sheet, whose size is not known (RO)",
+            "2:1: 2 sizeless texts: written as for an A4 sheet, 1.87 mm wide, 2.69 mm tall (no SI or SR)",
+            "2:30: 1 ZZ command: unknown, left out",
+            "3:1: 1 fill pattern: filled like all other areas (FT)",
+            "3:8: 1 further page: drawn on the same sheet (PG)",
+            "3:22: 1 late rotation: rotated about the origin instead of the sheet, because the size of the sheet is unknown (RO)",
         ]
     );
 }
@@ -566,7 +566,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             b"\x1B&l1O\x1B*b3W\x01\x02\x03",
-            "1:6: found \"\\u{1b}*b3W\\u{1}\\u{2}\\u{3}\"; expected settings of the printer at the most: pictures and fonts of printers (PCL) are not drawn",
+            "1:6: found \"\\u{1b}*b3W\\u{1}\\u{2}\\u{3}\"; expected printer settings only; printer pictures and fonts (PCL) are not supported",
         ),
         (
             b"PD50000000,0",
@@ -574,7 +574,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             b"SC0,0,1,1",
-            "1:1: found SC 0,0,1,1; expected a scale that is not flat",
+            "1:1: found SC 0,0,1,1; expected a scale with a width and a height",
         ),
         (
             b"SC1,2,3",
@@ -582,15 +582,15 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             b"IP0,0,0,9",
-            "1:1: found IP 0,0,0,9; expected x,y of P1 and of P2, which differ in both",
+            "1:1: found IP 0,0,0,9; expected x,y of P1 and of P2, different in both",
         ),
         (
             b"IR10,10",
-            "1:1: found IR 10,10; expected IP, for the size of the sheet is not known",
+            "1:1: found IR 10,10; expected IP, because the size of the sheet is unknown",
         ),
         (
             b"RO45",
-            "1:1: found RO 45; expected a turn of 0, 90, 180 or 270 degrees",
+            "1:1: found RO 45; expected a rotation of 0, 90, 180 or 270 degrees",
         ),
         (b"VS0", "1:1: found VS 0; expected a speed above 0 cm/s"),
         (b"CI", "1:1: found CI; expected a radius"),
@@ -604,7 +604,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             b"AT1,2",
-            "1:1: found AT 1,2; expected x,y of a point between, and of the end",
+            "1:1: found AT 1,2; expected x,y of an intermediate point, and of the end",
         ),
         (
             b"BZ1,2",
@@ -621,19 +621,19 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         (b"PM3", "1:1: found PM 3; expected PM 0, PM 1 or PM 2"),
         (
             b"PD5,5;\nLBHello",
-            "2:1: found a label without an end; expected ETX (character 3) behind it, or the character that DT sets",
+            "2:1: found a label without an end; expected ETX (character 3) after it, or the terminator set by DT",
         ),
         (
             b"DT#;BLHello\x03",
-            "1:5: found a label without an end; expected ETX (character 3) behind it, or the character that DT sets",
+            "1:5: found a label without an end; expected ETX (character 3) after it, or the terminator set by DT",
         ),
         (
             b"SI0,1",
-            "1:1: found SI 0,1; expected a width and a height, none of them 0",
+            "1:1: found SI 0,1; expected a width and a height other than 0",
         ),
         (
             b"SR1",
-            "1:1: found SR 1; expected a width and a height, none of them 0",
+            "1:1: found SR 1; expected a width and a height other than 0",
         ),
         (b"DI1", "1:1: found DI 1; expected a direction as run,rise"),
         (
@@ -642,11 +642,11 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             b"CP1",
-            "1:1: found CP 1; expected how many spaces and lines, or nothing",
+            "1:1: found CP 1; expected the numbers of spaces and lines, or nothing",
         ),
         (
             b"ES1,2,3",
-            "1:1: found ES 1,2,3; expected the extra width and height of cells",
+            "1:1: found ES 1,2,3; expected the extra width and height of the character cells",
         ),
         (
             b"SI999999999,1;LBH\x03",
@@ -654,7 +654,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             b"LB \x03",
-            "nothing to draw: no command draws with a pen down; 1:1: 1 sizeless text: written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)",
+            "nothing to draw: no command draws with a pen down; 1:1: 1 sizeless text: written as for an A4 sheet, 1.87 mm wide, 2.69 mm tall (no SI or SR)",
         ),
         (
             b"PE!!;",

@@ -18,7 +18,7 @@ impl Plotter<'_> {
                 [p1, p1 + (old2 - old1)]
             }
             &[x1, y1, x2, y2] if x1 != x2 && y1 != y2 => [Point::new(x1, y1), Point::new(x2, y2)],
-            _ => return Err(self.refused(it, "x,y of P1 and of P2, which differ in both")),
+            _ => return Err(self.refused(it, "x,y of P1 and of P2, different in both")),
         };
         self.knows_corners = !it.numbers.is_empty();
         // Patterns are as long as their share of the way between the corners.
@@ -44,11 +44,11 @@ impl Plotter<'_> {
         }
         let Some([length, width]) = self.sheet else {
             if self.knows_corners && it.numbers.len() == 2 {
-                let instead = "left out, for the size of the sheet is not known (IR without PS)";
+                let instead = "left out, because the size of the sheet is unknown (IR without PS)";
                 self.warn(it, "shift of the scale", instead);
                 return Ok(());
             }
-            return Err(self.refused(it, "IP, for the size of the sheet is not known"));
+            return Err(self.refused(it, "IP, because the size of the sheet is unknown"));
         };
         if ![2, 4].contains(&it.numbers.len()) {
             return Err(self.refused(it, "x,y of P1, or of P1 and of P2, in percent"));
@@ -73,7 +73,7 @@ impl Plotter<'_> {
     pub(super) fn set_scale(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let scale = scale(&it.numbers).map_err(|expected| self.refused(it, expected))?;
         if scale.is_some() && !self.knows_corners {
-            let instead = "taken for that of a sheet of A4 (SC without IP)";
+            let instead = "read as that of an A4 sheet (SC without IP)";
             self.warn(it, "cornerless scale", instead);
         }
         self.use_transform(PlotTransform {
@@ -89,11 +89,11 @@ impl Plotter<'_> {
             Some(90.0) => 1,
             Some(180.0) => 2,
             Some(270.0) => 3,
-            _ => return Err(self.refused(it, "a turn of 0, 90, 180 or 270 degrees")),
+            _ => return Err(self.refused(it, "a rotation of 0, 90, 180 or 270 degrees")),
         };
         if self.has_drawn && quarters != self.transform.quarters {
-            let instead = "turned about the origin, not on its sheet, whose size is not known (RO)";
-            self.warn(it, "late turn", instead);
+            let instead = "rotated about the origin instead of the sheet, because the size of the sheet is unknown (RO)";
+            self.warn(it, "late rotation", instead);
         }
         self.labels.margin_mm = None;
         self.renew_window()?;
@@ -125,7 +125,7 @@ fn scale(numbers: &[f64]) -> Result<Option<Scale>, &'static str> {
         _ => from.x == to.x || from.y == to.y,
     };
     if is_flat {
-        return Err("a scale that is not flat");
+        return Err("a scale with a width and a height");
     }
     Ok(Some(Scale { from, to, kind }))
 }

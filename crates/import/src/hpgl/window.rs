@@ -29,11 +29,11 @@ impl Plotter<'_> {
             return Ok(());
         };
         if a.x == b.x || a.y == b.y {
-            self.warn(it, "flat window", "nothing is cut off by it (IW)");
+            self.warn(it, "flat window", "nothing is clipped (IW)");
             return Ok(());
         }
         if self.transform.scale.is_some() {
-            let instead = "taken for one in the units of SC, as in HP-GL/2 (IW)";
+            let instead = "read as one in the units of SC, as in HP-GL/2 (IW)";
             self.warn(it, "window in a scale", instead);
         }
         let corners = [a, b].map(|p| self.transform.plotter_units(p).to_point());

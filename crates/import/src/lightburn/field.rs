@@ -50,7 +50,7 @@ impl<'d> Field<'d> {
     /// A whole number from 0 up.
     pub(super) fn count(self, file: &str) -> Result<u32, SourceError> {
         let number = self.text.trim().parse().ok();
-        number.ok_or_else(|| self.refused(file, "a whole number from 0 up"))
+        number.ok_or_else(|| self.refused(file, "a whole number of 0 or more"))
     }
 
     /// Whether it says yes: 1 or 0, as `LightBurn` writes it.
@@ -80,7 +80,7 @@ pub(super) fn length(file: &str, node: Node<'_, '_>, name: &str) -> Result<f64, 
     };
     let length = field.number(file)?;
     if length < 0.0 {
-        return Err(field.refused(file, "a length from 0 up, in mm"));
+        return Err(field.refused(file, "a length of 0 mm or more"));
     }
     Ok(length)
 }

@@ -135,7 +135,7 @@ pub(super) fn old_joints(
         let is_curve = match node.attribute("T") {
             Some("L") => false,
             Some("B") => true,
-            _ => return Err(refused("<P of another T")),
+            _ => return Err(refused("<P with another T")),
         };
         Ok(Joint {
             is_curve,

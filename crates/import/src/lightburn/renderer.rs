@@ -94,9 +94,9 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
     /// Fills what is to be filled, and tells of what was left out.
     pub(super) fn finish(mut self) -> Result<(), SourceError> {
         self.fills.draw(self.sketch, &mut self.cuts)?;
-        let off = "left out, the output of their layers is off in LightBurn";
+        let off = "left out, because the output of its layer is off in LightBurn";
         self.off.tell(self.sketch, "switched-off shape", off);
-        let tools = "left out, LightBurn does not output them either";
+        let tools = "left out, because LightBurn does not output tool layers";
         self.tools.tell(self.sketch, "tool-layer shape", tools);
         for cut in self.drawn {
             if let Some(at) = self.cuts.of(cut).at {
@@ -118,7 +118,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         match kind {
             "Group" | "Component" => return self.group(shape, pose),
             "Bitmap" => {
-                let instead = "left out; save it from LightBurn and draw it by itself: dobot draw picture.png";
+                let instead = "left out; save it from LightBurn and draw it separately: dobot draw picture.png";
                 self.left_out(shape, "picture", instead);
                 return Ok(());
             }
@@ -137,7 +137,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
                 let instead = format!(
                     "left out (the first is a {kind:?}); convert them to paths in LightBurn and save the project"
                 );
-                self.left_out(shape, "unread shape", &instead);
+                self.left_out(shape, "unsupported shape", &instead);
                 return Ok(());
             }
         };
@@ -146,7 +146,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
 
     fn group(&mut self, group: Node<'d, '_>, pose: Pose) -> Result<(), SourceError> {
         if pose.depth == MAX_DEPTH {
-            let found = format!("groups in groups, more than {MAX_DEPTH} deep");
+            let found = format!("groups nested more than {MAX_DEPTH} deep");
             let expected = "fewer; ungroup them in LightBurn";
             return Err(self.sketch.found(group.range().start, found, expected));
         }
@@ -176,7 +176,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
                 return self.shape(outlines, pose);
             }
         }
-        let instead = "left out, the project has no outlines of it; convert it to a path in LightBurn (Edit, Convert to Path) and save the project";
+        let instead = "left out, because the project has no outlines of it; convert it to a path in LightBurn (Edit, Convert to Path) and save the project";
         self.left_out(text, "plain text", instead);
         Ok(())
     }
@@ -193,11 +193,11 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         let at = shape.range().start;
         let cut = self.cuts.of(cut_index);
         if cut.at.is_none() {
-            let instead = "drawn as lines, for the project has no settings of its layer";
+            let instead = "drawn as lines, because the project has no settings of its layer";
             self.sketch.warn(at, "unlisted shape", instead);
         }
         if cut.output == Output::Hidden {
-            let instead = "drawn, its layer is output although LightBurn does not show it";
+            let instead = "drawn, because its layer is output although LightBurn does not show it";
             self.sketch.warn(at, "hidden shape", instead);
         }
         self.sketch.use_layer(cut.layer())?;
@@ -208,7 +208,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
                     self.fills.keep(cut_index, filling, self.counts, points);
                 }
                 Some(_) => {
-                    let instead = "drawn as a line, for only what is closed can be filled";
+                    let instead = "drawn as a line, because only closed shapes can be filled";
                     self.sketch.warn(at, "unclosed fill", instead);
                     self.sketch.stroke(points)?;
                 }

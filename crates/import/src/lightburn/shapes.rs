@@ -53,7 +53,7 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
         }
         let most = x.min(y);
         if radius > most {
-            let instead = "drawn as round as its shorter side allows";
+            let instead = "drawn with the largest radius that its shorter side allows";
             self.left_out(it, "too-round rectangle", instead);
             return Ok(most);
         }

@@ -148,7 +148,7 @@ fn corners_that_are_too_round_or_turned_inwards_are_told() {
     let (artwork, warnings) = with("15");
     same(length_mm(&artwork), 20.0 + TAU * 10.0, 0.05);
     assert!(
-        warnings[0].contains("as round as its shorter side allows"),
+        warnings[0].contains("the largest radius that its shorter side allows"),
         "{warnings:?}"
     );
     let (artwork, warnings) = with("-3");
@@ -254,9 +254,9 @@ fn what_cannot_be_drawn_is_told_with_what_to_do() {
     assert_eq!(strokes(&artwork).len(), 1);
     let told = warnings.join("\n");
     for part in [
-        "1 plain text: left out, the project has no outlines of it; convert it to a path in LightBurn",
-        "1 unread shape: left out (the first is a \"QrCode\")",
-        "1 picture: left out; save it from LightBurn and draw it by itself: dobot draw picture.png",
+        "1 plain text: left out, because the project has no outlines of it; convert it to a path in LightBurn",
+        "1 unsupported shape: left out (the first is a \"QrCode\")",
+        "1 picture: left out; save it from LightBurn and draw it separately: dobot draw picture.png",
         "1 laser layer: drawn without its speed, power, passes and kerf",
     ] {
         assert!(told.contains(part), "{told}");

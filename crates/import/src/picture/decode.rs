@@ -158,7 +158,7 @@ fn png_pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> 
     if grey.len() == header.width * header.height {
         return Ok((header, grey));
     }
-    Err(bad_png("it has too few pixels"))
+    Err(bad_png("some pixels are missing"))
 }
 
 /// A pixel that lets some of the paper through.
@@ -196,7 +196,7 @@ fn jpeg(bytes: &[u8]) -> Result<JpegFile<'_>, ImageError> {
     decoder.decode_headers().map_err(bad_jpeg)?;
     let (width, height) = decoder
         .dimensions()
-        .ok_or_else(|| bad_jpeg("it has no size"))?;
+        .ok_or_else(|| bad_jpeg("its size is missing"))?;
     let exif = decoder.exif().map_or(&[][..], Vec::as_slice);
     let header = Header {
         width,
@@ -232,7 +232,7 @@ fn jpeg_pixels(bytes: &[u8]) -> Result<(Header, Vec<u8>), ImageError> {
     if pixels.len() == header.width * header.height {
         return Ok((header, pixels));
     }
-    Err(bad_jpeg("it has too few pixels"))
+    Err(bad_jpeg("some pixels are missing"))
 }
 
 /// How light a colour looks: red, green and blue weighted as in JPEG files.
@@ -253,15 +253,29 @@ fn bad_jpeg(problem: impl ToString) -> ImageError {
     damaged("JPEG", problem)
 }
 
-#[expect(clippy::needless_pass_by_value, reason = "stands in `map_err`")]
-fn damaged(format: &'static str, problem: impl ToString) -> ImageError {
+#[expect(clippy::needless_pass_by_value, reason = "used with `map_err`")]
+pub(super) fn damaged(format: &'static str, problem: impl ToString) -> ImageError {
     let problem = problem.to_string();
     let line = problem.lines().next().unwrap_or_default();
+    let lower = line.to_ascii_lowercase();
+    let problem = if CUT_OFF.iter().any(|words| lower.contains(words)) {
+        "the file ends too soon"
+    } else {
+        line.trim_end_matches('.')
+    };
     ImageError::Damaged {
         format,
-        problem: line.trim_end_matches('.').to_owned(),
+        problem: problem.to_owned(),
     }
 }
+
+/// Messages of the decoders and of `std::io` about a file that ends too soon.
+const CUT_OFF: [&str; 4] = [
+    "failed to fill whole buffer",
+    "unexpected end",
+    "unexpected eof",
+    "exhausted",
+];
 
 /// 96 to the inch, as browsers take pixels.
 pub(super) const PIXEL_MM: f64 = 25.4 / 96.0;

@@ -52,16 +52,13 @@ fn decoder(
 }
 
 fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
-    let problem = error.to_string();
-    ImageError::Damaged {
-        format: match format {
-            ImageFormat::Gif => "GIF",
-            ImageFormat::WebP => "WebP",
-            ImageFormat::Bmp => "BMP",
-            _ => "TIFF",
-        },
-        problem: problem.lines().next().unwrap_or_default().to_owned(),
-    }
+    let format = match format {
+        ImageFormat::Gif => "GIF",
+        ImageFormat::WebP => "WebP",
+        ImageFormat::Bmp => "BMP",
+        _ => "TIFF",
+    };
+    decode::damaged(format, error)
 }
 
 /// The pixels of these come all at once, with their colours.

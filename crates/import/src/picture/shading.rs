@@ -82,7 +82,7 @@ impl Shading {
         };
         let spacing = self.spacing_mm;
         let fine = spacing > 0.0 && spacing.is_finite();
-        in_range("spacing", spacing, "a number of mm above 0", fine)?;
+        in_range("spacing", spacing, "a number above 0, in mm", fine)?;
         let (levels, [least, most]) = (self.levels.into(), Self::LEVELS);
         let fine = (least..=most).contains(&levels);
         in_range("levels", levels, "from 1 to 8", fine)?;
@@ -94,7 +94,7 @@ impl Shading {
             in_range(name, found, "from -1 to 1", fine)?;
         }
         let fine = self.angle_deg.is_finite();
-        in_range("angle", self.angle_deg, "a number of degrees", fine)?;
+        in_range("angle", self.angle_deg, "a number, in degrees", fine)?;
         let threshold = self.threshold.unwrap_or(0.5);
         let fine = threshold > 0.0 && threshold < 1.0;
         in_range("threshold", threshold, "between 0 and 1", fine)

@@ -135,7 +135,7 @@ impl<'de> Visitor<'de> for StrokeList<'_, '_, '_> {
     type Value = ();
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a sequence")
+        f.write_str("a list")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<(), A::Error> {
@@ -153,23 +153,17 @@ fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
     } else {
         format!(" in {path}")
     };
-    let (found, expected) = match problem.split_once(", expected ") {
-        Some((found, expected)) => {
-            let found = found
-                .trim_start_matches("invalid type: ")
-                .trim_start_matches("invalid value: ");
-            let expected = if expected == "f64" {
-                "a number"
-            } else {
-                expected
-            };
-            (found.to_owned(), expected.to_owned())
-        }
-        None if error.is_eof() => (
+    let (found, expected) = match problem.rsplit_once(", expected ") {
+        _ if error.is_eof() => (
             "the end of the file".to_owned(),
             "the rest of the JSON text".to_owned(),
         ),
-        None if error.is_data() => (problem.to_owned(), SHAPE.to_owned()),
+        Some((_, list)) if list.starts_with("one of ") || list.starts_with('`') => {
+            let problem = problem.split(", ").next().unwrap_or(problem);
+            (plain_problem(problem), SHAPE.to_owned())
+        }
+        Some((problem, expected)) => (plain_problem(problem), plain_type(expected).to_owned()),
+        None if error.is_data() => (plain_problem(problem), SHAPE.to_owned()),
         None => (
             excerpt(text.as_bytes(), offset(text, error)),
             format!("JSON ({problem})"),
@@ -179,6 +173,53 @@ fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
         place,
         found: printable(&(found + &inside)),
         expected,
+    }
+}
+
+/// A problem of the JSON parser without its names of types: ``string "a"`` is `text "a"`.
+fn plain_problem(problem: &str) -> String {
+    let problem = ["invalid type: ", "invalid value: "]
+        .iter()
+        .find_map(|start| problem.strip_prefix(start))
+        .unwrap_or(problem);
+    let number = ["integer `", "floating point `"];
+    if let Some(number) = number.iter().find_map(|start| problem.strip_prefix(start)) {
+        return format!("the number {}", number.trim_end_matches('`'));
+    }
+    let replaced = [
+        ("invalid length ", "a list of length "),
+        ("missing field ", "no key "),
+        ("unknown field ", "the unknown key "),
+        ("string ", "the text "),
+    ];
+    for (start, plain) in replaced {
+        if let Some(rest) = problem.strip_prefix(start) {
+            return format!("{plain}{rest}");
+        }
+    }
+    if let Some(key) = problem.strip_prefix("duplicate field ") {
+        return format!("the key {key} twice");
+    }
+    if let Some(boolean) = problem.strip_prefix("boolean `") {
+        return boolean.trim_end_matches('`').to_owned();
+    }
+    match problem {
+        "map" => "an object".to_owned(),
+        "sequence" => "a list".to_owned(),
+        other => other.to_owned(),
+    }
+}
+
+/// A Rust type in the terms of JSON.
+fn plain_type(expected: &str) -> &str {
+    match expected {
+        "f64" => "a number",
+        "a sequence" => "a list",
+        "a string" => "a text",
+        "a boolean" => "true or false",
+        "a map" => "an object",
+        _ if expected.starts_with("struct ") => "an object",
+        other => other,
     }
 }
 
@@ -242,7 +283,7 @@ impl<'de> Visitor<'de> for PointList {
     type Value = Points;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a sequence")
+        f.write_str("a list")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Points, A::Error> {
@@ -251,7 +292,7 @@ impl<'de> Visitor<'de> for PointList {
             // Before the rest of them fills the memory.
             if points.len() == MAX_SEGMENTS {
                 return Err(A::Error::custom(format!(
-                    "a stroke of more than {MAX_SEGMENTS} points, expected no more in a drawing; simplify it"
+                    "a stroke of more than {MAX_SEGMENTS} points, expected at most that in a drawing; simplify it"
                 )));
             }
             points.push(point);

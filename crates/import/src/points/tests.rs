@@ -173,23 +173,23 @@ fn bad_json_is_refused_with_its_place() {
         ),
         (
             "[[[1]]]",
-            "1:5: found invalid length 1 in [0][0]; expected two numbers [x, y]",
+            "1:5: found a list of length 1 in [0][0]; expected two numbers [x, y]",
         ),
-        (r#"[[{"x":1}]]"#, "1:9: found missing field `y` in [0][0]"),
-        (r#"{"lines":[]}"#, "1:8: found unknown field `lines`"),
-        ("{}", "1:2: found missing field `strokes`"),
+        (r#"[[{"x":1}]]"#, "1:9: found no key `y` in [0][0]"),
+        (r#"{"lines":[]}"#, "1:8: found the unknown key `lines`"),
+        ("{}", "1:2: found no key `strokes`"),
         (
             r#"{"strokes":[],"strokes":[]}"#,
-            "1:23: found duplicate field `strokes`",
+            "1:23: found the key `strokes` twice",
         ),
         (
             r#"{"strokes":{}}"#,
-            "1:11: found map in strokes; expected a sequence",
+            "1:11: found an object in strokes; expected a list",
         ),
-        ("{\"li\\nes\":[]}", r"1:9: found unknown field `li\nes`"),
+        ("{\"li\\nes\":[]}", r"1:9: found the unknown key `li\nes`"),
         (
             "[[[1e300,0]]]",
-            "1:9: found floating point `1e+300` in [0][0][0]; expected a number from -1000000 to 1000000 (mm)",
+            "1:9: found the number 1e+300 in [0][0][0]; expected a number from -1000000 to 1000000 (mm)",
         ),
         ("[[[1e400,0]]]", "1:8"),
         (
@@ -202,7 +202,7 @@ fn bad_json_is_refused_with_its_place() {
         ),
         (
             r#"{"strokes":[{"color":"red","points":[[0,0]]}]}"#,
-            "1:26: found string \"red\" in strokes[0].color; expected a color such as #ff8000",
+            "1:26: found the text \"red\" in strokes[0].color; expected a color such as #ff8000",
         ),
     ] {
         let error = read_json(text, &ReadOptions::default())
@@ -292,6 +292,6 @@ fn a_stroke_of_more_points_than_a_drawing_has_is_refused_before_what_is_wrong_be
     let error = read_json(&points, &ReadOptions::default()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "1:12000008: found a stroke of more than 2000000 points in [0]; expected no more in a drawing; simplify it"
+        "1:12000008: found a stroke of more than 2000000 points in [0]; expected at most that in a drawing; simplify it"
     );
 }

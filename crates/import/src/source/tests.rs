@@ -37,7 +37,7 @@ fn a_file_of_more_bytes_than_its_kind_has_is_refused_before_it_is_read() {
     let error = Source::of_file("a.svg", blanks("<svg>", 64_000_001)).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "the file has more than 64 MB, and one of its kind may have 64 MB; draw it in parts, or leave out detail that no pen shows"
+        "the file has more than 64 MB, and its format may have 64 MB; draw it in parts, or remove detail that no pen can show"
     );
     Source::of_file("a.csv", blanks("0,0", 64_000_000)).unwrap();
     // A sheet that was scanned and not packed.
@@ -142,7 +142,7 @@ fn a_name_without_a_known_ending_is_told_with_those_that_are() {
     let error = Source::of_file("letter.txt", b"Dear reader".to_vec()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "\"letter.txt\" is of no kind that can be drawn; known are .svg, .svgz, .png, .jpg, .jpeg, .gif, .webp, .bmp, .tif, .tiff, .dxf, .lbrn, .lbrn2, .csv, .json, .plt, .hpgl, .hpg, .hgl, .gcode, .nc, .gco, .g, .ngc, .tap, .cnc files"
+        "\"letter.txt\" is not a supported file; supported are .svg, .svgz, .png, .jpg, .jpeg, .gif, .webp, .bmp, .tif, .tiff, .dxf, .lbrn, .lbrn2, .csv, .json, .plt, .hpgl, .hpg, .hgl, .gcode, .nc, .gco, .g, .ngc, .tap, .cnc files"
     );
     let endings = ["gcode", "gco", "g", "nc", "ngc", "tap", "cnc", "NC"];
     for ending in endings {
@@ -184,23 +184,23 @@ fn what_other_programs_make_a_drawing_of_is_told_with_the_way() {
     for (bytes, told) in [
         (
             &b"%PDF-1.7\n4 0 obj"[..],
-            "a PDF file is not drawn; Inkscape opens it",
+            "found a PDF file, which is not supported; Inkscape opens it",
         ),
         (
             b"%!PS-Adobe-3.0 EPSF-3.0",
-            "a PostScript or EPS file is not drawn; Inkscape",
+            "found a PostScript or EPS file, which is not supported; Inkscape",
         ),
         (
             b"\x00\x00\x00\x18ftypheic",
-            "an HEIC or AVIF picture is not drawn; save it as JPEG",
+            "found an HEIC or AVIF picture, which is not supported; save it as JPEG",
         ),
         (
             b"PK\x03\x04\x14\x00",
-            "a packed folder (zip) is not drawn; unpack it",
+            "found a zip archive, which is not supported; unpack it",
         ),
         (
             b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
-            "a pointer of Git LFS, which only stands for the file, is not drawn; `git lfs pull` in its folder fetches",
+            "found a Git LFS pointer instead of the file, which is not supported; run `git lfs pull` in its folder",
         ),
     ] {
         let error = Source::of_file("a.gcode", bytes.to_vec())

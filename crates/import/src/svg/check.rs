@@ -236,7 +236,7 @@ fn found(value: &str, at: usize) -> String {
     let last: Vec<char> = read.chars().rev().take(FOUND_CHARACTERS).collect();
     let last: String = last.into_iter().rev().collect();
     let cut = if last.len() < read.len() { "…" } else { "" };
-    format!("ends behind {:?}", format!("{cut}{last}"))
+    format!("ends after {:?}", format!("{cut}{last}"))
 }
 
 fn shortened(text: &str) -> String {

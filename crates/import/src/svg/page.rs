@@ -58,7 +58,7 @@ impl SvgPage {
     /// What the edge of the page has cut off.
     pub(crate) fn cut(&self) -> Option<Warning> {
         let instead = format!(
-            "{:.1} mm beyond the edge of the page left out; what.no_crop draws them",
+            "{:.1} mm beyond the edge of the page left out; draw them with what.no_crop",
             self.cut_mm.max(0.1)
         );
         let count = self.cut_lines;

@@ -34,4 +34,4 @@ fn end(points: &Attribute<'_, '_>) -> usize {
 }
 
 const INSTEAD: &str =
-    "x without y in the points of a polygon or polyline, left out; the points before it are drawn";
+    "x without y in the points of a polygon or polyline left out; the points before it are drawn";

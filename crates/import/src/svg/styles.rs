@@ -47,7 +47,7 @@ fn count(text: &str, signs: &[u8]) -> u64 {
 fn refused(doc: &Document<'_>, sheet: Node<'_, '_>, expected: &str) -> SourceError {
     SourceError::Found {
         place: doc.text_pos_at(sheet.range().start).into(),
-        found: "styles (CSS) that take for ever to read".to_owned(),
+        found: "styles (CSS) that take too long to read".to_owned(),
         expected: format!("{expected}; save the file as plain SVG"),
     }
 }

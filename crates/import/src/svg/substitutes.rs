@@ -27,7 +27,7 @@ impl Substitutes {
         let all = self.0.into_inner().unwrap_or_else(PoisonError::into_inner);
         all.into_iter().map(|(named, taken)| {
             let what = format!("font {}", printable(&named));
-            let instead = format!("not here, drawn in {}", printable(&taken));
+            let instead = format!("not installed, drawn in {}", printable(&taken));
             Warning::new(&what, &instead, 1)
         })
     }

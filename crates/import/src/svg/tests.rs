@@ -122,7 +122,7 @@ fn the_edge_of_the_page_cuts_and_what_it_cuts_is_told() {
     assert!(close(strokes[0].last().unwrap(), 100.25, 25.0));
     assert_eq!(
         warnings[0].to_string(),
-        "2 cut lines: 127.5 mm beyond the edge of the page left out; what.no_crop draws them"
+        "2 cut lines: 127.5 mm beyond the edge of the page left out; draw them with what.no_crop"
     );
     let whole = ReadOptions {
         crops: false,
@@ -170,7 +170,7 @@ fn flowed_text_of_old_inkscape_files_is_told() {
     assert!(
         warnings[0]
             .to_string()
-            .starts_with("1 flowed text: left out; in Inkscape")
+            .starts_with("1 flowed text: left out; convert it in Inkscape")
     );
     assert!(
         error(&page(flowed)).contains("1 flowed text"),
@@ -226,7 +226,7 @@ fn points_are_drawn_up_to_one_without_y_and_that_is_told_with_its_place() {
     let column = page(odd).find(" 30\"").unwrap() + 4;
     let lone = |column: usize, what: &str| {
         format!(
-            "1:{column}: {what}: x without y in the points of a polygon or polyline, left out; the points before it are drawn"
+            "1:{column}: {what}: x without y in the points of a polygon or polyline left out; the points before it are drawn"
         )
     };
     assert_eq!(told(odd), [lone(column, "1 lone coordinate")]);
@@ -291,10 +291,10 @@ fn what_a_pen_cannot_show_is_counted() {
     assert_eq!(
         texts,
         [
-            "1 mask: ignored, what it hides is drawn",
-            "1 filter: ignored, the shape is drawn as it is",
+            "1 mask: ignored; what it hides is drawn",
+            "1 filter: ignored; the shape is drawn unchanged",
             "1 gradient: drawn as one colour, the first of its stops that is not white",
-            "2 images: left out; trace it to paths to draw it",
+            "2 images: left out; trace it to paths",
         ]
     );
 }
@@ -324,7 +324,7 @@ fn nothing_visible_is_an_error() {
     );
     assert_eq!(
         error(&page(r#"<image href="cat.png" width="5" height="5"/>"#)),
-        "nothing to draw: 1 image: left out; trace it to paths to draw it"
+        "nothing to draw: 1 image: left out; trace it to paths"
     );
 }
 
@@ -360,7 +360,7 @@ fn other_values_that_browsers_would_skip_are_refused() {
     for (content, found) in [
         (r#"<path d="M0 0L1e400 5"/>"#, r#"holds "1e400 5";"#),
         (r#"<path d="M0 0L1e30 5"/>"#, r#"holds "M0 0L1e30 5";"#),
-        (r#"<path d="M0 0L5"/>"#, r#"ends behind "M0 0L5";"#),
+        (r#"<path d="M0 0L5"/>"#, r#"ends after "M0 0L5";"#),
         (
             r#"<path d=""/><rect width=""/>"#,
             r#"width of <rect> holds "";"#,
@@ -389,7 +389,7 @@ fn a_page_without_area_is_refused() {
     let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="0" height="9"><path d="M0 0L1 1"/></svg>"#;
     assert_eq!(
         error(text),
-        "width, height or viewBox of <svg> leave the page without an area"
+        "the page has no area; set width, height or viewBox of <svg> above 0"
     );
 }
 
@@ -457,7 +457,7 @@ fn what_styles_and_html_say_and_nobody_reads_is_told() {
         "<style>.a{transform:scale(2)}</style><g class='a'/>",
     ] {
         assert!(
-            told(more).starts_with("1 CSS transform: not read, drawn as without it"),
+            told(more).starts_with("1 CSS transform: not supported, drawn without it"),
             "{more}"
         );
     }
@@ -465,7 +465,7 @@ fn what_styles_and_html_say_and_nobody_reads_is_told() {
     let shapes = "<rect fill='red'/><circle fill='red'/><ellipse style='rx:4'/>";
     assert!(
         told(&format!("{sheet}{shapes}"))
-            .starts_with("3 CSS sizes: of a shape, or its place: not read")
+            .starts_with("3 CSS sizes: of a shape, or its place: not supported")
     );
     let html = "<foreignObject width='9' height='9'><p xmlns='http://www.w3.org/1999/xhtml'>A</p></foreignObject>";
     assert!(told(&html.repeat(2)).starts_with("2 foreignObjects: left out with its text (HTML)"));
@@ -482,14 +482,14 @@ fn what_styles_and_html_say_and_nobody_reads_is_told() {
 fn styles_that_would_take_for_ever_are_refused() {
     let sheet = |rules: usize| format!("<style>{}</style><rect/>", "a{fill:red}".repeat(rules));
     let message = error(&page(&sheet(20_000)));
-    assert!(message.contains("found styles (CSS) that take for ever to read; expected a sheet of"));
+    assert!(message.contains("found styles (CSS) that take too long to read; expected a sheet of"));
     let many = format!("{}{}", sheet(1_000), "<g/>".repeat(140_000));
     let message = error(&page(&many));
     assert!(!message.contains("CSS"), "{message}");
     let more = format!("{}{}", sheet(4_000), "<g/>".repeat(140_000));
     assert!(error(&page(&more)).contains("expected fewer rules for so many elements"));
     let long = format!("<g style='{}'/>", "fill:red;".repeat(10_000));
-    assert!(error(&page(&long)).contains("the styles (CSS) of the elements take for ever"));
+    assert!(error(&page(&long)).contains("the styles (CSS) of the elements take too long"));
 }
 
 #[test]
@@ -503,7 +503,7 @@ fn a_drawing_with_very_many_sheets_of_styles_is_read_at_once() {
 fn an_element_inside_itself_is_refused() {
     let message = error(&page(r##"<g id="a"><g><use href="#a"/></g></g>"##));
     assert!(
-        message.ends_with("<g> refers back to an element that holds it"),
+        message.ends_with("<g> refers to an element that contains it"),
         "{message}"
     );
 }
@@ -629,7 +629,7 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
     ] {
         let (ink, told) = draw(unread);
         assert_eq!((ink.len(), told.len()), (1, 1), "{unread}: {told:?}");
-        assert!(told[0].contains("of Hershey letters, not read"), "{told:?}");
+        assert!(told[0].contains("of Hershey letters, ignored"), "{told:?}");
     }
 }
 

@@ -75,39 +75,39 @@ pub(crate) enum WarningKind {
 impl WarningKind {
     const fn words(self) -> (&'static str, &'static str) {
         match self {
-            Self::Image => ("image", "left out; trace it to paths to draw it"),
-            Self::Mask => ("mask", "ignored, what it hides is drawn"),
-            Self::Filter => ("filter", "ignored, the shape is drawn as it is"),
+            Self::Image => ("image", "left out; trace it to paths"),
+            Self::Mask => ("mask", "ignored; what it hides is drawn"),
+            Self::Filter => ("filter", "ignored; the shape is drawn unchanged"),
             Self::Gradient => (
                 "gradient",
                 "drawn as one colour, the first of its stops that is not white",
             ),
-            Self::Pattern => ("pattern", "left out, its area is drawn as one"),
-            Self::Paper => ("white shape", "left out, white is the paper"),
+            Self::Pattern => ("pattern", "left out; its area is drawn as an area"),
+            Self::Paper => ("white shape", "left out, because the paper is white"),
             Self::Entangled => (
                 "filled shape",
-                "not hatched, it crosses itself too often to be clipped, or too many corners lie in clip paths",
+                "not hatched, because it crosses itself too often, or too many corners lie in clip paths",
             ),
             Self::Stacked => UNKNOWN,
             Self::FlowedText => (
                 "flowed text",
-                "left out; in Inkscape, Text > Convert to Text makes letters of it",
+                "left out; convert it in Inkscape with Text > Convert to Text",
             ),
             Self::ForeignText => (
                 "foreignObject",
-                "left out with its text (HTML); the program that made the file may have an option for texts of SVG",
+                "left out with its text (HTML); use an option for SVG texts in the program that made the file",
             ),
             Self::MovedByStyle => (
                 "CSS transform",
-                "not read, drawn as without it; save the file as plain SVG",
+                "not supported, drawn without it; save the file as plain SVG",
             ),
             Self::SizedByStyle => (
                 "CSS size",
-                "of a shape, or its place: not read, drawn by the attributes alone; save the file as plain SVG",
+                "of a shape, or its place: not supported, drawn by its attributes; save the file as plain SVG",
             ),
             Self::ClippedByStyle => (
                 "CSS clip-path",
-                "of a basic shape: ignored, what it hides is drawn; save the file as plain SVG",
+                "of a basic shape: ignored; what it hides is drawn; save the file as plain SVG",
             ),
             Self::LinkedShape => (
                 "shape",
@@ -115,40 +115,40 @@ impl WarningKind {
             ),
             Self::UnreadRule => (
                 "CSS rule",
-                "not read, for its selector is not known, or it holds other rules; save the file as plain SVG",
+                "ignored, because its selector is not supported or it contains other rules; save the file as plain SVG",
             ),
             Self::UnreadSize => (
                 "page size",
-                "(width or height of <svg>) not read, for it is no length such as 200mm; taken from the viewBox, or from what is drawn, in pixels",
+                "(width or height of <svg>) ignored, because it is not a length such as 200mm; the size is that of the viewBox or of the drawing, in pixels",
             ),
             Self::SolidPath => ("dashed line", "with pathLength: drawn solid"),
             Self::TextWithoutFont => (
                 "text",
-                "left out, no font was found; install a font or convert it to paths",
+                "left out, because no font was found; install a font or convert it to paths",
             ),
             Self::MissingLetter => (
                 "character",
-                "not in the Hershey letters, left out; another font has it",
+                "not in the Hershey letters, left out; use another font",
             ),
             Self::LettersLength => (
                 "textLength",
-                "of Hershey letters, not read: written as wide as they are",
+                "of Hershey letters, ignored: written with their own width",
             ),
             Self::LettersDirection => (
                 "writing-mode",
-                "of Hershey letters, not read: written to the right",
+                "of Hershey letters, ignored: written to the right",
             ),
             Self::LettersBaseline => (
                 "dominant-baseline",
-                "of Hershey letters, not read: written on the base line",
+                "of Hershey letters, ignored: written on the base line",
             ),
             Self::LettersAlignment => (
                 "alignment-baseline",
-                "of Hershey letters, not read: written on the base line",
+                "of Hershey letters, ignored: written on the base line",
             ),
             Self::MissingGlyph => (
                 "character",
-                "in no font that was found, drawn as the font's box for missing ones",
+                "not in any installed font, drawn as the font's box for missing characters",
             ),
         }
     }

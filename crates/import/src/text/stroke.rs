@@ -106,7 +106,7 @@ impl Writer {
         let named: String = self.missing.iter().collect();
         let font = self.font.name();
         let instead = format!(
-            "not in the {font} letters, left out: {named:?}; --font takes any installed font"
+            "not in the {font} letters, left out: {named:?}; use an installed font with --font"
         );
         (self.missed > 0).then(|| Warning::new("character", &instead, self.missed))
     }

@@ -96,7 +96,7 @@ fn what_cannot_be_written_is_named() {
     assert_eq!(
         warnings,
         [
-            "3 characters: not in the sans letters, left out: \"漢字\"; --font takes any installed font"
+            "3 characters: not in the sans letters, left out: \"漢字\"; use an installed font with --font"
         ]
     );
 }
@@ -129,7 +129,7 @@ fn text_without_ink_is_refused() {
     }
     assert_eq!(
         error(&Text::new("\u{7}")),
-        "nothing to draw: 1 character: not in the sans letters, left out: \"\\u{7}\"; --font takes any installed font"
+        "nothing to draw: 1 character: not in the sans letters, left out: \"\\u{7}\"; use an installed font with --font"
     );
 }
 
@@ -142,7 +142,7 @@ fn letters_of_no_size_or_as_tall_as_houses_are_refused() {
         });
         assert_eq!(
             message,
-            format!("the letters are {height_mm} mm tall; allowed are 0.1 to 1000 mm")
+            format!("the letter height is {height_mm} mm; allowed are 0.1 to 1000 mm")
         );
     }
     for line_spacing in [0.0, f64::NAN, 1e9] {
@@ -158,7 +158,7 @@ fn letters_of_no_size_or_as_tall_as_houses_are_refused() {
 fn a_megabyte_of_text_is_refused() {
     assert_eq!(
         error(&Text::new("x".repeat(1_000_000))),
-        "the text has 1000000 characters; at most 20000 are allowed, write it in parts"
+        "the text has 1000000 characters; allowed are 20000; write it in parts"
     );
 }
 
@@ -170,13 +170,13 @@ fn a_font_that_is_not_there_is_named_with_those_like_it() {
     };
     assert_eq!(
         error(&text),
-        "no font is called \"Nonsense\"; no font was found at all; \
+        "there is no font \"Nonsense\"; no fonts are installed; \
          sans, bold, script, serif, italic and gothic are built in"
     );
     let Some(options) = with_fonts() else { return };
     let message = text.read(&options).unwrap_err().to_string();
     assert!(
-        message.starts_with("no font is called \"Nonsense\"; the most similar ones are"),
+        message.starts_with("there is no font \"Nonsense\"; similar ones are"),
         "{message}"
     );
 }

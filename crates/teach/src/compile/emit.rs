@@ -1,4 +1,4 @@
-//! Commands of steps.
+//! The commands of simple steps.
 
 use dobot_wire::{
     Command, Configuration, JointJog, JointJogAxis, MoveJoints, MoveTo, MovingMode, single,
@@ -8,7 +8,7 @@ use super::resolve::{Spot, SpotKind};
 use super::state::State;
 use crate::program::MountedTool;
 
-/// Goes to a place, and sets the tool as the state says.
+/// A move to a place that sets the tool to the current state.
 pub(super) fn target(spot: &Spot, mode: MovingMode, pause: Option<f64>, state: &State) -> Command {
     let (suction, gripper_deg) = (state.suction, single(state.gripper_deg));
     let pause_s = single(pause.unwrap_or(0.0));
@@ -38,7 +38,7 @@ pub(super) fn target(spot: &Spot, mode: MovingMode, pause: Option<f64>, state: &
     }
 }
 
-/// Switches the laser (state 2, buttons 13 and 14).
+/// A command that switches the laser (state 2, buttons 13 and 14).
 pub(super) fn laser(on: bool) -> Command {
     let axis = if on {
         JointJogAxis::LaserOn
@@ -48,7 +48,7 @@ pub(super) fn laser(on: bool) -> Command {
     JointJog::new(axis, 0.0).into()
 }
 
-/// Says what is mounted (state 9, mode 4).
+/// A command that sets the mounted tool (state 9, mode 4).
 pub(super) fn mounted(tool: &MountedTool) -> Command {
     let tool = tool.kind.into();
     Configuration::EndEffector { tool }.into()

@@ -1,4 +1,4 @@
-//! Where the places of a program are.
+//! The resolution of places to coordinates.
 
 use dobot_arm::{Degrees, Joints, Pose, Position, forward};
 
@@ -8,18 +8,18 @@ use crate::axes::Axes;
 use crate::program::{Frame, Grid, Offset};
 use crate::{Place, Point};
 
-/// A place that is known: joint angles as they were taught, or where the wrist goes.
+/// A resolved place: taught joint angles, or a pose of the wrist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spot {
     pub(super) to: SpotKind,
-    /// Its frame, along which an offset goes.
+    /// Its frame, whose axes an offset follows.
     axes: Axes,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SpotKind {
     Joints(Joints),
-    /// Where the wrist goes, in the base frame.
+    /// The pose of the wrist in the base frame.
     Wrist(Pose),
 }
 
@@ -39,7 +39,7 @@ impl Spot {
         }
     }
 
-    /// Where the wrist is there.
+    /// The pose of the wrist at this place.
     pub(super) fn pose(&self, state: &State) -> Pose {
         match self.to {
             SpotKind::Joints(joints) => forward(&joints, state.tool),
@@ -47,7 +47,7 @@ impl Spot {
         }
     }
 
-    /// So far from it along its frame.
+    /// The place with an offset along its frame.
     pub(super) fn moved(self, by: Offset, state: &State) -> Self {
         if by == Offset::default() {
             return self;
@@ -62,7 +62,7 @@ impl Spot {
 }
 
 impl Scope<'_> {
-    /// The place, with the tool that is mounted.
+    /// Resolves a place for the mounted tool.
     pub(super) fn spot(&self, place: &Place, state: &State) -> Result<Spot, String> {
         match place {
             Place::At(point) => self.point(point, state),
@@ -76,7 +76,7 @@ impl Scope<'_> {
         }
     }
 
-    /// A cell of a grid: columns first, then rows, then layers.
+    /// Resolves a cell of a grid: columns first, then rows, then layers.
     pub(super) fn cell(&self, grid: &Grid, cell: u64, state: &State) -> Result<Spot, String> {
         let (columns, rows) = (u64::from(grid.columns), u64::from(grid.rows));
         let [column, row, layer] = [cell % columns, cell / columns % rows, cell / columns / rows];
@@ -126,7 +126,8 @@ impl Scope<'_> {
         Axes::of(origin, x, y).map_err(|reason| format!("frame {name:?}: {reason}"))
     }
 
-    /// Where the tip is at a point of a frame, which is in no frame itself.
+    /// The tip position at a point that defines a frame; the point itself must be in the base
+    /// frame.
     fn tip(&self, place: &Place, state: &State) -> Result<Position, String> {
         let point = match place {
             Place::At(point) => point,
@@ -140,7 +141,7 @@ impl Scope<'_> {
         } = point
         {
             return Err(format!(
-                "a point of a frame is itself in frame {frame:?}; it has to be in the base frame"
+                "a point that defines a frame is itself in frame {frame:?}; it must be in the base frame"
             ));
         }
         let position = self.point(point, state)?.pose(state).position;

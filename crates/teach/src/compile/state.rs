@@ -1,4 +1,4 @@
-//! What the arm was told so far.
+//! The state of the arm while a program is compiled.
 
 use dobot_arm::{Degrees, Joints, Pose, Position, Tool};
 use dobot_motion::Speeds;
@@ -7,27 +7,27 @@ use dobot_wire::{Command, Configuration, MovingMode, PlaybackAdjustment, single}
 use super::resolve::Spot;
 use crate::program::{Here, MountedTool, Speed};
 
-/// What the arm was told so far by the program.
+/// The state that the commands of a program have set.
 #[derive(Clone, Debug)]
 pub(super) struct State {
     pub(super) tool: Tool,
-    /// How far its tip hangs below the wrist.
+    /// The distance from the wrist down to the tip.
     pub(super) length_mm: f64,
     pub(super) suction: bool,
     pub(super) gripper_deg: f64,
     pub(super) has_moved: bool,
-    /// The target at which the arm is.
+    /// The target at which the arm stands.
     last: Option<Command>,
     speeds: [f64; 6],
     jump_height_mm: f64,
     percent: f64,
     acceleration_percent: f64,
-    /// How fast the first motion is, in percent.
+    /// The speed of the first motion, in percent.
     soft_percent: Option<f64>,
 }
 
 impl State {
-    /// As an arm is that was just switched on.
+    /// The state of an arm after power-up.
     pub(super) const fn new(soft_percent: Option<f64>) -> Self {
         Self {
             tool: Tool::SuctionCup,
@@ -60,14 +60,15 @@ impl State {
         self.last = Some(target);
     }
 
-    /// A drawing ends where its last vector does, with speeds, pump and gripper of its own.
+    /// Records a drawing, which ends at its last vector, with its own speeds, pump and gripper
+    /// state.
     pub(super) const fn drawn(&mut self) {
         self.has_moved = true;
         self.soft_percent = None;
         self.last = None;
     }
 
-    /// The target at which the arm is, once more, with what the tool does now.
+    /// Repeats the target at which the arm stands, with the current state of the tool.
     pub(super) fn again(&self, pause: Option<f64>) -> Option<Command> {
         let pause_s = single(pause.unwrap_or(0.0));
         let (suction, gripper_deg) = (self.suction, single(self.gripper_deg));
@@ -97,7 +98,7 @@ impl State {
         }
     }
 
-    /// Where that is.
+    /// The place of that target.
     pub(super) fn spot(&self) -> Option<Spot> {
         match self.last? {
             Command::MoveTo(it) => {
@@ -114,7 +115,7 @@ impl State {
         }
     }
 
-    /// Takes over speeds; gives the commands that say so.
+    /// Sets speeds and returns the commands for it.
     pub(super) fn set_speed(&mut self, speed: &Speed) -> Vec<Command> {
         let new = [
             speed.joint,
@@ -143,7 +144,7 @@ impl State {
         commands
     }
 
-    /// What comes before and behind the first motion, if it is soft.
+    /// The commands before and after the first motion, if it starts softly.
     pub(super) fn soft_start(&self) -> Option<[Command; 2]> {
         let soft = self.soft_percent.filter(|_| !self.has_moved)?;
         let slow = self.adjustment(self.percent * soft / 100.0);
@@ -161,7 +162,7 @@ impl State {
 }
 
 impl Spot {
-    /// A place by the numbers of a pose.
+    /// The numbers of a pose: x, y, z and rotation.
     pub(super) const fn numbers(pose: &Pose) -> [f64; 4] {
         let Position { x, y, z } = pose.position;
         let Degrees(rotation) = pose.rotation;

@@ -2,22 +2,25 @@
 
 use dobot_wire::{Command, Configuration, PlaybackAdjustment, single};
 use serde::{Deserialize, Serialize};
+use serde_json::error::Category;
 
 use super::bad;
 use super::text::decode;
 use crate::ProgramError;
 use crate::number::{finite, within};
+use crate::plain::plain;
 use crate::program::Speed;
-use crate::step_table::LEAST_SPEED;
+use crate::step_table::MIN_SPEED;
 
-/// How fast jogs are: `JogParams.json`. What a file does not say is as the vendor's program has it at first.
+/// Speeds of jogs (`JogParams.json`). Values missing in a file are the initial ones of the vendor's
+/// software.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct JogParams {
     /// Acceleration of base, rear arm and forearm, in degrees/s2.
     #[serde(deserialize_with = "finite")]
     pub joint_acceleration: f64,
-    /// Their speed, in degrees/s.
+    /// Speed of base, rear arm and forearm, in degrees/s.
     #[serde(deserialize_with = "finite")]
     pub joint_velocity: f64,
     /// Acceleration along an axis, in mm/s2.
@@ -29,29 +32,29 @@ pub struct JogParams {
     /// Acceleration of the servo, in degrees/s2.
     #[serde(deserialize_with = "finite")]
     pub servo_acceleration: f64,
-    /// Its speed, in degrees/s.
+    /// Speed of the servo, in degrees/s.
     #[serde(deserialize_with = "finite")]
     pub servo_velocity: f64,
-    /// All speeds, in percent: each jog carries it.
+    /// Factor for all speeds, in percent; part of each jog.
     #[serde(deserialize_with = "finite")]
     pub velocity_ratio: f64,
 }
 
-/// How fast targets are gone to: `PlayBackParams.json`. What a file does not say is as the vendor's program has it at
-/// first.
+/// Speeds of targets (`PlayBackParams.json`). Values missing in a file are the initial ones of the
+/// vendor's software.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct PlaybackParams {
-    /// All accelerations, in percent.
+    /// Factor for all accelerations, in percent.
     #[serde(deserialize_with = "finite")]
     pub acceleration_ratio: f64,
     /// Acceleration of base, rear arm and forearm, in degrees/s2.
     #[serde(deserialize_with = "finite")]
     pub joint_acceleration: f64,
-    /// Their speed, in degrees/s.
+    /// Speed of base, rear arm and forearm, in degrees/s.
     #[serde(deserialize_with = "finite")]
     pub joint_velocity: f64,
-    /// How high a JUMP lifts, in mm.
+    /// The lift of a JUMP, in mm.
     #[serde(deserialize_with = "finite")]
     pub jump_height: f64,
     /// Acceleration along a line, in mm/s2.
@@ -60,16 +63,17 @@ pub struct PlaybackParams {
     /// Speed along a line, in mm/s.
     #[serde(deserialize_with = "finite")]
     pub linear_velocity: f64,
-    /// The pause of targets that have none, presumably in milliseconds; a stock arm takes no notice of it (note N10).
+    /// The pause of targets without their own, presumably in milliseconds; a stock arm ignores it
+    /// (note N10).
     #[serde(deserialize_with = "finite")]
     pub pause_time: f64,
     /// Acceleration of the servo, in degrees/s2.
     #[serde(deserialize_with = "finite")]
     pub servo_acceleration: f64,
-    /// Its speed, in degrees/s.
+    /// Speed of the servo, in degrees/s.
     #[serde(deserialize_with = "finite")]
     pub servo_velocity: f64,
-    /// All speeds, in percent.
+    /// Factor for all speeds, in percent.
     #[serde(deserialize_with = "finite")]
     pub velocity_ratio: f64,
 }
@@ -106,24 +110,24 @@ impl Default for PlaybackParams {
 }
 
 impl JogParams {
-    /// Reads a file.
+    /// Parses a file.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] with the line: no JSON, an unknown key, a value that is not allowed.
+    /// [`ProgramError`] with the line: not JSON, an unknown key, a value that is not allowed.
     pub fn read(bytes: &[u8]) -> Result<Self, ProgramError> {
-        let it: Self = json(bytes)?;
-        check(&it.speeds(), &[it.velocity_ratio])?;
-        Ok(it)
+        let params: Self = json(bytes)?;
+        check(&params.speeds(), &[params.velocity_ratio])?;
+        Ok(params)
     }
 
-    /// Writes a file, as the vendor's program does.
+    /// Writes a file in the format of the vendor's software.
     #[must_use]
     pub fn write(&self) -> String {
         pretty(self)
     }
 
-    /// The command that sets it (state 9, mode 0); the ratio is part of each jog.
+    /// The command that sets the speeds (state 9, mode 0); the ratio is part of each jog.
     #[must_use]
     pub fn command(&self) -> Command {
         Configuration::teach(self.speeds().map(single)).into()
@@ -142,27 +146,30 @@ impl JogParams {
 }
 
 impl PlaybackParams {
-    /// Reads a file.
+    /// Parses a file.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] with the line: no JSON, an unknown key, a value that is not allowed.
+    /// [`ProgramError`] with the line: not JSON, an unknown key, a value that is not allowed.
     pub fn read(bytes: &[u8]) -> Result<Self, ProgramError> {
-        let it: Self = json(bytes)?;
-        check(&it.speeds(), &[it.velocity_ratio, it.acceleration_ratio])?;
+        let params: Self = json(bytes)?;
+        check(
+            &params.speeds(),
+            &[params.velocity_ratio, params.acceleration_ratio],
+        )?;
         let reason = |reason| bad(None, reason);
-        within("jumpHeight", " mm", it.jump_height, 0.0, 300.0).map_err(reason)?;
-        within("pauseTime", "", it.pause_time, 0.0, 655_000.0).map_err(reason)?;
-        Ok(it)
+        within("jumpHeight", " mm", params.jump_height, 0.0, 300.0).map_err(reason)?;
+        within("pauseTime", "", params.pause_time, 0.0, 655_000.0).map_err(reason)?;
+        Ok(params)
     }
 
-    /// Writes a file, as the vendor's program does.
+    /// Writes a file in the format of the vendor's software.
     #[must_use]
     pub fn write(&self) -> String {
         pretty(self)
     }
 
-    /// The commands that set it (states 9, mode 1, and 10).
+    /// The commands that set the speeds (states 9, mode 1, and 10).
     #[must_use]
     pub fn commands(&self) -> [Command; 2] {
         let speeds = self.speeds().map(single);
@@ -178,7 +185,8 @@ impl PlaybackParams {
         ]
     }
 
-    /// The same as a step of a program, which has no pause for targets that say none.
+    /// The speeds as a step of a program; the pause is lost, because programs have no default
+    /// pause.
     #[must_use]
     pub const fn speed(&self) -> Speed {
         Speed {
@@ -194,7 +202,8 @@ impl PlaybackParams {
         }
     }
 
-    /// What a speed step says; what it does not say is as the vendor's program has it at first.
+    /// The parameters of a speed step; omitted values are the initial ones of the vendor's
+    /// software.
     #[must_use]
     pub fn of_speed(speed: &Speed) -> Self {
         let vendor = Self::default();
@@ -234,7 +243,21 @@ impl PlaybackParams {
 
 fn json<T: for<'de> Deserialize<'de>>(bytes: &[u8]) -> Result<T, ProgramError> {
     let (text, _) = decode(bytes);
-    serde_json::from_str(&text).map_err(|error| bad(error.line(), error.to_string()))
+    serde_json::from_str(&text).map_err(|error| {
+        let message = error.to_string();
+        // The parser appends the position, which the error has as its line.
+        let message = message
+            .rsplit_once(" at line ")
+            .map_or(&*message, |parts| parts.0);
+        let reason = match error.classify() {
+            Category::Eof => {
+                "the file ends too soon; a settings file is one JSON object".to_owned()
+            }
+            Category::Syntax => format!("not valid JSON: {message}"),
+            Category::Data | Category::Io => plain(message),
+        };
+        bad(error.line(), reason)
+    })
 }
 
 fn check(speeds: &[f64], percents: &[f64]) -> Result<(), ProgramError> {
@@ -250,20 +273,20 @@ fn check(speeds: &[f64], percents: &[f64]) -> Result<(), ProgramError> {
     let speeds = names
         .iter()
         .zip(speeds)
-        .map(|(name, it)| (name, it, 10_000.0));
+        .map(|(name, speed)| (name, speed, 10_000.0));
     let ratios = ratios
         .iter()
         .zip(percents)
-        .map(|(name, it)| (name, it, 100.0));
+        .map(|(name, ratio)| (name, ratio, 100.0));
     for (name, found, most) in speeds.chain(ratios) {
-        within(name, "", *found, LEAST_SPEED, most).map_err(|reason| bad(None, reason))?;
+        within(name, "", *found, MIN_SPEED, most).map_err(|reason| bad(None, reason))?;
     }
     Ok(())
 }
 
-/// As the vendor's program writes it: four spaces, and whole numbers without a point.
-fn pretty(it: &impl Serialize) -> String {
-    let Ok(serde_json::Value::Object(fields)) = serde_json::to_value(it) else {
+/// Formats like the vendor's software: four spaces, and whole numbers without a decimal point.
+fn pretty(params: &impl Serialize) -> String {
+    let Ok(serde_json::Value::Object(fields)) = serde_json::to_value(params) else {
         return String::new();
     };
     let line = |(name, value): (&String, &serde_json::Value)| {

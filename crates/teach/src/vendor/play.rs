@@ -1,5 +1,6 @@
-//! `.play`, a point a line: `6;;0:Jump;31.800;36.686;18.769;0.000;NO;0;0;` — state, nothing, way, base, rear, fore,
-//! servo, grab, gripper and pause. The last two were 0 in every sample that was seen.
+//! The `.play` format, a point per line: `6;;0:Jump;31.800;36.686;18.769;0.000;NO;0;0;` — state,
+//! nothing, path type, base, rear, fore, servo, grab, gripper and pause. The last two are 0 in all
+//! known samples.
 
 use std::fmt::Write;
 
@@ -24,7 +25,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
         points.push(point(line.trim(), index + 1, &mut warnings)?);
     }
     if points.is_empty() {
-        return Err(bad(None, "there are no points; it needs one line at least"));
+        return Err(bad(
+            None,
+            "the file has no points; it needs at least one line",
+        ));
     }
     Ok(Read {
         it: points,
@@ -43,14 +47,14 @@ fn point(text: &str, line: usize, warnings: &mut Vec<String>) -> Result<VendorPo
         return Err(bad(
             line,
             format!(
-                "it has {found} fields; a point has {FIELDS}, of which the last two may be missing"
+                "the line has {found} fields; a point has {FIELDS}, and the last two may be missing"
             ),
         ));
     }
     if fields[0] != "6" {
         return Err(bad(
             line,
-            format!("the state is {:?}; a point has 6", fields[0]),
+            format!("the state is {:?}; a point has state 6", fields[0]),
         ));
     }
     if fields.len() < FIELDS {
@@ -61,7 +65,7 @@ fn point(text: &str, line: usize, warnings: &mut Vec<String>) -> Result<VendorPo
     let mut value = |at: usize, name: &str, least: f64, most: f64| {
         let text = fields.get(at).copied().unwrap_or("0");
         let (value, is_comma) = number(text)
-            .ok_or_else(|| bad(line, format!("{name} is {text:?}; it needs a number")))?;
+            .ok_or_else(|| bad(line, format!("{name} is {text:?}; expected a number")))?;
         if is_comma {
             warnings.push(format!(
                 "line {line}: {name} is {text:?}; the comma is read as a point"
@@ -85,13 +89,14 @@ fn point(text: &str, line: usize, warnings: &mut Vec<String>) -> Result<VendorPo
     })
 }
 
-/// `0:Jump`: the word counts, for the numbers mean different ways to different arms (note N2).
+/// The path type, as in `0:Jump`: the word decides, because arms number the types differently (note
+/// N2).
 fn way(text: &str, line: usize) -> Result<MovingMode, ProgramError> {
     let word = text.rsplit(':').next().unwrap_or(text);
     mode(word).ok_or_else(|| {
         bad(
             line,
-            format!("the way is {text:?}; allowed are 0:Jump, 1:Movj and 2:Movl"),
+            format!("the path type is {text:?}; allowed are 0:Jump, 1:Movj and 2:Movl"),
         )
     })
 }
@@ -118,7 +123,7 @@ pub(super) fn write(points: &[VendorPoint]) -> String {
         let [base, rear, fore, servo] = it.joints_deg;
         let grab = if it.grab { "YES" } else { "NO" };
         let (gripper, pause) = (it.gripper_deg, it.pause_s);
-        // Writing into a text cannot fail.
+        // Writing to a string cannot fail.
         let _ = writeln!(
             text,
             "6;;{way};{base:.3};{rear:.3};{fore:.3};{servo:.3};{grab};{gripper};{pause};"
@@ -128,5 +133,5 @@ pub(super) fn write(points: &[VendorPoint]) -> String {
 }
 
 const FIELDS: usize = 10;
-/// Without gripper and pause.
+/// The number of fields without gripper and pause.
 const LEAST_FIELDS: usize = 8;

@@ -1,4 +1,4 @@
-//! `PlayBackPoints.xml`.
+//! The `PlayBackPoints.xml` format.
 
 use std::fmt::Write;
 
@@ -14,26 +14,26 @@ use crate::step_table::LONGEST_PAUSE_S;
 pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError> {
     let (text, warning) = decode(bytes);
     let mut warnings: Vec<String> = warning.into_iter().collect();
-    // Without entities there are no bombs of them.
+    // Without entities there are no entity bombs.
     let options = ParsingOptions {
         allow_dtd: false,
         ..ParsingOptions::default()
     };
     let document = Document::parse_with_options(text.trim_start(), options).map_err(|error| {
         let line = usize::try_from(error.pos().row).ok();
-        bad(line, format!("this is no XML of points: {error}"))
+        bad(line, format!("not well-formed XML: {}", problem(&error)))
     })?;
     let root = document.root_element();
     let name = root.tag_name().name();
     if !name.eq_ignore_ascii_case(ROOT) {
         return Err(bad(
             line(root),
-            format!("the root is <{name}>; points stand in <{ROOT}>"),
+            format!("the outermost element is <{name}>; it must be <{ROOT}>"),
         ));
     }
     if name != ROOT {
         warnings.push(format!(
-            "line {}: the root is <{name}>; read as <{ROOT}>",
+            "line {}: the outermost element is <{name}>; read as <{ROOT}>",
             line(root)
         ));
     }
@@ -50,7 +50,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
         } else {
             let name = node.tag_name().name();
             warnings.push(format!(
-                "line {}: <{name}> is not known; left out",
+                "line {}: <{name}> is unknown; left out",
                 line(node)
             ));
         }
@@ -58,7 +58,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
     if points.is_empty() {
         return Err(bad(
             line(root),
-            "there are no points; it needs one <point> at least",
+            "the file has no points; it needs at least one <point>",
         ));
     }
     Ok(Read {
@@ -84,7 +84,7 @@ pub(super) fn write(points: &[VendorPoint]) -> String {
         ];
         text.push_str("    <point>\n");
         for (name, value) in lines {
-            // Writing into a text cannot fail.
+            // Writing to a string cannot fail.
             let _ = writeln!(text, "        <{name}>{value}</{name}>");
         }
         text.push_str("    </point>\n");
@@ -115,7 +115,7 @@ impl<'a> Reader<'a, '_> {
         })
     }
 
-    /// What a field says and where; `None`, with a warning, where it is missing.
+    /// The text of a field and its line; `None`, with a warning, if it is missing.
     fn field(&mut self, name: &str, otherwise: &str) -> Option<(&'a str, usize)> {
         let found = self.node.children().find(|it| it.tag_name().name() == name);
         let text = found
@@ -130,12 +130,12 @@ impl<'a> Reader<'a, '_> {
         text
     }
 
-    /// An angle without which nobody knows where the point is.
+    /// A required angle.
     fn angle(&mut self, name: &str) -> Result<f64, ProgramError> {
         if !self.node.children().any(|it| it.tag_name().name() == name) {
             return Err(bad(
                 line(self.node),
-                format!("the point has no <{name}>; it needs x, y and z"),
+                format!("the point has no <{name}>; x, y and z are required"),
             ));
         }
         self.number(name, -1e6, 1e6)
@@ -146,7 +146,7 @@ impl<'a> Reader<'a, '_> {
             return Ok(0.0);
         };
         let (value, is_comma) = number(text)
-            .ok_or_else(|| bad(line, format!("<{name}> is {text:?}; it needs a number")))?;
+            .ok_or_else(|| bad(line, format!("<{name}> is {text:?}; expected a number")))?;
         if is_comma {
             self.warnings.push(format!(
                 "line {line}: <{name}> is {text:?}; the comma is read as a point"
@@ -182,7 +182,7 @@ impl<'a> Reader<'a, '_> {
     }
 }
 
-/// The way that a word names.
+/// The path type that a word names.
 pub(super) fn mode(word: &str) -> Option<MovingMode> {
     let modes = [MovingMode::Jump, MovingMode::MovL, MovingMode::MovJ];
     modes
@@ -196,6 +196,15 @@ pub(super) const fn style(mode: MovingMode) -> &'static str {
         MovingMode::MovL => "MOVL",
         MovingMode::MovJ => "MOVJ",
     }
+}
+
+/// What the XML parser reports, without the position that it appends.
+fn problem(error: &roxmltree::Error) -> String {
+    let message = error.to_string();
+    let problem = message
+        .rsplit_once(" at ")
+        .map_or(&*message, |parts| parts.0);
+    problem.replace('\'', "`")
 }
 
 fn line(node: Node<'_, '_>) -> usize {

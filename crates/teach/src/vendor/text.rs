@@ -1,8 +1,9 @@
-//! Bytes of old files as text.
+//! The encodings of old files.
 
-/// The text of bytes in any of the encodings that such files are found in: UTF-8 and UTF-16 with or without a mark
-/// at their beginning, and one-byte or Chinese encodings. Of the last, letters beyond ASCII become others; all that
-/// these files say is ASCII. A warning says which it was, unless it was UTF-8.
+/// Decodes bytes in any of the encodings of such files: UTF-8 and UTF-16 with or without a byte
+/// order mark, and one-byte or Chinese encodings. In the latter, letters beyond ASCII become
+/// others; the known keys and values are all ASCII. Returns a warning that names the encoding,
+/// unless it is UTF-8.
 #[must_use]
 pub fn decode(bytes: &[u8]) -> (String, Option<String>) {
     let (text, encoding) = match bytes {
@@ -36,7 +37,7 @@ fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
     String::from_utf16_lossy(&units)
 }
 
-/// A number, also one with a comma for its point; whether it had one.
+/// Parses a number, also with a decimal comma; returns whether it had one.
 pub(super) fn number(text: &str) -> Option<(f64, bool)> {
     let text = text.trim();
     let is_comma = text.matches(',').count() == 1 && !text.contains('.');
@@ -47,6 +48,6 @@ pub(super) fn number(text: &str) -> Option<(f64, bool)> {
     }
     .parse()
     .ok()?;
-    // Larger than any angle or time: nothing that an arm was taught.
+    // Larger than any angle or time of an arm.
     (number.abs() <= 1e6).then_some((number, is_comma))
 }

@@ -1,4 +1,4 @@
-//! Programs that are edited keep what a person wrote into them.
+//! Edits of programs keep comments.
 
 use dobot_teach::{Action, Go, Here, Point, ProgramDocument};
 

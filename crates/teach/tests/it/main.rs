@@ -1,4 +1,4 @@
-//! Programs: their text, what they do in their worlds, and files of the vendor.
+//! Programs: their text, their effects in worlds, and the vendor's files.
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 

@@ -1,4 +1,4 @@
-//! Programs: what their text means, and what is said of bad ones.
+//! The meaning of program texts, and the errors of bad ones.
 
 use std::collections::BTreeMap;
 
@@ -41,7 +41,7 @@ fn places(compiled: &Compiled) -> Vec<[f32; 3]> {
     compiled.commands.iter().filter_map(place).collect()
 }
 
-/// The error of reading or compiling.
+/// The error of parsing or compiling.
 fn error(text: &str, files: &mut dyn Files) -> String {
     let done = Program::from_toml(text).and_then(|it| it.compile(files));
     done.unwrap_err().to_string()
@@ -49,15 +49,19 @@ fn error(text: &str, files: &mut dyn Files) -> String {
 
 const GO: &str = "[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n";
 
-/// A text, the line that is wrong in it, and words of its error.
+/// A bad text, the start of its error, and parts of it.
 const BAD: &[(&str, &str, &[&str])] = &[
     ("title = ", "line 1: ", &[]),
-    ("[[step]]", "line 1: ", &["unknown field `step`", "steps"]),
+    (
+        "[[step]]",
+        "line 1: ",
+        &["the key `step` is unknown", "steps"],
+    ),
     ("steps = []", "", &["no steps"]),
     (
         "[[steps]]\ngo = 3",
         "line 2: ",
-        &["invalid type", "name of a point"],
+        &["found the number 3", "name of a point"],
     ),
     (
         "[[steps]]\ngo = \"a\"",
@@ -99,7 +103,7 @@ const BAD: &[(&str, &str, &[&str])] = &[
         "line 1: ",
         &["pause beside laser", "nothing"],
     ),
-    ("[[steps]]", "line 1: ", &["nothing to do"]),
+    ("[[steps]]", "line 1: ", &["a step is empty"]),
     (
         "[[steps]]\npause = 700",
         "line 1: ",
@@ -126,7 +130,7 @@ const BAD: &[(&str, &str, &[&str])] = &[
         &["often", "forever"],
     ),
     ("[[steps]]\nrepeat = 2", "line 1: ", &["has no steps"]),
-    ("[[steps]]\nspeed = {}", "line 1: ", &["speed says nothing"]),
+    ("[[steps]]\nspeed = {}", "line 1: ", &["speed is empty"]),
     (
         "[[steps]]\nspeed = { percent = 0 }",
         "line 1: ",
@@ -147,11 +151,15 @@ const BAD: &[(&str, &str, &[&str])] = &[
         "line 1: ",
         &["start_speed_percent is 0"],
     ),
-    ("[[steps]]\npause = 1", "line 1: ", &["where the arm is"]),
+    (
+        "[[steps]]\npause = 1",
+        "line 1: ",
+        &["position of the arm is unknown"],
+    ),
     (
         "[[steps]]\nlaser = false",
         "line 1: ",
-        &["nothing in it moves"],
+        &["no step moves the arm"],
     ),
     (
         "[[steps]]\nrepeat = \"forever\"\nsteps=[{go={x=200,y=0,z=0}}]\n[[steps]]\npause = 1",
@@ -176,7 +184,7 @@ const BAD: &[(&str, &str, &[&str])] = &[
 ];
 
 #[test]
-fn a_bad_program_is_told_with_its_line_what_was_found_and_what_is_allowed() {
+fn a_bad_program_is_reported_with_its_line_what_was_found_and_what_is_allowed() {
     for (text, start, parts) in BAD {
         let error = error(text, &mut NoFiles);
         assert!(error.starts_with(start), "{error}\n{text}");
@@ -184,6 +192,71 @@ fn a_bad_program_is_told_with_its_line_what_was_found_and_what_is_allowed() {
             assert!(error.contains(part), "`{part}` is missing: {error}");
         }
         assert!(!error.contains('\n') && !error.ends_with('.'), "{error}");
+    }
+}
+
+#[test]
+fn all_independent_mistakes_are_reported_at_once() {
+    let values = "titel = \"x\"\n[points]\na = { x = 1 }\n[grids.g]\nat = \"a\"\nrows = \"two\"\npitch = {}\n[[steps]]\npause = 700\n[[steps]]\ngo = 3";
+    let found = error(values, &mut NoFiles);
+    let expected = [
+        "line 1: the key `titel` is unknown; allowed: ",
+        " | line 3: a point has x; ",
+        " | line 6: found the text \"two\"; expected a whole number of 0 or more",
+        " | line 8: pause is 700 s; ",
+        " | line 11: found the number 3; expected the name of a point",
+    ];
+    for part in expected {
+        assert!(found.contains(part), "`{part}` is missing: {found}");
+    }
+    let names = "[grids.g]\nat = \"a\"\nrows = 1001\npitch = {}\n[[steps]]\ntool = \"t\"\n[[steps]]\nrepeat = 2\nsteps = [{ go = \"b\" }]";
+    let error = Program::from_toml(names).unwrap_err();
+    let lines: Vec<_> = error.others.iter().map(|other| other.line).collect();
+    assert_eq!(
+        (error.line, lines),
+        (Some(1), vec![Some(1), Some(5), Some(9)])
+    );
+    assert!(
+        error
+            .to_string()
+            .contains(" | line 9: there is no point \"b\"")
+    );
+}
+
+#[test]
+fn no_error_of_a_program_has_terms_of_the_parser() {
+    let jargon = [
+        "field", "invalid", "f64", "u32", "struct", "literal", "variant",
+    ];
+    for text in [
+        "[[steps]]\npause = \"long\"",
+        "[[steps]]\ngripper = true",
+        "[[steps]]\nlaser = 1",
+        "[[steps]]\nwait = 3",
+        "[[steps]]\npause = [1]",
+        "[[steps]]\ngo = { x = \"1\", y = 2, z = 3 }",
+        "[[steps]]\narc = { through = \"a\" }",
+        "[[steps]]\ndrawing = { file = \"a.svg\" }",
+        "[[steps]]\nspeed = { fast = 1 }",
+        "[[steps]]\nspeed = 3",
+        "[[steps]]\nrepeat = 2.5\nsteps = [{ pause = 1 }]",
+        "[tools.a]\nkind = \"hammer\"",
+        "[tools.a]\nlength = 3",
+        "[frames]\na = 3",
+        "[grids.g]\nat = \"a\"\nrows = -1\npitch = {}",
+        "points = 3",
+        "steps = 3",
+        "title = 3",
+        "title = x",
+        "title = 1.2.3",
+        "a b = 3",
+        "title = \"a\"\ntitle = \"b\"",
+    ] {
+        let error = error(text, &mut NoFiles);
+        assert!(error.starts_with("line "), "{error}\n{text}");
+        for word in jargon {
+            assert!(!error.contains(word), "`{word}`: {error}\n{text}");
+        }
     }
 }
 
@@ -317,7 +390,7 @@ fn a_repeat_at_the_end_stands_once_and_says_so() {
 
 #[test]
 fn a_first_cycle_that_differs_stands_before_the_others() {
-    // The first time the gripper is at 0 on the way to the first point; later it is as it was left.
+    // In the first cycle the gripper is at 0 until the second point; in later ones at 30.
     let it = compiled(
         "[[steps]]\nrepeat = 5\n[[steps.steps]]\ngo = {x=200,y=0,z=0}\n[[steps.steps]]\ngo = {x=200,y=50,z=0}\ngripper = 30",
     );
@@ -346,7 +419,7 @@ fn only_the_first_motion_starts_softly() {
 }
 
 #[test]
-fn a_barrier_waits_as_for_a_person_and_is_told_by_its_name() {
+fn a_barrier_waits_as_for_a_person_and_has_its_name() {
     let it = compiled(&format!("{GO}[[steps]]\nbarrier = \"handed over\"\n{GO}"));
     let at = it.steps.iter().find(|it| it.barrier.is_some()).unwrap();
     assert_eq!(at.barrier.as_deref(), Some("handed over"));
@@ -358,7 +431,7 @@ fn a_barrier_waits_as_for_a_person_and_is_told_by_its_name() {
 }
 
 #[test]
-fn a_barrier_before_the_first_motion_is_told_with_what_helps() {
+fn a_barrier_before_the_first_motion_is_reported_with_a_remedy() {
     let text = format!("[[steps]]\nbarrier = \"ready\"\n{GO}");
     let program = Program::from_toml(&text).unwrap();
     let error = program.compile(&mut NoFiles).unwrap_err().to_string();
@@ -413,7 +486,7 @@ fn calls_that_never_end_are_found() {
     let error = error("[[steps]]\ncall = \"a.toml\"", &mut files);
     assert_eq!(
         error,
-        "b.toml: line 1: the calls never end: a.toml calls b.toml calls a.toml again"
+        "b.toml: line 1: the calls never end: a.toml calls b.toml calls a.toml again; remove one of the calls"
     );
 }
 

@@ -1,4 +1,4 @@
-//! What is written is read again equal, whatever it is; and what is read is made into commands or refused.
+//! Any written program reads back equal; any read program compiles or is refused.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Files of the vendor's programs: the samples, and surprises.
+//! Files of the vendor's software: samples and deviations.
 
 use dobot_teach::vendor::{
     JogParams, PlaybackParams, VendorPoint, points_of, program_of, read_play, read_points,
@@ -134,7 +134,7 @@ fn a_bad_file_is_told_with_its_line_what_was_found_and_what_is_allowed() {
     for (text, start, part) in [
         (bomb, "line ", "DTD"),
         ("<points/>", "line 1: ", "<points>"),
-        ("<playBack>\n<point>", "line ", "no XML"),
+        ("<playBack>\n<point>", "line ", "not well-formed XML"),
         ("<playBack/>", "line 1: ", "no points"),
         (
             "<playBack>\n<point><x>1</x><y>2</y></point></playBack>",

@@ -1,4 +1,4 @@
-//! The sample programs on both virtual arms, in their worlds: the objects end where they belong.
+//! The sample programs on both virtual arms: the objects end at the right places.
 
 use std::fs;
 use std::path::PathBuf;
@@ -38,7 +38,7 @@ fn compiled(program: &str) -> Compiled {
         .unwrap()
 }
 
-/// The objects after a program that was carried out command by command, and what was told besides grips.
+/// The objects after a program executed command by command, and the events besides grips.
 fn carried_out(
     program: &Compiled,
     scene: &str,
@@ -59,7 +59,7 @@ fn carried_out(
         let trajectory = model.trajectory(command).unwrap();
         model = model.after(command, &trajectory);
         arm.handle_bytes(now, &command.emit(&dialect).to_bytes());
-        // A stock arm is some ticks later; the first way begins elsewhere than the model does.
+        // A stock arm is some ticks later; the first move starts elsewhere than in the model.
         now +=
             Duration::from_secs_f64(trajectory.duration_s().unwrap()) + Duration::from_millis(1500);
         arm.handle_time(now);
@@ -72,7 +72,7 @@ fn carried_out(
     (state.objects.clone(), surprises.collect())
 }
 
-/// Where each object is: x, y and how high its underside is, within half a millimetre.
+/// The place of each object: x, y and the height of its underside, within half a millimetre.
 #[track_caller]
 fn ends(program: &str, scene: &str, expected: &[(&str, [f64; 3])]) {
     let compiled = compiled(program);

@@ -446,11 +446,7 @@ fn compile(program: &Program, arm: &PlannedFor, files: &mut dyn Files) -> Result
 }
 
 fn nothing_yet() -> ProgramError {
-    ProgramError {
-        file: None,
-        line: None,
-        reason: "the program has no step yet; add a point first".to_owned(),
-    }
+    ProgramError::new("the program has no step yet; add a point first")
 }
 
 /// `go = "p1", path = "movl"`

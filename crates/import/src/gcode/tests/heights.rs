@@ -31,7 +31,7 @@ fn a_laser_that_is_off_on_the_way_is_one_although_its_z_moves_and_this_is_told()
         corners(switched),
         [[(0.0, 0.0), (4.0, 0.0)], [(6.0, 0.0), (9.0, 0.0)]]
     );
-    let told = "1 laser at several heights: all that M3, M4 or M106 burn is burned, at any Z";
+    let told = "1 laser at several heights: everything with the laser on (M3, M4 or M106) is burned, at any Z";
     assert_eq!(draw(switched).1, [told]);
     let passes =
         "M4 S9\nG0 X0 Z0\nG1 X4\nG0 X0\nG1 Z-1\nG1 X4\nG0 X6 Z0\nG1 X9\nG0 X6\nG1 Z-1\nG1 X9";
@@ -47,13 +47,13 @@ fn shallow_cuts_are_drawn_where_only_moves_along_z_go_above_zero() {
     );
     assert_eq!(
         draw(text).1,
-        ["1 file whose lines are all below Z 0: drawn where Z is below 0.00 mm"]
+        ["1 file with all lines below Z 0: drawn where Z is below 0.00 mm"]
     );
     let machine = "G0 X1 Y0\nG0 Z0\nG0 Z-40\nX5\nG1 Z-45\nX9\nG0 Z-40\nX0\nG0 Z0";
     assert_eq!(corners(machine), [[(0.0, 0.0), (4.0, 0.0)]]);
     assert_eq!(
         draw(machine).1,
-        ["1 file whose travels are below Z 0: drawn where Z is below -40.00 mm"]
+        ["1 file with travels below Z 0: drawn where Z is below -40.00 mm"]
     );
     // A hole alone has no line that could tell a height.
     assert_eq!(
@@ -78,7 +78,7 @@ fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them
         assert_eq!(corners(&text), lines, "{text}");
         assert_eq!(
             told(&text),
-            "1 file with lines at Z 0: drawn as those below, for the tool comes down to them"
+            "1 file with lines at Z 0: drawn like those below, because the tool moves down to them"
         );
     }
     let relief = "G0 Z5\nX-1 Y0\nG1 Z0\nX5\nX10 Z-0.2\nX20 Z0\nG0 Z5";
@@ -87,7 +87,7 @@ fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them
         assert_eq!(corners(text), [[(0.0, 0.0), (5.0, 0.0)]], "{text}");
         assert_eq!(
             told(text),
-            "1 file with lines at Z 0: left out, for only what is below is drawn"
+            "1 file with lines at Z 0: left out, because only lines below Z 0 are drawn"
         );
     }
     // A pen that is up at 0.
@@ -128,7 +128,7 @@ fn a_pen_is_down_where_z_is_high_if_all_travels_lie_below_the_lines() {
     let text = "G21 G90\nG1 Z0.5 F5000\nG0 X10 Y10\nG1 Z5\nG1 X40\nG1 Z0.5\nG0 X60 Y40\nG1 Z5\nG1 X80\nG1 Z0.5\nG0 X0 Y0";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners(text), lines);
-    let told = "1 file whose travels (G0) are below its lines: drawn where Z is above 2.75 mm";
+    let told = "1 file with travels (G0) below its lines: drawn where Z is above 2.75 mm";
     assert_eq!(draw(text).1, [told]);
     // The way home may be lower.
     let home = format!("G28\n{text}\nG1 Z0\nG1 X-9");

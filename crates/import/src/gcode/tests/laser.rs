@@ -9,7 +9,7 @@ const SWITCHED: &str = "G21 G90 F600\nG0 X0 Y0\nM3\nG1 X10\nM5\nG1 X20\nM3\nG1 X
 const DRY_RUN: &str = "G21 G90\nM4 S0\nG0 X0 Y0\nG1 X10 F600\nM5\n";
 const POWERS_WHILE_OFF: &str = "G21\nG90\nG28 XY\nM5\nG0 X0 Y0 F3000\nG1 X15 Y0 S100 F900\nG1 X15 Y15\nG0 X20 Y0 F3000\nG1 X35 Y0 S20 F900\nM5\nG0 X0 Y100\n";
 const HOLES: &str = "G21\nG90\nG00 S7000\nG00 Z25\nM5\nM3\nG0 Z1\nG04 P1\nG1 F50\nG0 X4 Y6\nG1 Z-1.5\nG1 Z1\nG0 X14 Y6\nG1 Z-1.5\nG1 Z1\nG0 X24 Y6\nG1 Z-1.5\nG1 Z1\nG0 Z25\nM5\nM2\n";
-const NEVER: &str = "nothing to draw: the laser never has power in a line (M3, M4 or M106, with S above 0 where the file has S)";
+const NEVER: &str = "nothing to draw: the laser has no power in any line (M3, M4 or M106, and S above 0 if the file uses S)";
 
 #[test]
 fn m5_and_m107_are_off_for_a_laser_even_where_the_first_line_is_on() {
@@ -17,14 +17,14 @@ fn m5_and_m107_are_off_for_a_laser_even_where_the_first_line_is_on() {
     let fan = SWITCHED.replace("M3", "M106").replace("M5", "M107");
     for text in [SWITCHED, &fan] {
         assert_eq!(corners(text), lines, "{text}");
-        let told = "1 file without powers (S): G1, G2 and G3 draw while M3, M4 or M106 hold";
+        let told = "1 file without powers (S): G1, G2 and G3 draw while M3, M4 or M106 is active";
         assert_eq!(draw(text).1, [told]);
     }
     let whole = [[(0.0, 0.0), (10.0, 0.0), (20.0, 0.0), (30.0, 0.0)]];
     assert_eq!(corners_by_pen(SWITCHED), whole);
     assert_eq!(
         draw_by_pen(SWITCHED).1,
-        ["1 file whose M3, M5 or S leave open when a pen is down: G1, G2 and G3 draw, G0 travels"]
+        ["1 file with ambiguous pen commands (M3, M5 or S): G1, G2 and G3 draw, G0 travels"]
     );
 }
 
@@ -62,7 +62,7 @@ fn a_spindle_that_waits_or_plunges_burns_nothing_and_a_pen_draws_its_holes() {
     let holes = [[(0.0, 0.0)], [(10.0, 0.0)], [(20.0, 0.0)]];
     for (text, line) in [(HOLES, 11), (cycle, 5)] {
         let told = format!(
-            "nothing to draw: no line that a laser burns; {line}:1: 3 holes: not burned, for Z and drilling cycles switch no laser on"
+            "nothing to draw: no line with the laser on; {line}:1: 3 holes: not burned, because Z and drilling cycles do not switch a laser on"
         );
         assert_eq!(error(text), told, "{text}");
         assert_eq!(corners_by_pen(text), holes, "{text}");
@@ -102,8 +102,8 @@ fn a_file_for_a_pen_is_burned_without_its_dots_and_travels() {
     assert_eq!(
         draw(text).1,
         [
-            "5:1: 1 dark move: not burned, for the laser is off there (G0, M5, M107 or S0)",
-            "9:1: 1 hole: not burned, for Z and drilling cycles switch no laser on",
+            "5:1: 1 dark move: not burned, because the laser is off there (G0, M5, M107 or S0)",
+            "9:1: 1 hole: not burned, because Z and drilling cycles do not switch a laser on",
         ]
     );
 }

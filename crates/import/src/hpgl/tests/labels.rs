@@ -162,14 +162,14 @@ fn what_labels_lack_is_named() {
     assert_eq!(
         warnings,
         [
-            "1:45: 1 zero direction: left as it was (DI or DR)",
-            "1:9: 1 font: written in plain letters, as large as SI or SR says (SD)",
-            "1:20: 1 character set: taken for Roman-8, or for UTF-8 where it is (CS)",
+            "1:45: 1 zero direction: ignored (DI or DR)",
+            "1:9: 1 font: written in plain letters, in the size set by SI or SR (SD)",
+            "1:20: 1 character set: read as Roman-8, or as UTF-8 if it is valid UTF-8 (CS)",
             "1:25: 1 text path: written to the right (DV)",
-            "1:29: 1 transparent label: its control characters are obeyed (TD)",
-            "1:33: 1 PCL label origin: taken for LO 1 (LO 21)",
+            "1:29: 1 transparent label: its control characters are executed (TD)",
+            "1:33: 1 PCL label origin: read as LO 1 (LO 21)",
             "2:1: 2 characters: not in the sans letters, left out; the first is '漢'",
-            "2:1: 1 label tab: taken for five spaces",
+            "2:1: 1 label tab: read as five spaces",
             "2:19: 1 penless line: left out (SP 0)",
         ]
     );

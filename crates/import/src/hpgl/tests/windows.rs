@@ -23,10 +23,10 @@ fn what_lies_outside_of_a_window_is_cut_off_until_it_is_taken_away() {
     // In the units of the scale, which is told.
     let scaled = format!("IP0,0,4000,4000;SC0,100,0,100;IW10,-10,30,10;SC;{line}");
     assert_eq!(found(&scaled)[1..], [cut]);
-    let told = "1:31: 1 window in a scale: taken for one in the units of SC, as in HP-GL/2 (IW)";
+    let told = "1:31: 1 window in a scale: read as one in the units of SC, as in HP-GL/2 (IW)";
     assert_eq!(draw(&scaled).1, [told]);
     let flat = draw(&format!("IW0,0,0,400;{line}")).1;
-    assert_eq!(flat, ["1:1: 1 flat window: nothing is cut off by it (IW)"]);
+    assert_eq!(flat, ["1:1: 1 flat window: nothing is clipped (IW)"]);
     assert_eq!(
         error(b"IW1,2,3;"),
         "1:1: found IW 1,2,3; expected x,y of two opposite corners"

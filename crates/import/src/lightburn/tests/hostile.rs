@@ -57,7 +57,7 @@ fn wrong_shapes_are_refused_with_their_place() {
         (
             "Type=\"Rect\" W=\"-5\" H=\"1\"",
             HERE,
-            ["\"-5\"", "a length from 0 up"],
+            ["\"-5\"", "a length of 0 mm or more"],
         ),
         (
             "Type=\"Rect\" W=\"nan\" H=\"1\"",
@@ -117,7 +117,7 @@ fn wrong_shapes_are_refused_with_their_place() {
         (
             "Type=\"Rect\" CutIndex=\"-1\" W=\"9\"",
             HERE,
-            ["\"-1\"", "a whole number from 0 up"],
+            ["\"-1\"", "a whole number of 0 or more"],
         ),
     ] {
         refused(&project(&shape(attributes, frame, "")), &parts);
@@ -146,7 +146,7 @@ fn what_is_no_project_is_refused_with_its_place() {
         bomb,
         &[
             "1:1: found \"<!DOCTYPE l [<!ENTIT..\"",
-            "nothing there needs a DOCTYPE",
+            "no drawing needs a DOCTYPE",
         ],
     );
 }
@@ -206,7 +206,7 @@ fn more_elements_than_anybody_draws_are_refused() {
     let text = project(&"<V/>".repeat(2_000_001));
     refused(
         &text,
-        &[" elements, texts and attributes; expected no more"],
+        &[" elements, texts and attributes; expected at most that"],
     );
 }
 

@@ -92,8 +92,8 @@ fn what_a_laser_would_not_burn_is_left_out_and_told() {
     assert_eq!(strokes(&artwork).len(), 1);
     let told = warnings.join("\n");
     for part in [
-        "2 switched-off shapes: left out, the output of their layers is off in LightBurn (C03)",
-        "1 tool-layer shape: left out, LightBurn does not output them either (C30)",
+        "2 switched-off shapes: left out, because the output of its layer is off in LightBurn (C03)",
+        "1 tool-layer shape: left out, because LightBurn does not output tool layers (C30)",
     ] {
         assert!(told.contains(part), "{told}");
     }

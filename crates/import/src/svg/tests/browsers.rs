@@ -28,8 +28,8 @@ fn a_size_of_the_page_that_browsers_ignore_is_told_and_the_view_box_decides() {
         assert!((drawing.width_mm - expected_mm).abs() < 1e-3, "{size}");
         assert_eq!(
             warnings[0].to_string(),
-            "2 page sizes: (width or height of <svg>) not read, for it is no length such as 200mm; \
-             taken from the viewBox, or from what is drawn, in pixels"
+            "2 page sizes: (width or height of <svg>) ignored, because it is not a length such as \
+             200mm; the size is that of the viewBox or of the drawing, in pixels"
         );
     }
     for size in ["100%", "auto", "200mm", " 200mm "] {
@@ -174,9 +174,9 @@ fn rules_inside_a_rule_are_told_as_not_read() {
         draw(r#"<style>g { path { stroke: blue } }</style><g><path d="M1 1H9" stroke="red"/></g>"#);
     assert_eq!(strokes.len(), 1);
     assert!(
-        warnings[0]
-            .to_string()
-            .starts_with("1 CSS rule: not read, for its selector is not known, or it holds other"),
+        warnings[0].to_string().starts_with(
+            "1 CSS rule: ignored, because its selector is not supported or it contains other"
+        ),
         "{warnings:?}"
     );
 }

@@ -115,7 +115,7 @@ fn where_too_many_shapes_lie_over_each_other_all_is_drawn_and_told() {
     assert!(
         warnings[0]
             .to_string()
-            .contains("drawn whole, too many shapes lie over it"),
+            .contains("drawn completely, because too many shapes lie over it"),
         "{warnings:?}"
     );
 }

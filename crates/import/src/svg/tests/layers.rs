@@ -71,7 +71,10 @@ fn white_is_paper_where_it_fills_and_ink_where_it_draws() {
     );
     assert_eq!(contents(&layers), [("red", 1, 0), ("white", 1, 0)]);
     let texts: Vec<String> = warnings.iter().map(Warning::to_string).collect();
-    assert_eq!(texts, ["1 white shape: left out, white is the paper"]);
+    assert_eq!(
+        texts,
+        ["1 white shape: left out, because the paper is white"]
+    );
 }
 
 #[test]
@@ -226,7 +229,9 @@ fn a_font_that_is_not_here_is_told_with_the_one_taken_for_it() {
     };
     assert_eq!(
         warnings(&["No Such Sans", "No Such Sans"]),
-        [format!("1 font No Such Sans: not here, drawn in {here}")]
+        [format!(
+            "1 font No Such Sans: not installed, drawn in {here}"
+        )]
     );
     let known = format!("No Such Sans, {here}");
     let none: [String; 0] = [];
@@ -263,7 +268,7 @@ fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_tells()
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50"><text font-family="{asked}" x="10" y="30" font-size="20">o</text></svg>"#
         );
         let (_, warnings) = read(&svg, &options).unwrap();
-        let told = format!("1 font {asked}: not here, drawn in {taken}");
+        let told = format!("1 font {asked}: not installed, drawn in {taken}");
         let warnings: Vec<_> = warnings.iter().map(Warning::to_string).collect();
         assert!(warnings.contains(&told), "{told}: {warnings:?}");
     }
@@ -317,7 +322,7 @@ fn a_clipped_fill_that_crosses_itself_without_end_is_drawn_but_not_hatched() {
     assert!(!layers[0].strokes.is_empty());
     assert_eq!(
         warnings[0].to_string(),
-        "1 filled shape: not hatched, it crosses itself too often to be clipped, or too many corners lie in clip paths"
+        "1 filled shape: not hatched, because it crosses itself too often, or too many corners lie in clip paths"
     );
 }
 
@@ -337,7 +342,7 @@ fn a_clip_path_that_cuts_without_end_is_refused() {
     let error = read(&text, &ReadOptions::default());
     assert_eq!(
         error.unwrap_err().to_string(),
-        "cutting lines and areas at the clip paths takes for ever; simplify the clip paths, or draw it in parts"
+        "clipping lines and areas takes too long; simplify the clip paths, or draw it in parts"
     );
 }
 
