@@ -132,7 +132,11 @@ pub(crate) async fn exchange(
     }
 }
 
-async fn ask(requester: &Requester, handle: &StationHandle, member: &MemberKey) -> Result<(), String> {
+async fn ask(
+    requester: &Requester,
+    handle: &StationHandle,
+    member: &MemberKey,
+) -> Result<(), String> {
     let known = handle.adopt_fleet_stops(Vec::new()).await;
     let (known, _) = known.map_err(|refusal| refusal.to_string())?;
     let theirs = requester

@@ -220,7 +220,12 @@ impl Flat {
     }
 
     /// Returns the bounds for an arm as drawn, whose tool moves exactly like this.
-    fn swept_path(&self, interpolation: Interpolation, turns: &Turns, arm: &Calibration) -> SweptPath {
+    fn swept_path(
+        &self,
+        interpolation: Interpolation,
+        turns: &Turns,
+        arm: &Calibration,
+    ) -> SweptPath {
         let degrees = f64::to_degrees;
         let tool_mm = if interpolation == Interpolation::Around {
             turned(FARTHEST_MM, self.way_mm, 0.0, self.base, 0.0)
