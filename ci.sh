@@ -205,6 +205,9 @@ step_doc() {
   done
   diff <(cargo run --locked --quiet -p dobot-examples --example crates) docs/crates.md ||
     fail "docs/crates.md is not what the manifests say (<); regenerate it (docs/recipes.md)"
+  build_all
+  diff <(docs/draw-options.sh "$DOBOT") docs/draw-options.md ||
+    fail "docs/draw-options.md is not what dobot draw --help prints (<); regenerate it (docs/recipes.md)"
 }
 
 step_doc-all() {
