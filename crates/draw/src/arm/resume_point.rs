@@ -1,4 +1,4 @@
-//! Where to begin: what is left to draw of passes in their order.
+//! The resume point of an interrupted drawing.
 
 use std::str::FromStr;
 
@@ -8,27 +8,27 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Where to begin, so that a drawing can be finished that was broken off: `layer:NAME`, `stroke:NUMBER` or
-/// a share such as `40%`.
+/// The resume point of an interrupted drawing: `layer:NAME`, `stroke:NUMBER` or a share such as
+/// `40%`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
 pub enum ResumePoint {
-    /// At a pass: its name, or its number from 1.
+    /// A pass: its name, or its number from 1.
     Pass(String),
-    /// At a stroke, counted from 1 through all passes, those that a laser burns several times so often.
+    /// A stroke, counted from 1 through all passes including repeated burns of a laser.
     Stroke(usize),
-    /// Where that share of all the length is drawn, of a laser all its times, in percent, from 0 to below 100: in the middle
-    /// of a stroke, if it lies there.
+    /// The drawn share of the total length including repeated burns, in percent, from 0 to below
+    /// 100. It may lie within a stroke.
     Percent(f64),
 }
 
 impl ResumePoint {
-    /// What is left to draw. A pass that is left in part keeps its message: its pen has to be put
-    /// in all the same.
+    /// Returns the rest of the drawing. A partially drawn pass keeps its message, because its pen
+    /// must be inserted again.
     ///
     /// # Errors
     ///
-    /// [`ResumePointError`] with what is allowed.
+    /// [`ResumePointError`] with the allowed values.
     pub fn rest_of(&self, passes: Vec<Pass>) -> Result<Vec<Pass>, ResumePointError> {
         match self {
             Self::Pass(pass) => from_pass(passes, pass),
@@ -72,32 +72,32 @@ impl From<ResumePoint> for String {
     }
 }
 
-/// Why a drawing cannot begin there.
+/// The error returned when a drawing has no such resume point.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ResumePointError {
-    /// No such pass.
+    /// There is no such pass.
     #[error("there is no pass '{found}' to start from; there are: {}", numbered(.names))]
     Pass {
-        /// What was asked for.
+        /// The requested pass.
         found: String,
         /// The names of the passes.
         names: Vec<String>,
     },
-    /// No such stroke.
+    /// There is no such stroke.
     #[error("there is no stroke {found} to start from; allowed is 1 to {strokes}")]
     Stroke {
-        /// What was asked for.
+        /// The requested stroke.
         found: usize,
-        /// How many strokes there are.
+        /// The number of strokes.
         strokes: usize,
     },
-    /// No such share.
+    /// The share is out of range.
     #[error("a drawing cannot start from {0} %; allowed is 0 to below 100")]
     Percent(f64),
 }
 
-/// A name counts before a number: a pass may be called "2".
+/// A name takes precedence over a number: a pass may be called "2".
 fn from_pass(mut passes: Vec<Pass>, pass: &str) -> Result<Vec<Pass>, ResumePointError> {
     let by_number = || {
         let number: usize = pass.parse().ok()?;
@@ -138,8 +138,8 @@ fn from_percent(passes: Vec<Pass>, percent: f64) -> Result<Vec<Pass>, ResumePoin
     Ok(after(passes, whole, drawn_mm))
 }
 
-/// The passes without so many strokes, and so much of the next one, as they are drawn, and without the passes of which
-/// nothing is left.
+/// Returns the passes without the first strokes and the first part of the next one, in drawing
+/// order. Empty passes are omitted.
 fn after(passes: Vec<Pass>, mut strokes: usize, mut drawn_mm: f64) -> Vec<Pass> {
     let mut rest = Vec::new();
     for pass in passes {
@@ -154,8 +154,9 @@ fn after(passes: Vec<Pass>, mut strokes: usize, mut drawn_mm: f64) -> Vec<Pass> 
     rest
 }
 
-/// What is left of a pass of which so many strokes, and so much of the next one, are drawn. What a laser burns several times
-/// becomes several passes: what is left of the time that was broken off, and the times to come.
+/// Returns the rest of a pass after some strokes and a part of the next one. Repeated burns of a
+/// laser become several passes: the rest of the interrupted repetition, and the remaining
+/// repetitions.
 fn rest_of_pass(pass: &Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
     let (count, times) = (pass.strokes.len(), pass.tool.times());
     let goes_on = matches!(pass.tool, DrawingTool::Laser(laser) if laser.by_stroke);
@@ -199,7 +200,7 @@ fn rest_of_pass(pass: &Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
     parts.enumerate().map(part).collect()
 }
 
-/// What is left of a stroke of which so much is drawn.
+/// Returns the rest of a stroke after a drawn length.
 fn rest_of_stroke(stroke: &Stroke, mut drawn_mm: f64) -> Stroke {
     for (i, (a, b)) in stroke.segments().enumerate() {
         let length_mm = a.distance(b);
@@ -399,7 +400,7 @@ mod tests {
             let all_mm: f64 = all.iter().sum();
             let left_mm: f64 = rest.iter().sum();
             prop_assert!((left_mm - all_mm * (1.0 - percent / 100.0)).abs() < 1e-6);
-            // What is left goes on as it would have without a break.
+            // The rest continues as it would have without the interruption.
             if let Some(later) = rest.get(1..) {
                 prop_assert_eq!(later, &all[all.len() - later.len()..]);
             }

@@ -1,4 +1,4 @@
-//! Copies of a drawing, or several drawings, side by side.
+//! Copies of a drawing, or several drawings, in a grid.
 
 use std::str::FromStr;
 
@@ -7,14 +7,14 @@ use dobot_import::Artwork;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Copies or files in columns and rows, as in `3x2`: three beside each other, two below each other.
+/// A grid of columns and rows for copies or files, as in `3x2`: three columns and two rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
 #[schemars(with = "String")]
 pub struct Grid {
-    /// How many stand beside each other.
+    /// The number of columns.
     pub columns: u32,
-    /// How many stand below each other.
+    /// The number of rows.
     pub rows: u32,
 }
 
@@ -49,8 +49,8 @@ impl TryFrom<String> for Grid {
     }
 }
 
-/// A page whose cells hold the ink of these pages, one after the other and then from the first again, so far
-/// apart. All cells are as large as the largest of them, and each holds its ink in its middle.
+/// Returns a page with the ink of these pages in cells, repeated from the first, with a gap in
+/// between. All cells have the size of the largest one, and the ink is centred in each.
 pub(crate) fn in_cells(artworks: &[Artwork], grid: Grid, gap_mm: f64) -> Artwork {
     let inks: Vec<Rect> = artworks.iter().map(|it| bounds(it.points())).collect();
     let largest = |side: fn(&Rect) -> f64| inks.iter().map(side).fold(0.0, f64::max);

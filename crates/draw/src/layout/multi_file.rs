@@ -1,4 +1,4 @@
-//! Several files on one page, and a text below them.
+//! Several files on one page, with a text below.
 
 use dobot_geometry::{Rect, Vec2, bounds};
 use dobot_import::{Align, Artwork, Source};
@@ -7,12 +7,12 @@ use crate::layout::copies::in_cells;
 use crate::layout::place::PlaceError;
 use crate::prepare::Settings;
 
-/// All parts as one page: files each where it is on its own page, or side by side in the cells of a grid; texts
-/// below all files, at the side at which their lines meet.
+/// Combines all parts on one page: files at their places on their own pages or in the cells of a
+/// grid, and texts below all files, on the side to which their lines are aligned.
 ///
 /// # Errors
 ///
-/// [`PlaceError::Cells`] where the grid has fewer cells than there are files.
+/// [`PlaceError::Cells`] if the grid has fewer cells than there are files.
 pub(crate) fn together(
     parts: Vec<(&Source, Artwork)>,
     settings: &Settings,
@@ -54,7 +54,7 @@ fn side_by_side(files: Vec<Artwork>, settings: &Settings) -> Result<Artwork, Pla
     Ok(page)
 }
 
-/// A page with a text below its ink. The page grows where the text would go beyond its edge.
+/// Adds a text below the ink of a page. The page grows if the text exceeds it.
 fn captioned(mut page: Artwork, text: Artwork, align: Align, gap_mm: f64) -> Artwork {
     let [ink, letters] = [&page, &text].map(|it| bounds(it.points()));
     let x = match align {
@@ -131,7 +131,7 @@ mod tests {
             };
             together(parts(), &settings)
         };
-        // Cells of 20 x 10 mm, 5 mm apart; b is in the middle of the second and the fourth.
+        // Cells of 20 x 10 mm, 5 mm apart; b is centred in the second and the fourth.
         let all = in_grid("2x2").expect("there are enough cells");
         assert_eq!((all.width_mm, all.height_mm), (45.0, 25.0));
         assert_eq!(place(&all, 0, 1), (0.0, 15.0));

@@ -1,4 +1,4 @@
-//! Reading a file of materials.
+//! Reading of materials files.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::{Material, MaterialError};
 
-/// The materials of a file.
+/// Reads the materials of a file.
 pub(super) fn materials(text: &str) -> Result<BTreeMap<String, Material>, MaterialError> {
     let document = DeTable::parse(text).map_err(|error| MaterialError {
         line: line_at(text, error.span().map_or(0, |span| span.start)),
@@ -93,10 +93,10 @@ fn laser(table: &Table<'_>) -> Result<DrawingTool, MaterialError> {
     }))
 }
 
-/// A table of the file, and where it stands.
+/// A table of the file and its position.
 struct Table<'a> {
     text: &'a str,
-    /// Its name with dots.
+    /// Its dotted name.
     name: String,
     keys: &'a DeTable<'a>,
     line: usize,
@@ -196,7 +196,7 @@ impl<'a> Table<'a> {
         format!("{}.{key}", self.name)
     }
 
-    /// The value is of another kind or outside its range: it is told as the file writes it.
+    /// Returns the error for a value of the wrong type or out of range, quoted as in the file.
     fn kind(&self, key: &str, allowed: &str) -> MaterialError {
         let span = self.value(key).map_or(0..0, Spanned::span);
         let found = self.text.get(span).unwrap_or_default();
@@ -219,7 +219,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The least and the most of a number, and its unit.
+/// The range of a number and its unit.
 #[derive(Clone, Copy)]
 struct Range(f64, f64, &'static str);
 
@@ -230,14 +230,14 @@ impl Range {
     }
 }
 
-/// The one of these names that is written most like `name`, if one is.
+/// Returns the name most similar to `name`, if one is similar enough.
 pub(super) fn nearest<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let least = names.map(|it| (edits(name, it), it)).min()?;
-    // A word of which half the letters are wrong was not mistyped.
+    // If half of the letters are wrong it is not a typing error.
     (least.0 * 2 < name.chars().count()).then_some(least.1)
 }
 
-/// How many letters have to be put in, taken out or changed to make one word of another.
+/// Returns the number of letters to insert, remove or change to turn one word into the other.
 fn edits(from: &str, to: &str) -> usize {
     let to: Vec<char> = to.chars().collect();
     let mut row: Vec<usize> = (0..=to.len()).collect();
@@ -252,7 +252,7 @@ fn edits(from: &str, to: &str) -> usize {
     row[to.len()]
 }
 
-/// The line of a place in a text, counted from 1.
+/// Returns the line of an offset in a text, counted from 1.
 fn line_at(text: &str, offset: usize) -> usize {
     let before = text.get(..offset);
     before.map_or(1, |before| before.split('\n').count())

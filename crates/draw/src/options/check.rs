@@ -1,4 +1,4 @@
-//! Checks that the options fit the source and each other. An option that would do nothing is refused.
+//! Checks the options against the source and each other. An option without effect is refused.
 
 use std::fmt;
 
@@ -8,8 +8,8 @@ use super::fields::OPTION_RANGES;
 use super::{Options, OptionsError, PlaceOptions};
 use crate::prepare::NamedSource;
 
-/// Refuses the first option that would do nothing for any of these sources, which have this title together.
-/// Without a source the test card is drawn.
+/// Refuses the first option without effect for these sources with a common title. Without a source
+/// the test card is drawn.
 pub(super) fn check(
     options: &Options,
     sources: &[NamedSource],
@@ -53,14 +53,14 @@ pub(super) fn check(
     })
 }
 
-/// Refuses the first option that no drawing can have, or that does not fit the others.
+/// Refuses the first option that is invalid for every drawing or conflicts with the others.
 pub(super) fn check_values(options: &Options) -> Result<(), OptionsError> {
     counts(options)?;
     ranges(options)?;
     together(options)
 }
 
-/// Places have as many numbers as they need, and all are numbers.
+/// Checks that coordinates are finite and complete.
 fn counts(options: &Options) -> Result<(), OptionsError> {
     let places = [
         ("place.at", &options.place.at, 2),
@@ -84,7 +84,7 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
     Ok(())
 }
 
-/// Numbers that no arm and no paper has.
+/// Checks numbers against the ranges of arms and paper.
 fn ranges(options: &Options) -> Result<(), OptionsError> {
     for range in &OPTION_RANGES {
         let is_refused = |found: &f64| !(range.least..=range.most).contains(found);
@@ -95,13 +95,14 @@ fn ranges(options: &Options) -> Result<(), OptionsError> {
     Ok(())
 }
 
-/// No table is larger.
+/// Larger than any table.
 const FARTHEST_MM: f64 = 10_000.0;
 
 /// Two options and whether each is given.
 type Pair = (&'static str, bool, &'static str, bool);
 
-/// Refuses options that exclude each other, a layer that is named twice, and options that need another one.
+/// Refuses options that exclude each other, a layer named twice, and options that require another
+/// one.
 fn together(options: &Options) -> Result<(), OptionsError> {
     if let Some((field, _, other, _)) = exclusive(options).into_iter().find(|it| it.1 && it.3) {
         return Err(OptionsError::Both { field, other });
@@ -122,7 +123,7 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     }
 }
 
-/// A table of options that exclude each other.
+/// Returns the options that exclude each other.
 fn exclusive(options: &Options) -> [Pair; 12] {
     let Options {
         what,
@@ -179,7 +180,7 @@ fn exclusive(options: &Options) -> [Pair; 12] {
     ]
 }
 
-/// A table of options that need another one.
+/// Returns the options that require another one.
 fn dependent(options: &Options) -> [Pair; 16] {
     let Options {
         what, place, tool, ..
@@ -247,11 +248,11 @@ fn dependent(options: &Options) -> [Pair; 16] {
     ]
 }
 
-/// What kind of thing is drawn.
+/// The kind of content.
 #[derive(Clone, Copy, Debug)]
 enum SourceKind {
     File(&'static Format),
-    /// Lines that a program has calculated.
+    /// Lines computed by a program.
     Lines,
     Text,
     Card,
@@ -275,7 +276,7 @@ impl SourceKind {
     }
 }
 
-/// What an option is for.
+/// The content for which an option has an effect.
 #[derive(Clone, Copy, Debug)]
 enum Purpose {
     Pictures,
@@ -285,12 +286,12 @@ enum Purpose {
     Cards,
     /// The areas of drawings and texts.
     Areas,
-    /// Shapes that are painted over each other.
+    /// Shapes painted over each other.
     Painted,
     Pages,
     /// The layers of drawings.
     Layers,
-    /// All but the test card.
+    /// Everything except the test card.
     Drawings,
 }
 
@@ -313,7 +314,7 @@ impl Purpose {
         }
     }
 
-    /// Whether it is for files of this format, for what only some formats have.
+    /// Whether an option applies to files of this format, for properties of only some formats.
     const fn fits_format(self, format: &Format) -> bool {
         match self {
             Self::Painted => matches!(format.contents, Contents::Page | Contents::Shapes),
@@ -340,7 +341,7 @@ impl fmt::Display for Purpose {
     }
 }
 
-/// Each field, whether it was given, and what it is for. What a material sets does not count.
+/// Returns each field, whether it is given, and its purpose. Values set by a material do not count.
 fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
     let Options {
         what, place, tool, ..

@@ -1,4 +1,4 @@
-//! A drawing in time as it is planned, before any arm has carried it out.
+//! The timeline of a drawing from its plan, before an arm executes it.
 
 use dobot_arm::{Position, TICK_S};
 use dobot_geometry::{PathDistance, Point, Stroke};
@@ -11,9 +11,9 @@ use crate::output::trace::{Ink, TracePoint, lines};
 use crate::prepare::Prepared;
 
 impl Prepared {
-    /// The drawing in time by the plan alone, one row for each vector: at once, where a
-    /// [`Trace`](crate::Trace) takes a run of a virtual arm. How far the ink lies from the wanted path is
-    /// told where vectors end.
+    /// Returns the timeline computed from the plan alone, with one row per vector. It is available
+    /// immediately, whereas a [`Trace`](crate::Trace) needs a run of a virtual arm. The ink's
+    /// deviation is given at the ends of vectors.
     #[must_use]
     pub fn timeline(&self) -> Timeline {
         let moments = self.measured();
@@ -30,13 +30,13 @@ impl Prepared {
         }
     }
 
-    /// The path that becomes ink, by the plan alone: lines and dots, with their passes.
+    /// Returns the ink computed from the plan alone: lines and dots with their passes.
     #[must_use]
     pub fn ink(&self) -> Vec<InkLine> {
         self.lines(&self.measured())
     }
 
-    /// The same without how far it lies from what is wanted.
+    /// Returns the ink without its deviation from the wanted path.
     #[must_use]
     pub fn planned(&self) -> Vec<Stroke> {
         let lines = self.lines(&self.moments(|_| 0.0));
@@ -45,7 +45,7 @@ impl Prepared {
 
     fn lines(&self, moments: &[TracePoint]) -> Vec<InkLine> {
         let passes = self.plan.moves.iter().map(|it| it.pass);
-        // Nothing is left where the plan begins.
+        // There is no ink at the start of the plan.
         lines(moments[1..].iter().zip(passes))
     }
 
@@ -55,7 +55,8 @@ impl Prepared {
         self.moments(|it| near.distance_mm(it))
     }
 
-    /// Where the plan begins, and where each vector ends; `error_mm` measures what lies on the paper.
+    /// Returns the start of the plan and the end of each vector; `error_mm` measures the points on
+    /// the paper.
     fn moments(&self, mut error_mm: impl FnMut(Point) -> f64) -> Vec<TracePoint> {
         let moves = &self.plan.moves;
         let begins_ink = |index: usize| moves.get(index).is_some_and(|it| it.kind.marks());
@@ -66,7 +67,7 @@ impl Prepared {
             t_s += duration_s;
             let ink = match vector.kind {
                 kind if kind.marks() => Ink::Line,
-                // A pen that is lowered leaves a dot, even where it draws no line.
+                // Lowering a pen leaves a dot, even if it draws no line.
                 MoveKind::Lower if !matches!(moves.get(index + 1), Some(next) if next.kind == MoveKind::Lower) => {
                     Ink::Begin
                 }

@@ -1,4 +1,4 @@
-//! Layers as passes: the lines of each, cut at the borders, and in a good order.
+//! From layers to passes: the lines of each layer, clipped and ordered.
 
 use dobot_arm::Position;
 use dobot_geometry::{Point, Rect, Stroke, bounds};
@@ -17,8 +17,8 @@ use crate::strokes::hatch::hatch;
 use crate::strokes::merge::merge;
 use crate::strokes::order::order_until;
 
-/// The layers as passes, each in a good order, beside those that are left out: a hole is one also where its part is cut another
-/// time.
+/// Converts layers to ordered passes, and returns the omitted layers beside them: holes also count
+/// for parts that are cut in another layer.
 pub(super) fn passes<E>(
     layers: Vec<Layer>,
     left_out: Vec<Layer>,
@@ -36,7 +36,7 @@ pub(super) fn passes<E>(
         let lines = lines.on_sheet(settings, warnings)?;
         let lines = lines.try_map(|it| raw_strokes(it, tool, settings))?;
         let lines = lines.within_reach(tool, settings, reachable, warnings);
-        // Areas that are not hatched leave no ink.
+        // Areas without hatching leave no ink.
         if !lines.is_empty() {
             let lines = lines.joined(tool, settings, warnings);
             laid.push(LaidLayer { layer, tool, lines });
@@ -87,7 +87,7 @@ pub(super) fn passes<E>(
     Ok(passes)
 }
 
-/// A layer, what draws it, and its lines where they are on the paper.
+/// A layer with its tool and its lines on the paper.
 #[derive(Debug)]
 struct LaidLayer {
     layer: Layer,
@@ -96,7 +96,7 @@ struct LaidLayer {
 }
 
 impl LaidLayer {
-    /// The closed shapes that are cut out of it, where anything is done to such.
+    /// Returns the closed shapes that are cut out, if cutting options apply.
     fn cut_shapes(&self, settings: &Settings) -> Vec<Stroke> {
         if !settings.cutting_of(self.tool).is_asked_for() {
             return Vec::new();
@@ -106,8 +106,8 @@ impl LaidLayer {
     }
 }
 
-/// What a laser engraves comes before what it cuts, and of layers that are cut the one that lies inside of the
-/// shapes of another before it: what was cut out may have fallen or moved.
+/// Orders layers: engraved layers come before cut ones, and cut layers inside the shapes of others
+/// before those, because cut-out parts may have fallen or moved.
 fn inner_layers_first(laid: Vec<LaidLayer>, warnings: &mut Vec<Warning>) -> Vec<LaidLayer> {
     let (cut, mut sorted): (Vec<_>, Vec<_>) = laid.into_iter().partition(|it| it.tool.cuts());
     let lines = cut
@@ -129,11 +129,11 @@ fn inner_layers_first(laid: Vec<LaidLayer>, warnings: &mut Vec<Warning>) -> Vec<
 #[derive(Debug)]
 struct Lines {
     own: Vec<Stroke>,
-    /// What its areas are hatched with, where those must stay apart: rings of a hatching are no edges of parts that a
-    /// laser cuts out.
+    /// The hatching of its areas, if it must stay separate: rings of a hatching are not the edges
+    /// of parts that a laser cuts out.
     fills: Vec<Stroke>,
-    /// The closed shapes of a layer that is cut, before lines that lie on others were left out: what lies inside of them has to come
-    /// before what is left of their edges.
+    /// The closed shapes of a cut layer before duplicates were removed: their content must be cut
+    /// before the rest of their edges.
     whole: Vec<Stroke>,
 }
 
@@ -176,7 +176,7 @@ impl Lines {
         })
     }
 
-    /// Cut at the edge of the sheet where that is wanted.
+    /// Clips the lines to the sheet if requested.
     fn on_sheet(
         self,
         settings: &Settings,
@@ -205,7 +205,8 @@ impl Lines {
         }
     }
 
-    /// What the arm reaches, the tool on the paper and lifted, wherever it is sent for it, where the rest is to be cut off.
+    /// Clips the lines to the positions that the arm reaches with the tool down and lifted,
+    /// including all positions beside the strokes, if requested.
     fn within_reach<E>(
         self,
         tool: DrawingTool,
@@ -248,7 +249,7 @@ impl Lines {
         Self { own, fills, ..self }
     }
 
-    /// Those that meet joined, and those that lie on others left out where that is wanted.
+    /// Joins lines that meet, and removes duplicates if requested.
     fn joined(self, tool: DrawingTool, settings: &Settings, warnings: &mut Vec<Warning>) -> Self {
         let stay_whole = settings.cutting_of(tool).is_asked_for();
         let (mut doubles, mut unknown) = (0, 0);
@@ -279,8 +280,8 @@ impl Lines {
         Self { whole, ..lines }
     }
 
-    /// The strokes as they are drawn, for a tool that comes from `here`: in a good order, of a laser as it cuts them beside
-    /// what is cut in other layers, of a pen as often as it goes over them.
+    /// Returns the strokes as drawn, for a tool that comes from `here`: ordered, with the cuts of a
+    /// laser beside those in other layers, or with the repetitions of a pen.
     fn finished(
         self,
         others: &[&Stroke],
@@ -303,7 +304,7 @@ impl Lines {
         } else {
             vec![own]
         };
-        // What fills parts is burned before they are cut out.
+        // The hatching of parts is burned before they are cut out.
         let mut strokes = in_order(vec![self.fills], here, tool, settings);
         let here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let cut = cutting.finished(in_order(groups, here, tool, settings), others);
@@ -323,8 +324,9 @@ impl Lines {
     }
 }
 
-/// Tells of outlines that have gaps: they are no shapes that are cut out, and so have no kerf, and what lies inside may come later.
-/// Lines side by side are no outline, nor is what is not much wider than its gaps.
+/// Warns about outlines with gaps: they are not cut out as shapes, have no kerf, and their content
+/// may be cut later. Parallel lines are not an outline, nor are shapes barely wider than their
+/// gaps.
 fn with_gaps(strokes: &[Stroke], join_mm: f64) -> Option<Warning> {
     let open: Vec<Stroke> = strokes.iter().filter(|it| !it.closed).cloned().collect();
     let closed = |by_mm: f64| {
@@ -340,7 +342,7 @@ fn with_gaps(strokes: &[Stroke], join_mm: f64) -> Option<Warning> {
     counted(count, "open outline", &instead)
 }
 
-/// How wide a long shape is that has as much area and as long an edge.
+/// Returns the width of a long shape with this area and perimeter.
 fn width_mm(shape: &Stroke) -> f64 {
     let first = shape.points[0];
     let part = |it: &[Point]| (it[0] - first).cross(it[1] - first);
@@ -348,7 +350,7 @@ fn width_mm(shape: &Stroke) -> f64 {
     twice_mm2.abs() / shape.length_mm()
 }
 
-/// Groups of strokes one after the other, each in a good order, for a tool that comes from `here`.
+/// Orders groups of strokes one after another, for a tool that comes from `here`.
 fn in_order(
     groups: Vec<Vec<Stroke>>,
     mut here: Point,
@@ -371,8 +373,8 @@ fn in_order(
     all
 }
 
-/// The places beside one, towards the axis of the arm, away from it, and to both sides: the borders of the reach are arcs
-/// around the axis and lines towards it.
+/// Returns the points beside a point: towards the arm's axis, away from it, and to both sides. The
+/// borders of the reach are arcs around the axis and lines towards it.
 fn around(p: Point, by_mm: f64) -> [Point; 4] {
     let from_axis = p.to_vec2();
     let out = from_axis * (by_mm / from_axis.hypot().max(by_mm));
@@ -390,7 +392,7 @@ pub(super) fn counted(count: usize, what: &str, instead: &str) -> Option<Warning
     })
 }
 
-/// A stroke drawn several times without lifting the pen: a closed one goes on around, an open one back
+/// Repeats a stroke without lifting the pen: a closed one continues around, an open one goes back
 /// and forth.
 fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
     if times < 2 {
@@ -408,17 +410,17 @@ fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
     stroke
 }
 
-/// All strokes as one, in their order.
+/// Joins all strokes to one, in order.
 fn one_line(strokes: Vec<Stroke>) -> Vec<Stroke> {
     let points: Vec<Point> = strokes.into_iter().flat_map(|it| it.points).collect();
     vec![Stroke::open(points)]
 }
 
-/// So much beyond the edge of a sheet is on it: pages in inches are rounded.
+/// The distance beyond the edge that counts as on the sheet: pages in inches are rounded.
 const ON_SHEET_MM: f64 = 0.5;
-/// Gaps that nobody wants in an outline.
+/// Gaps in outlines that are probably unintended.
 const GAPS_MM: [f64; 4] = [0.1, 0.2, 0.5, 1.0];
-/// An outline is so many times as wide as its gaps.
+/// The minimum ratio of an outline's width to its gaps.
 const MUCH_WIDER: f64 = 5.0;
-/// So much beyond the edge is not cut off.
+/// The distance beyond the edge that is not cut off.
 const ON_EDGE_MM: f64 = 0.05;

@@ -1,11 +1,11 @@
-//! Which sample belongs to which vector.
+//! Assignment of samples to vectors.
 
 use dobot_arm::Position;
 use dobot_plan::{Plan, PlannedVector};
 
 use super::{Sample, StartNotReached};
 
-/// The last sample before the arm leaves the plan's start for the first time.
+/// Returns the last sample before the arm first leaves the start of the plan.
 pub(super) fn beginning(plan: &Plan, samples: &[Sample]) -> Result<usize, StartNotReached> {
     let [x, y, z] = plan.start;
     let start = Position::new(x, y, z);
@@ -22,11 +22,11 @@ pub(super) fn beginning(plan: &Plan, samples: &[Sample]) -> Result<usize, StartN
     Ok(came + stays.unwrap_or(0))
 }
 
-/// For each vector the sample at which it is over, as far as the samples go. The first sample is
-/// where the first vector begins.
+/// Returns the sample at which each vector ends, as far as the samples go. The first sample is the
+/// start of the first vector.
 ///
-/// Vectors are increments: each is looked for from where the one before really ended, a certain way
-/// behind it, so that a path that crosses itself does not mislead.
+/// Vectors are increments: each end is searched for from the actual end of the one before, at about
+/// the right distance along the path, so that self-intersections do not mislead.
 pub(super) fn ends(plan: &Plan, samples: &[Sample]) -> Vec<usize> {
     let mut here = 0;
     let end = |vector: &PlannedVector| {
@@ -38,7 +38,7 @@ pub(super) fn ends(plan: &Plan, samples: &[Sample]) -> Vec<usize> {
     plan.moves.iter().map_while(end).collect()
 }
 
-/// The sample nearest to `there` of those about `length_mm` behind `from`.
+/// Returns the sample closest to `there` among those about `length_mm` after `from`.
 fn end_of(samples: &[Sample], from: usize, there: Position, length_mm: f64) -> Option<usize> {
     let mut driven_mm = 0.0;
     let mut best: Option<(usize, f64)> = None;
@@ -59,8 +59,8 @@ fn end_of(samples: &[Sample], from: usize, there: Position, length_mm: f64) -> O
         .map(|it| it.0)
 }
 
-/// A corner is met to the rounding of joints to poses.
+/// Corners match within the rounding from joints to poses.
 const SAME_MM: f64 = 1e-4;
 const AT_START_MM: f64 = 0.1;
-/// An arm that ends its vectors in whole ticks may leave them so far off.
+/// An arm that ends its vectors in whole ticks may miss their ends by this distance.
 const SPARE_MM: f64 = 0.5;
