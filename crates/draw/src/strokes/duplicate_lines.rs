@@ -1,4 +1,4 @@
-//! Lines that are drawn twice.
+//! Removal of duplicate lines.
 
 use std::collections::HashSet;
 
@@ -6,18 +6,18 @@ use dobot_geometry::{Point, Rect, SegmentIndex, Stroke};
 
 use crate::strokes::cutting::along;
 
-/// Strokes without what lies on other ones, and how much that was.
+/// Strokes without duplicate lines, and statistics of the removal.
 #[derive(Debug, PartialEq)]
 pub(crate) struct WithoutDoubles {
     pub strokes: Vec<Stroke>,
-    /// So many lines, or parts of lines, were left out.
+    /// The number of removed lines or parts of lines.
     pub doubles: usize,
-    /// So many lines were not compared with the others, since there are too many of them.
+    /// The number of lines that were not compared, because there are too many.
     pub unknown: usize,
 }
 
-/// Leaves out what lies on another stroke, whichever way it goes. Where shapes have to stay whole, only strokes that lie on others
-/// from end to end are left out. Of two the longer one stays.
+/// Removes lines that lie on another stroke, in either direction; the longer one remains. If shapes
+/// must stay whole, only strokes that are duplicates from end to end are removed.
 pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> WithoutDoubles {
     let before = strokes.len();
     let mut seen = HashSet::new();
@@ -50,7 +50,8 @@ pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> Without
     }
 }
 
-/// The edges in an order of their own: those of a line there and back, or around from anywhere, are the same.
+/// Returns the edges in a canonical order, which is equal for a line in both directions and for a
+/// ring with any start.
 fn edges(points: &[Point]) -> Vec<[[i64; 2]; 2]> {
     #[expect(clippy::cast_possible_truncation, reason = "on a table")]
     let rounded = |mm: f64| (mm / SAME_MM).round() as i64;
@@ -68,7 +69,7 @@ fn edges(points: &[Point]) -> Vec<[[i64; 2]; 2]> {
     edges
 }
 
-/// What of a stroke lies beside these spans of its length.
+/// Returns the parts of a stroke outside these spans of its length.
 fn beside(stroke: &Stroke, spans: &[(f64, f64)], length_mm: f64) -> Vec<Stroke> {
     let ends = spans.iter().map(|it| it.1);
     let begins = spans.iter().map(|it| it.0);
@@ -88,16 +89,16 @@ fn beside(stroke: &Stroke, spans: &[(f64, f64)], length_mm: f64) -> Vec<Stroke> 
     parts.into_iter().map(Stroke::open).collect()
 }
 
-/// The strokes in short pieces, by place.
+/// A spatial index of the strokes in short pieces.
 #[derive(Debug)]
 struct Drawn {
     index: SegmentIndex,
-    /// Of which stroke each piece is, and at which length of it it begins, in mm.
+    /// The stroke of each piece, and the distance along it at which the piece begins, in mm.
     pieces: Vec<(usize, f64)>,
-    /// The first piece of each stroke, and behind the last one of all.
+    /// The first piece of each stroke, followed by the total number of pieces.
     first: Vec<u32>,
     length_mm: Vec<f64>,
-    /// How many pieces may still be compared.
+    /// The remaining budget of comparisons.
     looks_left: usize,
 }
 
@@ -131,7 +132,8 @@ impl Drawn {
         }
     }
 
-    /// The spans of a stroke's length that need not be drawn; `None` where it was looked for too many.
+    /// Returns the spans of a stroke's length that need not be drawn; `None` if the budget is used
+    /// up.
     fn doubles(&mut self, stroke: usize, stay_whole: bool) -> Option<Vec<(f64, f64)>> {
         let mut spans = self.covered(stroke)?;
         let length_mm = self.length_mm[stroke];
@@ -142,7 +144,7 @@ impl Drawn {
         Some(spans)
     }
 
-    /// The spans of a stroke's length that lie on others; `None` where that was looked for too long.
+    /// Returns the spans of a stroke's length that lie on others; `None` if the budget is used up.
     fn covered(&mut self, stroke: usize) -> Option<Vec<(f64, f64)>> {
         let mut spans = Vec::new();
         for piece in self.first[stroke]..self.first[stroke + 1] {
@@ -162,7 +164,8 @@ impl Drawn {
         Some(joined(spans, self.length_mm[stroke]))
     }
 
-    /// From now on nothing lies on these spans of a stroke, nor on pieces of which only a part is in one.
+    /// Removes spans of a stroke from later comparisons, including pieces of which only a part is
+    /// inside.
     fn remove(&mut self, stroke: usize, spans: &[(f64, f64)]) {
         for piece in self.first[stroke]..self.first[stroke + 1] {
             let (a, b) = self.index.segment(piece);
@@ -175,7 +178,8 @@ impl Drawn {
     }
 }
 
-/// From where to where on a line another one lies beside it, in mm, if it does not leave it on the way.
+/// Returns the span of a line along which another one lies, in mm, if it stays on the line
+/// throughout.
 fn on((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<(f64, f64)> {
     let length_mm = a.distance(b);
     let along = (b - a) / length_mm;
@@ -190,7 +194,7 @@ fn on((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<(f64, f64)> {
     (slope.abs() <= MOST_SLOPE && is_near(from) && is_near(to)).then_some((from, to))
 }
 
-/// Spans in order, those that are as good as one joined, up to both ends.
+/// Sorts spans and joins those with negligible gaps, including the gaps to both ends.
 fn joined(mut spans: Vec<(f64, f64)>, length_mm: f64) -> Vec<(f64, f64)> {
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut joined: Vec<(f64, f64)> = Vec::new();
@@ -209,24 +213,24 @@ fn joined(mut spans: Vec<(f64, f64)>, length_mm: f64) -> Vec<(f64, f64)> {
     joined
 }
 
-/// Lines so near to each other are one to see, and narrower than any pen or beam.
+/// The distance below which lines look like one; narrower than any pen or beam.
 const SAME_MM: f64 = 0.05;
-/// No line is left between two spans so near to each other.
+/// The gap between two spans in which no line remains.
 const NO_GAP_MM: f64 = 2.0 * SAME_MM;
-/// So much the pieces of a curve may turn away from those of the same curve through other points.
+/// The slope up to which pieces may belong to the same curve with different points.
 const MOST_SLOPE: f64 = 1.0;
-/// Shorter spans, as where two lines cross, stay.
+/// Shorter spans, as at a crossing, remain.
 const LEAST_MM: f64 = 1.0;
-/// So many pieces are compared: for a second or two.
+/// The budget of comparisons: a second or two.
 const MOST_LOOKS: usize = 50_000_000;
-/// Of long lines that cross many others, each part is looked at by itself.
+/// The length of the pieces into which long lines are divided, because they may cross many others.
 const PIECE_MM: f64 = 4.0;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// What is left, and how much was left out.
+    /// Returns the remaining strokes and the number of removed lines.
     fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> (Vec<Stroke>, usize) {
         let it = super::without_doubles(strokes, stay_whole);
         assert_eq!(it.unknown, 0);
@@ -281,7 +285,7 @@ mod tests {
             (0.0, 0.0),
         ]);
         let open = line(&[(0.0, 0.0), (0.0, 20.0), (20.0, 20.0), (20.0, 0.0)]);
-        // An open one lies on the square, whole, in either order.
+        // The open stroke lies completely on the square, in either order.
         for strokes in [
             vec![open.clone(), square(0.0, 20.0)],
             vec![square(0.0, 20.0), open],

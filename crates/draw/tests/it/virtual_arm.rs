@@ -1,5 +1,4 @@
-//! Plans on virtual arms of both personalities: in the time planned, on the path, and with the
-//! laser on where it should be and nowhere else.
+//! Tests of plans on virtual arms of both personalities: planned time, path, and laser switching.
 
 use std::f64::consts::TAU;
 use std::time::Duration;
@@ -14,15 +13,15 @@ use dobot_plan::{
 };
 use dobot_wire::{Command, WriteVector};
 
-/// What the arm does in a tick: where it is behind it, and whether it burned.
+/// The state of the arm after a tick: its position, and whether it burned.
 #[derive(Clone, Copy, PartialEq)]
 struct Seen {
     place: [f64; 3],
     laser: bool,
 }
 
-/// Sends a command for each status, which takes as long on the line as it does at 9600 baud, and
-/// looks where the arm is behind each tick until it rests; from where it stands at `start`.
+/// Sends one command per status, each taking its time on the line at 9600 baud, and samples the arm
+/// after each tick until it rests, from `start`.
 fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec<Seen> {
     let mut arm = Controller::power_up(PowerUp::new(personality));
     let (mut now, mut sent, mut rests) = (Duration::ZERO, 0, 0);
@@ -64,7 +63,7 @@ fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec
     seen.split_off(stands.expect("a dozen"))
 }
 
-/// How many ticks it was moving.
+/// Returns the number of moving ticks.
 fn moving(seen: &[Seen]) -> f64 {
     let last = seen[seen.len() - 1].place;
     let ends = seen.iter().rposition(|it| it.place != last);
@@ -76,7 +75,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The way it went from where `which` held, from above.
+/// Returns the paths in which `which` held, seen from above.
 fn ways(seen: &[Seen], which: impl Fn(&Seen) -> bool) -> Vec<Stroke> {
     let mut ways: Vec<Stroke> = Vec::new();
     let mut goes_on = false;
@@ -144,7 +143,7 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
         );
         let drawn = ways(&seen, |it| it.place[2] < -39.999);
         let found = deviation(&strokes(), &drawn);
-        // Between two looks a corner is cut.
+        // Between two samples a corner is cut.
         assert!(
             found.astray.distance_mm < 0.05,
             "{personality:?}: {found:?}"
@@ -157,7 +156,7 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
 
 #[test]
 fn an_arm_is_where_it_should_be_behind_ten_thousand_vectors() {
-    // 250 waves of 40 vectors, of lengths that no other has.
+    // 250 waves of 40 vectors, all of different lengths.
     let wave = |n: u32| {
         let at = |i: u32| {
             let (x, y) = (f64::from(i) * 0.7 + f64::from(n) * 0.013, f64::from(n % 17));
@@ -224,8 +223,8 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
         );
         let burned = ways(&seen, |it| it.laser);
         let found = deviation(&strokes, &burned);
-        // It is looked each 20 ms, in which it goes 0.2 mm. A stock arm switches the laser at a tick, in which it goes
-        // 0.005 mm, and each of a stroke's pieces is rounded as a packet is.
+        // Sampled every 20 ms, in which it moves 0.2 mm. A stock arm switches the laser at a tick,
+        // in which it moves 0.005 mm, and each piece of a stroke is rounded as in a packet.
         let has_ticks = personality == Personality::Firmware11;
         let allowed_mm = if has_ticks { 0.006 } else { 0.2 };
         assert!(
@@ -243,8 +242,8 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
     }
 }
 
-/// A stock arm switches the laser a tick before a vector: what it burned of small letters was 0.11 mm beside them, where a corner
-/// lay right behind that place, or the ticks came out otherwise than thought.
+/// A stock arm switches the laser a tick before a vector: it burned small letters 0.11 mm off where
+/// a corner was directly after that place, or the ticks differed from the estimate.
 #[test]
 fn a_stock_arm_burns_small_letters_within_the_tolerance() {
     for (height_mm, burn_speed_mm_s) in [(1.0, 3.0), (1.5, 8.0), (1.5, 20.0), (2.0, 30.0)] {
@@ -272,7 +271,8 @@ fn a_stock_arm_burns_small_letters_within_the_tolerance() {
         );
         let burned = ways(&seen, |it| it.laser);
         let found = deviation(&prepared.wanted(), &burned);
-        // Where it is switched at a corner it begins up to 0.04 mm along the way too late or too early, besides what it is aside.
+        // If it is switched at a corner it begins up to 0.04 mm too late or too early along the
+        // path, in addition to the lateral error.
         assert!(
             found.largest_mm() <= settings.tolerance_mm.hypot(0.04),
             "{height_mm} mm at {burn_speed_mm_s} mm/s: {found:?}"
@@ -280,5 +280,5 @@ fn a_stock_arm_burns_small_letters_within_the_tolerance() {
     }
 }
 
-/// A status and a packet one after the other on the line.
+/// A status and a packet, one after the other, on the line.
 const STATUS_AND_PACKET: Duration = Duration::from_millis(88);

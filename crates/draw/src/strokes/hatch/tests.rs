@@ -31,7 +31,7 @@ fn length_mm(strokes: &[Stroke]) -> f64 {
     strokes.iter().map(Stroke::length_mm).sum()
 }
 
-/// Whether a point is inside by the rule, or within a hair of the border.
+/// Whether a point is inside by the rule, or extremely close to the border.
 fn holds(area: &Area, p: Point) -> bool {
     let edges = || {
         let rings = area.rings.iter();
@@ -126,7 +126,7 @@ fn wound(style: HatchStyle, spacing_mm: f64) -> Hatch {
     }
 }
 
-/// How far a point is from the nearest line.
+/// Returns the distance of a point from the nearest line.
 fn far_from(strokes: &[Stroke], p: Point) -> f64 {
     let pieces = strokes.iter().flat_map(Stroke::segments);
     let far2 = pieces.map(|(a, b)| Line::new(a, b).nearest(p, 0.0).distance_sq);
@@ -158,7 +158,8 @@ fn concentric_lines_go_around_holes_and_begin_at_the_inset() {
         let beside = |at: f64| (3.0 - at).max(at - 7.0).max(0.0);
         assert!(beside(p.x).hypot(beside(p.y)) > 0.24, "{p:?}");
     }
-    // 0.25, 0.75, 1.25: where the hole is nearest, three millimetres hold three lines on each side.
+    // 0.25, 0.75, 1.25: at the closest point of the hole, three millimetres hold three lines on
+    // each side.
     assert!(strokes.len() >= 6, "{}", strokes.len());
 }
 
@@ -259,7 +260,7 @@ fn more_lines_than_memory_holds_are_refused() {
     assert!(matches!(error, HatchError::TooMany { .. }), "{error}");
 }
 
-/// Corners on a coarse grid, where edges meet lines and each other in every bad way, or anywhere.
+/// Corners on a coarse grid, where edges meet lines and each other in degenerate ways, or anywhere.
 fn rings() -> impl Strategy<Value = Vec<Vec<Point>>> {
     let coarse = (0..9_i32, 0..9_i32).prop_map(|(x, y)| Point::new(f64::from(x), f64::from(y)));
     let fine = (0.0..9.0_f64, 0.0..9.0_f64).prop_map(|(x, y)| Point::new(x, y));
