@@ -99,7 +99,9 @@ impl Materials {
 
     /// Returns all materials with their names, in alphabetical order.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Material)> {
-        self.named.iter().map(|(name, it)| (name.as_str(), it))
+        self.named
+            .iter()
+            .map(|(name, material)| (name.as_str(), material))
     }
 }
 
@@ -114,7 +116,7 @@ mod tests {
         let materials = Materials::built_in();
         let lasers = materials
             .iter()
-            .filter(|(_, it)| matches!(it.tool, DrawingTool::Laser(_)));
+            .filter(|(_, material)| matches!(material.tool, DrawingTool::Laser(_)));
         assert!(lasers.count() >= 5);
         for pen in ["fineliner", "ballpoint", "pencil", "brush-pen", "marker"] {
             assert!(

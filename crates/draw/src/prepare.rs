@@ -47,7 +47,7 @@ impl Prepared {
     /// Returns the wanted path of all passes.
     #[must_use]
     pub fn wanted(&self) -> Vec<Stroke> {
-        let strokes = self.passes.iter().flat_map(|it| &it.strokes);
+        let strokes = self.passes.iter().flat_map(|pass| &pass.strokes);
         strokes.cloned().collect()
     }
 }
@@ -141,25 +141,25 @@ fn plan_passes<E: fmt::Display>(
         None => passes,
     };
     let progress = &settings.progress;
-    let strokes = passes.iter().flat_map(|it| &it.strokes);
+    let strokes = passes.iter().flat_map(|pass| &pass.strokes);
     progress.expect(&passes, &settings.arm_limits);
     progress.begin(
         PrepareStep::Vectors,
-        strokes.map(|it| it.points.len()).sum(),
+        strokes.map(|stroke| stroke.points.len()).sum(),
     );
     let mut trials = Trials::new(&passes);
     let simple = passes
         .iter()
-        .map(|it| simplified(it, settings, &mut trials));
+        .map(|pass| simplified(pass, settings, &mut trials));
     let simple: Result<Vec<Pass>, PrepareError> = simple.collect();
     let simple = match &settings.calibration {
         Some(known) => compensated(simple?, &settings.paper, &known.arm()),
         None => simple?,
     };
-    let lifts_mm = simple.iter().map(|it| it.tool.lift_mm());
+    let lifts_mm = simple.iter().map(|pass| pass.tool.lift_mm());
     let reach_mm = reach_mm(settings, lifts_mm.fold(0.0, f64::max), &reachable);
     let arm_limits = ArmLimits {
-        nearest_mm: reach_mm.map_or(0.0, |it| it[0]),
+        nearest_mm: reach_mm.map_or(0.0, |reach_mm| reach_mm[0]),
         ..settings.arm_limits
     };
     progress.begin(PrepareStep::Planning, 0);
@@ -249,7 +249,10 @@ fn reach_mm<E>(
 /// the border of the reach has corners beyond it; run-ups, lead-ins and the kerf of a laser; and
 /// the compensation of backlash.
 fn beside_mm(tool: DrawingTool, settings: &Settings) -> f64 {
-    let slack_mm = settings.calibration.as_ref().map(|it| most_mm(&it.arm()));
+    let slack_mm = settings
+        .calibration
+        .as_ref()
+        .map(|file| most_mm(&file.arm()));
     let cutting_mm = settings.cutting.lead_in_mm + 0.5 * settings.cutting.kerf_mm.abs();
     let run_mm = tool.run_mm(&settings.arm_limits);
     settings.tolerance_mm + run_mm + cutting_mm + slack_mm.unwrap_or_default()

@@ -155,7 +155,10 @@ impl Paper {
 
     /// Returns the calibrated height at a calibrated place.
     fn calibrated_z(&self, place: Point) -> f64 {
-        let bent_mm = self.bent.as_ref().map_or(0.0, |it| it.z_at(place));
+        let bent_mm = self
+            .bent
+            .as_ref()
+            .map_or(0.0, |heights| heights.z_at(place));
         self.plane.z_at([place.x, place.y]) + bent_mm
     }
 
@@ -199,7 +202,7 @@ fn nearest(touched: &[[f64; 3]]) -> Plane {
     let [mut xx, mut xy, mut yy, mut xz, mut yz] = [0.0; 5];
     #[expect(clippy::cast_precision_loss, reason = "few points")]
     let count = touched.len() as f64;
-    let middle = [0, 1, 2].map(|axis| touched.iter().map(|it| it[axis]).sum::<f64>() / count);
+    let middle = [0, 1, 2].map(|axis| touched.iter().map(|place| place[axis]).sum::<f64>() / count);
     for point in touched {
         let [x, y, z] = [0, 1, 2].map(|axis| point[axis] - middle[axis]);
         xx += x * x;

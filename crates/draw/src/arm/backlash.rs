@@ -30,7 +30,11 @@ pub(crate) fn compensated(passes: Vec<Pass>, paper: &Paper, arm: &Calibration) -
             DrawingTool::Pen(pen) => pen.lift_mm,
             DrawingTool::Laser(_) => 0.0,
         };
-        let strokes = pass.strokes.into_iter().map(|it| walk.stroke(it)).collect();
+        let strokes = pass
+            .strokes
+            .into_iter()
+            .map(|stroke| walk.stroke(stroke))
+            .collect();
         Pass { strokes, ..pass }
     };
     passes.into_iter().map(pass).collect()
@@ -85,7 +89,7 @@ impl Walk<'_> {
             );
         }
         if self.lift_mm > 0.0 {
-            let [above, below] = [self.lift_mm, 0.0].map(|it| self.joints(first, it));
+            let [above, below] = [self.lift_mm, 0.0].map(|above_mm| self.joints(first, above_mm));
             let base = self.turned_deg[0];
             self.turn(above, below);
             self.turned_deg[0] = base;
@@ -142,7 +146,7 @@ fn even(from: Point, to: Point, joints: impl Fn(Point) -> Option<Joints>) -> Vec
     let at = |part: u32| from.lerp(to, f64::from(part) / f64::from(parts));
     let signs = |part: u32| {
         let (a, b) = joints(at(part)).zip(joints(at(part + 1)))?;
-        Some([b.base - a.base, b.rear - a.rear, b.fore - a.fore].map(|it| it.0 > 0.0))
+        Some([b.base - a.base, b.rear - a.rear, b.fore - a.fore].map(|angle| angle.0 > 0.0))
     };
     let mut ends = vec![from];
     ends.extend(
@@ -240,7 +244,7 @@ mod tests {
             let off = ink
                 .iter()
                 .skip(30)
-                .map(|it| (it.distance(middle) - 30.0).abs());
+                .map(|p| (p.distance(middle) - 30.0).abs());
             off.fold(0.0, f64::max)
         };
         let raw = compensated(vec![pass(&circle)], &paper, &SLACK);

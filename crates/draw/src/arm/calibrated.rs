@@ -42,9 +42,12 @@ pub(crate) fn raw_strokes(
         return Ok(strokes);
     };
     let arm = known.arm();
-    let paper = known.paper.as_ref().and_then(|it| known_paper(it).ok());
+    let paper = known
+        .paper
+        .as_ref()
+        .and_then(|paper| known_paper(paper).ok());
     let raw = |p: Point| {
-        let z_mm = paper.as_ref().map_or(0.0, |it| it.z_at(p));
+        let z_mm = paper.as_ref().map_or(0.0, |paper| paper.z_at(p));
         let there = Position::new(p.x, p.y, z_mm);
         let raw = arm.told_place(there, tool.end_effector());
         let raw = raw.map_err(|reason| PlaceError::OutOfReach {
@@ -55,11 +58,11 @@ pub(crate) fn raw_strokes(
         })?;
         Ok(Point::new(raw.x.0, raw.y.0))
     };
-    let stroke = |it: Stroke| {
-        let points = dense(&it.points).into_iter().map(raw);
+    let stroke = |stroke: Stroke| {
+        let points = dense(&stroke.points).into_iter().map(raw);
         Ok(Stroke {
             points: points.collect::<Result<_, _>>()?,
-            ..it
+            ..stroke
         })
     };
     strokes.into_iter().map(stroke).collect()

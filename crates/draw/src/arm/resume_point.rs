@@ -101,20 +101,20 @@ pub enum ResumePointError {
 fn from_pass(mut passes: Vec<Pass>, pass: &str) -> Result<Vec<Pass>, ResumePointError> {
     let by_number = || {
         let number: usize = pass.parse().ok()?;
-        number.checked_sub(1).filter(|&it| it < passes.len())
+        number.checked_sub(1).filter(|&index| index < passes.len())
     };
-    let by_name = passes.iter().position(|it| it.name == pass);
+    let by_name = passes.iter().position(|other| other.name == pass);
     let Some(first) = by_name.or_else(by_number) else {
         return Err(ResumePointError::Pass {
             found: pass.to_owned(),
-            names: passes.into_iter().map(|it| it.name).collect(),
+            names: passes.into_iter().map(|pass| pass.name).collect(),
         });
     };
     Ok(passes.split_off(first))
 }
 
 fn from_stroke(passes: Vec<Pass>, stroke: usize) -> Result<Vec<Pass>, ResumePointError> {
-    let strokes = passes.iter().map(|it| it.drawn().count()).sum();
+    let strokes = passes.iter().map(|pass| pass.drawn().count()).sum();
     if !(1..=strokes).contains(&stroke) {
         let found = stroke;
         return Err(ResumePointError::Stroke { found, strokes });
@@ -189,7 +189,9 @@ fn rest_of_pass(pass: &Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
             (all.to_vec(), left - u32::from(is_begun)),
         ]
     };
-    let parts = parts.into_iter().filter(|it| !it.0.is_empty() && it.1 > 0);
+    let parts = parts
+        .into_iter()
+        .filter(|part| !part.0.is_empty() && part.1 > 0);
     let part = |(number, (strokes, times)): (usize, (Vec<Stroke>, u32))| Pass {
         name: pass.name.clone(),
         tool: pass.tool.times_over(times),
@@ -256,7 +258,9 @@ mod tests {
 
     fn rest(from: &ResumePoint) -> Vec<(String, Vec<Stroke>)> {
         let rest = from.rest_of(passes()).unwrap();
-        rest.into_iter().map(|it| (it.name, it.strokes)).collect()
+        rest.into_iter()
+            .map(|pass| (pass.name, pass.strokes))
+            .collect()
     }
 
     #[test]
@@ -291,7 +295,7 @@ mod tests {
         let left = |by_stroke, from: ResumePoint| -> Vec<(u32, Vec<Stroke>)> {
             let rest = from.rest_of(laser(by_stroke)).unwrap();
             rest.into_iter()
-                .map(|it| (it.tool.times(), it.strokes))
+                .map(|pass| (pass.tool.times(), pass.strokes))
                 .collect()
         };
         let (short, long) = (line(0.0, 10.0), line(20.0, 40.0));

@@ -277,7 +277,7 @@ mod tests {
         let clipped = clip_to_reach(&[through], AROUND, in_ring);
         assert_eq!(clipped.strokes.len(), 2);
         let wanted = [-20.0, -5.0, 5.0, 20.0];
-        let found = clipped.strokes.iter().flat_map(|it| &it.points);
+        let found = clipped.strokes.iter().flat_map(|stroke| &stroke.points);
         for (p, wanted) in found.zip(wanted) {
             assert!((p.x - wanted).abs() <= 0.01 && in_ring(*p), "{p:?}");
         }
@@ -342,7 +342,7 @@ mod tests {
             for (clipped, bounds) in clips {
                 let length = length_mm(&clipped.strokes) + clipped.cut_mm;
                 prop_assert!((length - length_mm(&strokes)).abs() < 1e-6);
-                for p in clipped.strokes.iter().flat_map(|it| &it.points) {
+                for p in clipped.strokes.iter().flat_map(|stroke| &stroke.points) {
                     prop_assert!(bounds.overlaps(Rect::from_points(*p, *p)), "{p:?}");
                 }
             }

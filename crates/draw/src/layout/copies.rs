@@ -23,7 +23,12 @@ impl FromStr for Grid {
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let counts = text.split_once(['x', 'X']);
-        let number = |it: &str| it.trim().parse().ok().filter(|it| (1..=100).contains(it));
+        let number = |text: &str| {
+            text.trim()
+                .parse()
+                .ok()
+                .filter(|number| (1..=100).contains(number))
+        };
         counts
             .and_then(|(columns, rows)| {
                 Some(Self {
@@ -52,7 +57,10 @@ impl TryFrom<String> for Grid {
 /// Returns a page with the ink of these pages in cells, repeated from the first, with a gap in
 /// between. All cells have the size of the largest one, and the ink is centred in each.
 pub(crate) fn in_cells(artworks: &[Artwork], grid: Grid, gap_mm: f64) -> Artwork {
-    let inks: Vec<Rect> = artworks.iter().map(|it| bounds(it.points())).collect();
+    let inks: Vec<Rect> = artworks
+        .iter()
+        .map(|artwork| bounds(artwork.points()))
+        .collect();
     let largest = |side: fn(&Rect) -> f64| inks.iter().map(side).fold(0.0, f64::max);
     let cell = Vec2::new(largest(Rect::width), largest(Rect::height));
     let step = cell + Vec2::new(gap_mm, gap_mm);
@@ -96,7 +104,7 @@ mod tests {
         };
         let all = in_cells(&[page], "2x3".parse().unwrap(), 5.0);
         assert_eq!((all.width_mm, all.height_mm), (25.0, 70.0));
-        let places = all.layers[0].strokes.iter().map(|it| it.points[0]);
+        let places = all.layers[0].strokes.iter().map(|stroke| stroke.points[0]);
         let places: Vec<_> = places.map(|p| (p.x, p.y)).collect();
         assert_eq!(places[..3], [(0.0, 0.0), (15.0, 0.0), (0.0, 25.0)]);
         assert_eq!(places.len(), 6);

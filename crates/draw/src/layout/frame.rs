@@ -25,8 +25,10 @@ pub fn frame(
     arm_limits: &ArmLimits,
     shape: FrameShape,
 ) -> Result<Plan, PlanError> {
-    let strokes = || passes.iter().flat_map(|it| &it.strokes);
-    let points: Vec<Point> = strokes().flat_map(|it| it.points.iter().copied()).collect();
+    let strokes = || passes.iter().flat_map(|pass| &pass.strokes);
+    let points: Vec<Point> = strokes()
+        .flat_map(|stroke| stroke.points.iter().copied())
+        .collect();
     let first = passes.first().filter(|_| !points.is_empty());
     let tool = first.ok_or(PlanError::NoStrokes)?.tool;
     let outline = match shape {
@@ -36,7 +38,7 @@ pub fn frame(
     let outline = around_arm(&outline, arm_limits.nearest_mm);
     let highest_mm = passes
         .iter()
-        .map(|it| it.tool.lift_mm())
+        .map(|pass| pass.tool.lift_mm())
         .fold(0.0, f64::max);
     // Plan with a pen; the lowering is removed below.
     let pen = Pen {
@@ -155,10 +157,12 @@ mod tests {
             .collect();
         let ways = places.windows(2);
         let angles: Vec<f64> = ways
-            .map(|it| (it[1][1] - it[0][1]).atan2(it[1][0] - it[0][0]))
+            .map(|pair| (pair[1][1] - pair[0][1]).atan2(pair[1][0] - pair[0][0]))
             .collect();
         let turns = angles.windows(2);
-        turns.filter(|it| (it[1] - it[0]).abs() > 0.01).count()
+        turns
+            .filter(|pair| (pair[1] - pair[0]).abs() > 0.01)
+            .count()
     }
 
     #[test]
@@ -171,10 +175,10 @@ mod tests {
         assert!((plan.start[2] + 33.0).abs() < 1e-9, "{:?}", plan.start);
         let places: Vec<[f64; 3]> = plan.positions().collect();
         assert!(
-            places.iter().all(|it| (it[2] + 33.0).abs() < 1e-5),
+            places.iter().all(|place| (place[2] + 33.0).abs() < 1e-5),
             "{places:?}"
         );
-        let seen = bounds(places.iter().map(|it| Point::new(it[0], it[1])));
+        let seen = bounds(places.iter().map(|place| Point::new(place[0], place[1])));
         assert_eq!(seen, Rect::new(200.0, -30.0, 220.0, 30.0));
         assert_eq!(turns(&plan), 3);
         assert_eq!(places.last().unwrap()[..2], plan.start[..2]);
@@ -232,7 +236,7 @@ mod tests {
                     prop_assert!((b - a).cross(p - a) >= 0.0, "{:?} {:?}", hull, p);
                 }
             }
-            prop_assert!(hull.points.iter().all(|it| points.contains(it)));
+            prop_assert!(hull.points.iter().all(|p| points.contains(p)));
         }
     }
 }

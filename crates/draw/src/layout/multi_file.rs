@@ -17,13 +17,13 @@ pub(crate) fn together(
     parts: Vec<(&Source, Artwork)>,
     settings: &Settings,
 ) -> Result<Artwork, PlaceError> {
-    let is_text = |it: &(&Source, Artwork)| matches!(it.0, Source::Text(_));
+    let is_text = |file: &(&Source, Artwork)| matches!(file.0, Source::Text(_));
     let (texts, files): (Vec<_>, Vec<_>) = if parts.iter().all(is_text) {
         (Vec::new(), parts)
     } else {
         parts.into_iter().partition(is_text)
     };
-    let mut page = side_by_side(files.into_iter().map(|it| it.1).collect(), settings)?;
+    let mut page = side_by_side(files.into_iter().map(|file| file.1).collect(), settings)?;
     for (source, text) in texts {
         let align = match source {
             Source::Text(text) => text.align,
@@ -56,7 +56,7 @@ fn side_by_side(files: Vec<Artwork>, settings: &Settings) -> Result<Artwork, Pla
 
 /// Adds a text below the ink of a page. The page grows if the text exceeds it.
 fn captioned(mut page: Artwork, text: Artwork, align: Align, gap_mm: f64) -> Artwork {
-    let [ink, letters] = [&page, &text].map(|it| bounds(it.points()));
+    let [ink, letters] = [&page, &text].map(|artwork| bounds(artwork.points()));
     let x = match align {
         Align::Left => ink.x0 - letters.x0,
         Align::Center => ink.center().x - letters.center().x,
@@ -109,7 +109,7 @@ mod tests {
         ];
         let all = together(parts, &Settings::default()).expect("there is no grid");
         assert_eq!((all.width_mm, all.height_mm), (100.0, 50.0));
-        let names: Vec<_> = all.layers.iter().map(|it| it.name.as_str()).collect();
+        let names: Vec<_> = all.layers.iter().map(|layer| layer.name.as_str()).collect();
         assert_eq!(names, ["red", "blue"]);
         assert_eq!(place(&all, 0, 1), (70.0, 5.0));
     }

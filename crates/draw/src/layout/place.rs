@@ -59,7 +59,7 @@ impl Placement {
                 ..
             } = artwork;
             let corners = [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)];
-            let page = bounds(corners.map(|it| turned(it.into())));
+            let page = bounds(corners.map(|corner| turned(corner.into())));
             return self.place_on(sheet, artwork, page, ink, turned);
         }
         let scale = self.scale(ink)?;
@@ -204,7 +204,7 @@ impl Placement {
     /// Returns width and depth of the area without margins.
     fn room(&self) -> Result<[f64; 2], PlaceError> {
         let margin_mm = self.margin_mm;
-        let [wide, deep] = [self.area.height(), self.area.width()].map(|it| it - 2.0 * margin_mm);
+        let [wide, deep] = [self.area.height(), self.area.width()].map(|mm| mm - 2.0 * margin_mm);
         if margin_mm >= 0.0 && wide > 0.0 && deep > 0.0 {
             return Ok([wide, deep]);
         }
@@ -394,7 +394,7 @@ pub fn check_reach<E: fmt::Display>(
     let line = match &first {
         // If the line itself is out of reach, burning slower does not help.
         PlaceError::RunOutOfReach { .. } => {
-            refused.find(|it| matches!(it, PlaceError::OutOfReach { .. }))
+            refused.find(|error| matches!(error, PlaceError::OutOfReach { .. }))
         }
         _ => None,
     };
@@ -403,10 +403,10 @@ pub fn check_reach<E: fmt::Display>(
 
 /// Returns the error for a position on a vector, or at its end if it leaves no trace.
 fn out_of_reach(plan: &Plan, vector: usize, (place, reason): (Position, String)) -> PlaceError {
-    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|it| it.0);
-    let mut kinds = plan.moves[vector..].iter().map(|it| it.kind);
+    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|mm| mm.0);
+    let mut kinds = plan.moves[vector..].iter().map(|vector| vector.kind);
     // The next vector begins where a travel ends.
-    match kinds.find(|it| *it != MoveKind::Travel) {
+    match kinds.find(|kind| *kind != MoveKind::Travel) {
         Some(MoveKind::RunUp | MoveKind::RunOut | MoveKind::Brake) => PlaceError::RunOutOfReach {
             x_mm,
             y_mm,
@@ -423,7 +423,7 @@ fn out_of_reach(plan: &Plan, vector: usize, (place, reason): (Position, String))
 }
 
 fn way_out_of_reach((place, reason): (Position, String)) -> PlaceError {
-    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|it| it.0);
+    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|mm| mm.0);
     PlaceError::WayOutOfReach {
         x_mm,
         y_mm,

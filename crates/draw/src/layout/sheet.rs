@@ -38,11 +38,11 @@ impl FromStr for PaperSize {
             height_mm,
         };
         let name = text.to_ascii_lowercase();
-        if let Some(known) = NAMED.iter().find(|it| it.0 == name) {
+        if let Some(known) = NAMED.iter().find(|named| named.0 == name) {
             return Ok(size(known.1, known.2));
         }
         let sides = name.split_once('x');
-        let number = |it: &str| it.trim().parse().ok().filter(|it| SIDE_MM.contains(it));
+        let number = |text: &str| text.trim().parse().ok().filter(|mm| SIDE_MM.contains(mm));
         sides
             .and_then(|(width, height)| Some(size(number(width)?, number(height)?)))
             .ok_or("allowed are a3, a4, a5, a6, letter, legal, and WIDTHxHEIGHT from 10 to 2000 mm")
@@ -157,7 +157,7 @@ impl SheetPlace {
             width_mm: w,
             height_mm: h,
         } = self.size;
-        [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|it| self.place(it.into()))
+        [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|corner| self.place(corner.into()))
     }
 
     /// Returns the sheet reduced by a margin.

@@ -82,7 +82,10 @@ impl Card {
             times,
             ..Laser::default()
         };
-        let strokes = strokes.into_iter().map(|it| self.placed(it)).collect();
+        let strokes = strokes
+            .into_iter()
+            .map(|stroke| self.placed(stroke))
+            .collect();
         Pass {
             name,
             ..Pass::new(DrawingTool::Laser(laser), strokes)
@@ -101,7 +104,7 @@ impl Card {
         for &speed in speeds {
             within("speed", speed, BURN_SPEED, " mm/s")?;
         }
-        if let Some([a, b]) = speeds.windows(2).find(|it| it[0] >= it[1]) {
+        if let Some([a, b]) = speeds.windows(2).find(|pair| pair[0] >= pair[1]) {
             return Err(CardError {
                 name: "order of speeds",
                 found: format!("{a} mm/s before {b} mm/s"),
@@ -153,7 +156,7 @@ impl Card {
     fn labels(&self) -> Vec<Stroke> {
         let speeds: Vec<String> = self.speeds_mm_s.iter().map(f64::to_string).collect();
         let room_mm = self.cell_mm + self.gap_mm - 1.0;
-        let widths_mm = speeds.iter().map(|it| width(it, LABEL_MM));
+        let widths_mm = speeds.iter().map(|speed| width(speed, LABEL_MM));
         let widest_mm = widths_mm.fold(0.0, f64::max);
         let height_mm = LABEL_MM * (room_mm / widest_mm).min(1.0);
         let half = Vec2::splat(self.cell_mm / 2.0);
@@ -296,7 +299,7 @@ mod tests {
             ..Card::default()
         };
         let passes = card.to_passes().unwrap();
-        let names: Vec<&str> = passes.iter().map(|it| it.name.as_str()).collect();
+        let names: Vec<&str> = passes.iter().map(|pass| pass.name.as_str()).collect();
         assert_eq!(
             names,
             [
@@ -309,7 +312,7 @@ mod tests {
         );
         let burned: Vec<(f64, u32)> = passes
             .iter()
-            .map(|it| (laser(it).burn_speed_mm_s, laser(it).times))
+            .map(|pass| (laser(pass).burn_speed_mm_s, laser(pass).times))
             .collect();
         assert_eq!(burned[1..], [(10.0, 1), (10.0, 2), (4.0, 1), (4.0, 2)]);
     }
@@ -317,7 +320,7 @@ mod tests {
     #[test]
     fn speeds_go_to_the_right_and_passes_down_as_seen_from_behind_the_arm() {
         let passes = Card::default().to_passes().unwrap();
-        let square_of = |name: &str| square(passes.iter().find(|it| it.name == name).unwrap());
+        let square_of = |name: &str| square(passes.iter().find(|pass| pass.name == name).unwrap());
         let [first, right, below] = ["3 mm/s, 1 times", "5 mm/s, 1 times", "3 mm/s, 2 times"]
             .map(|name| square_of(name).center());
         // Right is -Y and down is -X; columns are 6 + 2 mm apart, rows another 1.5 for the line.
@@ -339,7 +342,7 @@ mod tests {
         assert!(
             cell.strokes
                 .iter()
-                .all(|it| (it.length_mm() - 8.0).abs() < 1e-9)
+                .all(|stroke| (stroke.length_mm() - 8.0).abs() < 1e-9)
         );
         assert!((square(cell).width() - 8.0).abs() < 1e-9);
         assert!((square(cell).height() - 8.0).abs() < 1e-9);
@@ -356,7 +359,7 @@ mod tests {
             .to_passes()
             .unwrap()
             .into_iter()
-            .flat_map(|it| it.strokes)
+            .flat_map(|pass| pass.strokes)
             .collect();
         let bounds = bounds_of_strokes(&strokes);
         assert!((bounds.center() - center).length() < 3.0, "{bounds:?}");

@@ -26,7 +26,7 @@ pub struct UnknownMaterial {
 
 fn meant(name: &str, known: &[String]) -> String {
     let nearest = nearest(name, known.iter().map(String::as_str));
-    nearest.map_or_else(String::new, |it| format!("did you mean '{it}'? "))
+    nearest.map_or_else(String::new, |name| format!("did you mean '{name}'? "))
 }
 
 fn listed(known: &[String]) -> String {

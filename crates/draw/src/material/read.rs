@@ -111,7 +111,7 @@ impl<'a> Table<'a> {
         };
         let key = unknown.get_ref();
         let meant = nearest(key, allowed.iter().copied());
-        let meant = meant.map_or_else(String::new, |it| format!("did you mean {it}? "));
+        let meant = meant.map_or_else(String::new, |name| format!("did you mean {name}? "));
         let (path, allowed) = (self.path(key), allowed.join(", "));
         Err(MaterialError {
             line: line_at(self.text, unknown.span().start),
@@ -143,10 +143,10 @@ impl<'a> Table<'a> {
     fn number(&self, key: &str, range: Range) -> Result<Option<f64>, MaterialError> {
         let number = match self.value(key).map(Spanned::get_ref) {
             None => return Ok(None),
-            Some(DeValue::Float(it)) => it.as_str().parse().ok(),
-            Some(DeValue::Integer(it)) => {
-                i64::from_str_radix(it.as_str(), it.radix()).ok().map(lossy)
-            }
+            Some(DeValue::Float(number)) => number.as_str().parse().ok(),
+            Some(DeValue::Integer(number)) => i64::from_str_radix(number.as_str(), number.radix())
+                .ok()
+                .map(lossy),
             Some(_) => None,
         };
         match number {
@@ -163,7 +163,9 @@ impl<'a> Table<'a> {
     fn passes(&self) -> Result<Option<u32>, MaterialError> {
         let passes = match self.value("passes").map(Spanned::get_ref) {
             None => return Ok(None),
-            Some(DeValue::Integer(it)) => u32::from_str_radix(it.as_str(), it.radix()).ok(),
+            Some(DeValue::Integer(number)) => {
+                u32::from_str_radix(number.as_str(), number.radix()).ok()
+            }
             Some(_) => None,
         };
         match passes {
@@ -185,8 +187,8 @@ impl<'a> Table<'a> {
     }
 
     fn line_of(&self, key: &str) -> usize {
-        let found = self.keys.keys().find(|it| *it.get_ref() == key);
-        found.map_or(self.line, |it| line_at(self.text, it.span().start))
+        let found = self.keys.keys().find(|other| *other.get_ref() == key);
+        found.map_or(self.line, |key| line_at(self.text, key.span().start))
     }
 
     fn path(&self, key: &str) -> String {
@@ -232,7 +234,7 @@ impl Range {
 
 /// Returns the name most similar to `name`, if one is similar enough.
 pub(super) fn nearest<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let least = names.map(|it| (edits(name, it), it)).min()?;
+    let least = names.map(|other| (edits(name, other), other)).min()?;
     // If half of the letters are wrong it is not a typing error.
     (least.0 * 2 < name.chars().count()).then_some(least.1)
 }

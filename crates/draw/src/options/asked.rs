@@ -76,7 +76,7 @@ impl Subject {
         }
         let text = what.text.as_ref()?.replace("\\n", "\n");
         let mut lines = text.lines();
-        let first = lines.find(|it| !it.trim().is_empty());
+        let first = lines.find(|line| !line.trim().is_empty());
         let title = shortened(first.unwrap_or("text"));
         let text = Text {
             font: Font::of(what.font.as_deref().unwrap_or("sans")),
@@ -91,9 +91,9 @@ impl Subject {
     /// further files.
     #[must_use]
     pub fn and(mut self, mut other: Self) -> Self {
-        let first = self.sources.first().map(|it| it.name.clone());
+        let first = self.sources.first().map(|source| source.name.clone());
         self.sources.append(&mut other.sources);
-        let is_file = |it: &&NamedSource| !matches!(it.source, Source::Text(_));
+        let is_file = |source: &&NamedSource| !matches!(source.source, Source::Text(_));
         let more = self
             .sources
             .iter()
@@ -132,7 +132,7 @@ impl DrawingRequest {
         let material = material(&options.tool, materials)?;
         let tool = with_options(material.tool, &options.tool)?;
         check(&options, &sources, &title)?;
-        let needs_fonts = sources.iter().any(|it| it.source.needs_fonts());
+        let needs_fonts = sources.iter().any(|source| source.source.needs_fonts());
         let settings = Settings {
             tolerance_mm: options.way.tolerance,
             placement: placement(&options, &sources)?,
@@ -247,9 +247,9 @@ impl DrawingRequest {
     /// arm's height.
     fn height(&self, standing_z_mm: f64) -> Result<Paper, OptionsError> {
         let known = self.settings.calibration.as_ref();
-        let calibrated = known.and_then(|it| it.paper.as_ref());
+        let calibrated = known.and_then(|file| file.paper.as_ref());
         match (self.options.place.pen_down, calibrated) {
-            (None, Some(it)) => known_paper(it),
+            (None, Some(paper)) => known_paper(paper),
             (given, _) => Ok(Paper::level(given.unwrap_or(standing_z_mm))),
         }
     }
@@ -267,7 +267,7 @@ fn shortened(text: &str) -> String {
 fn material(options: &ToolOptions, materials: &Materials) -> Result<Material, UnknownMaterial> {
     let burns = options.laser.is_some();
     let name = options.laser.as_ref().unwrap_or(&options.pen);
-    let burns_too = |it: &Material| it.tool.burns() == burns;
+    let burns_too = |material: &Material| material.tool.burns() == burns;
     let is_of_kind = |name: &String| materials.get(name).is_ok_and(burns_too);
     materials.get(name).copied().map_err(|mut unknown| {
         unknown.known.retain(is_of_kind);
@@ -305,9 +305,9 @@ fn layer_tools(
     what: &ContentOptions,
     materials: &Materials,
 ) -> Result<Vec<(String, DrawingTool)>, UnknownMaterial> {
-    let named = what.layer.iter().map(|it| {
-        let material = materials.get(&it.pen)?;
-        Ok((it.name.clone(), material.tool))
+    let named = what.layer.iter().map(|layer| {
+        let material = materials.get(&layer.pen)?;
+        Ok((layer.name.clone(), material.tool))
     });
     named.collect()
 }
@@ -334,7 +334,7 @@ fn card(options: &Options, tool: DrawingTool, spacing_mm: f64) -> Result<Vec<Pas
 
 fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, OptionsError> {
     // A picture beside other files has the size given by its resolution.
-    let fills = !sources.is_empty() && sources.iter().all(|it| !it.source.has_size());
+    let fills = !sources.is_empty() && sources.iter().all(|source| !source.source.has_size());
     let sheet = sheet(&options.place)?;
     Ok(Placement {
         size: match (options.place.fit || fills, options.place.scale) {

@@ -18,7 +18,10 @@ pub(super) fn check(
     check_values(options)?;
     let kinds: Vec<SourceKind> = match sources {
         [] => vec![SourceKind::Card],
-        all => all.iter().map(|it| SourceKind::of(&it.source)).collect(),
+        all => all
+            .iter()
+            .map(|source| SourceKind::of(&source.source))
+            .collect(),
     };
     if options.what.card.is_some() && !sources.is_empty() {
         return Err(OptionsError::Both {
@@ -35,7 +38,7 @@ pub(super) fn check(
     }
     let misfit = given(options)
         .into_iter()
-        .find(|(_, given, purpose)| *given && !kinds.iter().any(|it| purpose.fits(*it)));
+        .find(|(_, given, purpose)| *given && !kinds.iter().any(|kind| purpose.fits(*kind)));
     let Some((field, _, purpose)) = misfit else {
         return Ok(());
     };
@@ -77,7 +80,7 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
             });
         }
         let mut numbers = numbers.iter().flatten();
-        if let Some(&found) = numbers.find(|it| it.abs() > FARTHEST_MM || it.is_nan()) {
+        if let Some(&found) = numbers.find(|number| number.abs() > FARTHEST_MM || number.is_nan()) {
             return Err(OptionsError::NoPlace { field, found });
         }
     }
@@ -104,20 +107,24 @@ type Pair = (&'static str, bool, &'static str, bool);
 /// Refuses options that exclude each other, a layer named twice, and options that require another
 /// one.
 fn together(options: &Options) -> Result<(), OptionsError> {
-    if let Some((field, _, other, _)) = exclusive(options).into_iter().find(|it| it.1 && it.3) {
+    if let Some((field, _, other, _)) = exclusive(options).into_iter().find(|pair| pair.1 && pair.3)
+    {
         return Err(OptionsError::Both { field, other });
     }
     let mut names: Vec<&str> = options
         .what
         .layer
         .iter()
-        .map(|it| it.name.as_str())
+        .map(|layer| layer.name.as_str())
         .collect();
     names.sort_unstable();
-    if let Some(twice) = names.windows(2).find(|it| it[0] == it[1]) {
+    if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
         return Err(OptionsError::Twice(twice[0].to_owned()));
     }
-    match dependent(options).into_iter().find(|it| it.1 && !it.3) {
+    match dependent(options)
+        .into_iter()
+        .find(|pair| pair.1 && !pair.3)
+    {
         Some((field, _, needs, _)) => Err(OptionsError::Alone { field, needs }),
         None => Ok(()),
     }

@@ -59,12 +59,12 @@ impl Trace<'_> {
         self.measure(&mut passes);
         let sum = |of: fn(&PassFigures) -> f64| passes.iter().map(of).fold(0.0, |a, b| a + b);
         Estimate {
-            time_s: self.moments.last().map_or(0.0, |it| it.t_s),
-            ink_mm: sum(|it| it.ink_mm),
-            travel_mm: sum(|it| it.travel_mm),
-            strokes: passes.iter().map(|it| it.strokes).sum(),
+            time_s: self.moments.last().map_or(0.0, |moment| moment.t_s),
+            ink_mm: sum(|pass| pass.ink_mm),
+            travel_mm: sum(|pass| pass.travel_mm),
+            strokes: passes.iter().map(|pass| pass.strokes).sum(),
             vectors: self.ends.len(),
-            error_mm: passes.iter().map(|it| it.error_mm).fold(0.0, f64::max),
+            error_mm: passes.iter().map(|pass| pass.error_mm).fold(0.0, f64::max),
             passes,
         }
     }

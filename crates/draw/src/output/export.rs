@@ -60,8 +60,8 @@ struct Page<'a> {
 
 impl<'a> Page<'a> {
     fn of(passes: &[Pass], sheet: Option<&'a SheetPlace>) -> Self {
-        let strokes = passes.iter().flat_map(|it| &it.strokes);
-        let ink = bounds(strokes.flat_map(|it| it.points.iter().copied()));
+        let strokes = passes.iter().flat_map(|pass| &pass.strokes);
+        let ink = bounds(strokes.flat_map(|stroke| stroke.points.iter().copied()));
         let [width_mm, height_mm] = match sheet {
             Some(sheet) => [sheet.size.width_mm, sheet.size.height_mm],
             // A page without height would not be displayed.
@@ -135,7 +135,7 @@ fn path(stroke: &Stroke, page: &Page<'_>) -> String {
 
 /// Replaces almost white and missing colours by black, which is visible on the page.
 fn seen(color: Option<[u8; 3]>) -> [u8; 3] {
-    let is_seen = |it: &[u8; 3]| it.iter().any(|shade| *shade < ALMOST_WHITE);
+    let is_seen = |rgb: &[u8; 3]| rgb.iter().any(|shade| *shade < ALMOST_WHITE);
     color.filter(is_seen).unwrap_or_default()
 }
 
@@ -151,7 +151,11 @@ fn escaped(text: &str) -> String {
 fn gcode(passes: &[Pass], page: &Page<'_>) -> String {
     let mut text = "G21\nG90\n".to_owned();
     for pass in passes {
-        let name: String = pass.name.chars().filter(|it| !it.is_control()).collect();
+        let name: String = pass
+            .name
+            .chars()
+            .filter(|letter| !letter.is_control())
+            .collect();
         let _ = writeln!(text, "; {name}");
         let (on, off) = match pass.tool {
             DrawingTool::Pen(pen) => ("G1 Z-0.1 F600", format!("G0 Z{}", Thousandths(pen.lift_mm))),
@@ -164,7 +168,7 @@ fn gcode(passes: &[Pass], page: &Page<'_>) -> String {
             if let ([[Thousandths(x), y]], true) = (&places[..], pass.tool.burns()) {
                 // With M4, a laser that does not move does not burn.
                 places = [-0.5, 0.5]
-                    .map(|it| [Thousandths(x + it * DOT_MM), *y])
+                    .map(|side| [Thousandths(x + side * DOT_MM), *y])
                     .to_vec();
             }
             let Some(([x, y], rest)) = places.split_first() else {
@@ -182,7 +186,7 @@ fn gcode(passes: &[Pass], page: &Page<'_>) -> String {
 
 fn hpgl(passes: &[Pass], page: &Page<'_>) -> String {
     let units = |p: Point| {
-        let [x, y] = page.upright(p).map(|it| (it.0 * UNITS_A_MM).round() + 0.0);
+        let [x, y] = page.upright(p).map(|mm| (mm.0 * UNITS_A_MM).round() + 0.0);
         format!("{x},{y}")
     };
     let mut text = "IN;\n".to_owned();
@@ -203,7 +207,9 @@ fn json(passes: &[Pass], page: &Page<'_>) -> String {
     let mut strokes = Vec::new();
     for pass in passes {
         let name = serde_json::Value::from(pass.name.as_str());
-        let color = pass.color.map(|it| format!("\"color\":\"{}\",", color(it)));
+        let color = pass
+            .color
+            .map(|rgb| format!("\"color\":\"{}\",", color(rgb)));
         let color = color.unwrap_or_default();
         for stroke in &pass.strokes {
             let points = stroke.points.iter().map(|&p| {
@@ -230,9 +236,8 @@ mod tests {
 
     /// A corner, a line and a dot, 60 mm wide and 40 mm high.
     fn passes() -> Vec<Pass> {
-        let line = |points: &[(f64, f64)]| {
-            Stroke::open(points.iter().map(|&it| Point::from(it)).collect())
-        };
+        let line =
+            |points: &[(f64, f64)]| Stroke::open(points.iter().map(|&p| Point::from(p)).collect());
         let corner = line(&[(200.0, 30.0), (240.0, 30.0), (240.0, -30.0)]);
         let others = vec![line(&[(210.0, 0.0), (220.0, 0.0)]), line(&[(205.0, -10.0)])];
         let mut red = Pass::new(DrawingTool::default(), vec![corner]);
@@ -254,8 +259,14 @@ mod tests {
         let (artwork, warnings) = source.read(&options).unwrap();
         assert!(warnings.is_empty(), "{name}: {warnings:?}");
         let round = |mm: f64| (mm * 1e3).round() / 1e3 + 0.0;
-        let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
-        let points = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+        let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
+        let points = |stroke: &Stroke| {
+            stroke
+                .points
+                .iter()
+                .map(|p| (round(p.x), round(p.y)))
+                .collect()
+        };
         strokes.map(points).collect()
     }
 
@@ -344,14 +355,16 @@ mod tests {
             let strokes = read("a.gcode", export(&[frame, pass], None, ExportFormat::Gcode));
             let middles = strokes
                 .iter()
-                .map(|it| f64::midpoint(it[0].0, it[it.len() - 1].0));
+                .map(|line| f64::midpoint(line[0].0, line[line.len() - 1].0));
             assert_eq!(middles.skip(1).collect::<Vec<_>>(), order);
-            let dots = strokes.iter().filter(|it| (it[0].1 - 35.0).abs() < 1e-9);
+            let dots = strokes
+                .iter()
+                .filter(|line| (line[0].1 - 35.0).abs() < 1e-9);
             assert!(
                 dots.clone().count() == 2
                     && dots
                         .clone()
-                        .all(|it| ((it[1].0 - it[0].0).abs() - 0.2).abs() < 1e-9),
+                        .all(|line| ((line[1].0 - line[0].0).abs() - 0.2).abs() < 1e-9),
                 "{strokes:?}"
             );
         }

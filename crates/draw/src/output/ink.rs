@@ -22,11 +22,7 @@ impl InkLine {
     pub fn measured(seen: Vec<Stroke>, wanted: &[Stroke]) -> Vec<Self> {
         let mut near = PathDistance::new(wanted);
         let mut measure = |stroke: Stroke| Self {
-            errors_mm: stroke
-                .points
-                .iter()
-                .map(|&it| near.distance_mm(it))
-                .collect(),
+            errors_mm: stroke.points.iter().map(|&p| near.distance_mm(p)).collect(),
             stroke,
             pass: 0,
         };

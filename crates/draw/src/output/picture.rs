@@ -121,13 +121,19 @@ impl Picture<'_> {
 
     /// Returns the sheet or the area, on the picture.
     fn ground(&self) -> Rect {
-        let corners = self.sheet.map(|it| bounds(it.corners().map(on_picture)));
+        let corners = self
+            .sheet
+            .map(|sheet| bounds(sheet.corners().map(on_picture)));
         corners.unwrap_or(area_on_picture(self.area))
     }
 
     /// Returns the visible part, on the picture.
     fn paper(&self) -> Rect {
-        let lines = self.drawn.iter().flat_map(|it| &it.stroke.points).copied();
+        let lines = self
+            .drawn
+            .iter()
+            .flat_map(|line| &line.stroke.points)
+            .copied();
         let shown = bounds(lines.map(on_picture)).union(self.ground());
         match self.view {
             View::Paper => {
@@ -149,12 +155,12 @@ impl Picture<'_> {
     fn lines(&self, sheet: &mut Sheet) {
         let planned = [MoveKind::Draw, MoveKind::Burn].map(|kind| self.plan.paths(kind));
         for (strokes, look) in [(self.travel(), TRAVEL), (planned.concat(), PLANNED)] {
-            sheet.curves(strokes.iter().map(|it| seen(&it.points)), &look);
+            sheet.curves(strokes.iter().map(|stroke| seen(&stroke.points)), &look);
         }
         let class = |line: &InkLine, i: usize| self.colors.class(line, i);
         for (class, pieces) in by_class(self.drawn, class) {
             let (color, width) = self.colors.style(class, self.plan);
-            let pieces = pieces.iter().map(|it| seen(it));
+            let pieces = pieces.iter().map(|piece| seen(piece));
             sheet.curves(pieces, &ShapeStyle::line(&color, width));
         }
     }

@@ -141,15 +141,15 @@ impl Path {
 
 pub(crate) fn bounds_mm(moments: &[TracePoint]) -> [[f64; 2]; 3] {
     let axes: [fn(&TracePoint) -> f64; 3] = [
-        |it| it.position.x.0,
-        |it| it.position.y.0,
-        |it| it.position.z.0,
+        |moment| moment.position.x.0,
+        |moment| moment.position.y.0,
+        |moment| moment.position.z.0,
     ];
     axes.map(|axis| {
         let along = || moments.iter().map(axis);
         let least = along().fold(f64::INFINITY, f64::min);
         let most = along().fold(f64::NEG_INFINITY, f64::max);
-        [least, most].map(|it| rounded(it, CENTI))
+        [least, most].map(|mm| rounded(mm, CENTI))
     })
 }
 

@@ -77,7 +77,7 @@ impl<'a> Trace<'a> {
         let count = ends
             .last()
             .filter(|_| all)
-            .map_or(samples.len(), |it| it + 1);
+            .map_or(samples.len(), |index| index + 1);
         let samples = &samples[..count];
         let mut near = PathDistance::new(wanted);
         let moment = |(sample, ink): (&Sample, Ink)| TracePoint {
@@ -127,7 +127,7 @@ impl<'a> Trace<'a> {
             {
                 vector += 1;
             }
-            moves.get(vector).map_or(0, |it| it.pass)
+            moves.get(vector).map_or(0, |vector| vector.pass)
         })
     }
 }
@@ -168,8 +168,8 @@ pub(crate) fn lines<'a>(moments: impl Iterator<Item = (&'a TracePoint, u32)>) ->
 fn inks(plan: &Plan, paper: &Paper, samples: &[Sample]) -> Vec<Ink> {
     let burns = plan.burns();
     let here = |i: usize| match samples.get(i) {
-        Some(it) if burns => it.laser || samples.get(i + 1).is_some_and(|it| it.laser),
-        Some(it) => writes(it.position, paper),
+        Some(sample) if burns => sample.laser || samples.get(i + 1).is_some_and(|next| next.laser),
+        Some(sample) => writes(sample.position, paper),
         None => false,
     };
     let on_the_way = |i: usize| match (burns, i) {

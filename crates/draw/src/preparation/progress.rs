@@ -49,7 +49,7 @@ impl Progress {
     /// Returns the completed share of the step, from 0 to 1, if it is known.
     #[must_use]
     pub fn share(&self) -> Option<f64> {
-        let [done, all] = [&self.0.done, &self.0.all].map(|it| it.load(Ordering::Relaxed));
+        let [done, all] = [&self.0.done, &self.0.all].map(|count| count.load(Ordering::Relaxed));
         #[expect(clippy::cast_precision_loss, reason = "only a share")]
         (all > 0).then(|| (done as f64 / all as f64).min(1.0))
     }
@@ -110,7 +110,7 @@ fn roughly_s(passes: &[Pass], arm_limits: &ArmLimits) -> f64 {
             let (Some(&first), Some(last)) = (stroke.points.first(), stroke.last()) else {
                 continue;
             };
-            let way_mm = here.map_or(0.0, |it| it.distance(first));
+            let way_mm = here.map_or(0.0, |here| here.distance(first));
             // Includes lowering and lifting.
             pass_s += travel.cost(way_mm) + 2.0 * travel.cost(tool.lift_mm());
             pass_s += ink.cost(stroke.length_mm());

@@ -14,17 +14,25 @@ pub(super) fn chosen(
     layers: Vec<Layer>,
     settings: &Settings,
 ) -> Result<(Vec<Layer>, Vec<Layer>), PrepareError> {
-    let layers: Vec<Layer> = layers.into_iter().filter(|it| !it.is_empty()).collect();
-    let is_layer = |name: &str| layers.iter().any(|it| it.name == name);
+    let layers: Vec<Layer> = layers
+        .into_iter()
+        .filter(|layer| !layer.is_empty())
+        .collect();
+    let is_layer = |name: &str| layers.iter().any(|layer| layer.name == name);
     let only: Vec<&str> = settings
         .only
         .iter()
-        .flat_map(|it| names(it, is_layer))
+        .flat_map(|asked| names(asked, is_layer))
         .collect();
     let tools = settings.tools.iter().map(|(name, _)| name.as_str());
-    if let Some(unknown) = only.iter().copied().chain(tools).find(|it| !is_layer(it)) {
-        let named = layers.iter().filter(|it| !it.name.is_empty());
-        let names: Vec<String> = named.map(|it| quoted(&it.name)).collect();
+    if let Some(unknown) = only
+        .iter()
+        .copied()
+        .chain(tools)
+        .find(|name| !is_layer(name))
+    {
+        let named = layers.iter().filter(|layer| !layer.name.is_empty());
+        let names: Vec<String> = named.map(|layer| quoted(&layer.name)).collect();
         return Err(PrepareError::NoSuchLayer {
             name: unknown.to_owned(),
             layers: names.join(", "),
@@ -33,10 +41,11 @@ pub(super) fn chosen(
     if settings.layers.is_none() {
         return Ok((merged(layers), Vec::new()));
     }
-    let is_wanted = |it: &Layer| only.is_empty() || only.contains(&it.name.as_str());
+    let is_wanted = |layer: &Layer| only.is_empty() || only.contains(&layer.name.as_str());
     let wanted: Vec<bool> = layers.iter().map(is_wanted).collect();
-    let (chosen, left_out): (Vec<_>, Vec<_>) = layers.into_iter().zip(wanted).partition(|it| it.1);
-    let layers = |all: Vec<(Layer, bool)>| all.into_iter().map(|it| it.0).collect();
+    let (chosen, left_out): (Vec<_>, Vec<_>) =
+        layers.into_iter().zip(wanted).partition(|pair| pair.1);
+    let layers = |all: Vec<(Layer, bool)>| all.into_iter().map(|pair| pair.0).collect();
     Ok((layers(chosen), layers(left_out)))
 }
 
@@ -66,7 +75,7 @@ fn merged(layers: Vec<Layer>) -> Vec<Layer> {
             Some(last) if last.speed_mm_s == layer.speed_mm_s => {
                 last.strokes.append(&mut layer.strokes);
                 last.areas.append(&mut layer.areas);
-                last.color = last.color.filter(|it| layer.color == Some(*it));
+                last.color = last.color.filter(|color| layer.color == Some(*color));
                 if last.name != layer.name {
                     last.name.clear();
                 }
@@ -92,7 +101,7 @@ pub(super) fn tool(layer: &Layer, settings: &Settings) -> DrawingTool {
 
 /// Warns about burned layers for which the file has a pen speed.
 pub(super) fn pen_speeds(layers: &[Layer], settings: &Settings) -> Option<Warning> {
-    let has_pen_speed = |it: &&Layer| it.speed_mm_s.is_some() && !it.is_burned;
+    let has_pen_speed = |layer: &&Layer| layer.speed_mm_s.is_some() && !layer.is_burned;
     let count = layers.iter().filter(has_pen_speed).count();
     let matters = settings.tool.burns() && !settings.keeps_speed;
     counted(
@@ -104,7 +113,7 @@ pub(super) fn pen_speeds(layers: &[Layer], settings: &Settings) -> Option<Warnin
 
 /// Warns that there is nothing to hatch.
 pub(super) fn unhatched(layers: &[Layer], settings: &Settings) -> Option<Warning> {
-    let has_areas = layers.iter().any(|it| !it.areas.is_empty());
+    let has_areas = layers.iter().any(|layer| !layer.areas.is_empty());
     (settings.hatch.is_some() && !has_areas).then(|| Warning {
         file: None,
         place: None,
@@ -118,7 +127,7 @@ pub(super) fn unhatched(layers: &[Layer], settings: &Settings) -> Option<Warning
 /// drawn separately. A laser needs no change.
 pub(super) fn message(layer: &Layer, before: Option<&Pass>, settings: &Settings) -> Option<String> {
     let changes = settings.layers.is_some() && !settings.tool.burns();
-    let before = before.filter(|it| changes && it.name != layer.name)?;
+    let before = before.filter(|before| changes && before.name != layer.name)?;
     Some(format!(
         "put in the pen for {}; that of {} is done",
         layer.name, before.name

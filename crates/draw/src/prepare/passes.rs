@@ -34,7 +34,7 @@ pub(super) fn passes<E>(
         let lines = Lines::of(&mut layer, tool, settings)?;
         has_lines |= !lines.is_empty();
         let lines = lines.on_sheet(settings, warnings)?;
-        let lines = lines.try_map(|it| raw_strokes(it, tool, settings))?;
+        let lines = lines.try_map(|stroke| raw_strokes(stroke, tool, settings))?;
         let lines = lines.within_reach(tool, settings, reachable, warnings);
         // Areas without hatching leave no ink.
         if !lines.is_empty() {
@@ -50,7 +50,7 @@ pub(super) fn passes<E>(
     }
     let several = laid.len() + left_out.len() > 1;
     let shapes = laid.iter().filter(|_| several);
-    let mut shapes: Vec<Vec<Stroke>> = shapes.map(|it| it.cut_shapes(settings)).collect();
+    let mut shapes: Vec<Vec<Stroke>> = shapes.map(|layer| layer.cut_shapes(settings)).collect();
     for mut layer in left_out {
         let tool = layers::tool(&layer, settings);
         if !settings.cutting_of(tool).is_asked_for() {
@@ -70,8 +70,8 @@ pub(super) fn passes<E>(
     let mut passes = Vec::<Pass>::new();
     for (number, LaidLayer { layer, tool, lines }) in laid.into_iter().enumerate() {
         settings.cancel.check()?;
-        let others = shapes.iter().enumerate().filter(|it| it.0 != number);
-        let others: Vec<&Stroke> = others.flat_map(|it| it.1).collect();
+        let others = shapes.iter().enumerate().filter(|shape| shape.0 != number);
+        let others: Vec<&Stroke> = others.flat_map(|shape| shape.1).collect();
         let strokes = lines.finished(&others, here, tool, settings, warnings);
         settings.progress.advance(1);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
@@ -101,7 +101,7 @@ impl LaidLayer {
         if !settings.cutting_of(self.tool).is_asked_for() {
             return Vec::new();
         }
-        let shapes = self.lines.own.iter().filter(|it| it.closed);
+        let shapes = self.lines.own.iter().filter(|stroke| stroke.closed);
         shapes.cloned().collect()
     }
 }
@@ -109,14 +109,14 @@ impl LaidLayer {
 /// Orders layers: engraved layers come before cut ones, and cut layers inside the shapes of others
 /// before those, because cut-out parts may have fallen or moved.
 fn inner_layers_first(laid: Vec<LaidLayer>, warnings: &mut Vec<Warning>) -> Vec<LaidLayer> {
-    let (cut, mut sorted): (Vec<_>, Vec<_>) = laid.into_iter().partition(|it| it.tool.cuts());
+    let (cut, mut sorted): (Vec<_>, Vec<_>) = laid.into_iter().partition(|layer| layer.tool.cuts());
     let lines = cut
         .iter()
-        .map(|it| it.lines.own.iter().chain(&it.lines.whole));
+        .map(|layer| layer.lines.own.iter().chain(&layer.lines.whole));
     let lines: Vec<Vec<&Stroke>> = lines.map(Iterator::collect).collect();
     let (order, too_late) = layers_inner_first(&lines);
     let mut cut: Vec<Option<LaidLayer>> = cut.into_iter().map(Some).collect();
-    sorted.extend(order.into_iter().filter_map(|it| cut[it].take()));
+    sorted.extend(order.into_iter().filter_map(|index| cut[index].take()));
     warnings.extend(counted(
         too_late,
         "layer inside of shapes that are cut before",
@@ -192,7 +192,11 @@ impl Lines {
             let within = bounds(room.corners()).inflate(ON_EDGE_MM, ON_EDGE_MM);
             return Ok(self.clipped("layer beyond the sheet", within, is_on, warnings));
         }
-        let points = self.own.iter().chain(&self.fills).flat_map(|it| &it.points);
+        let points = self
+            .own
+            .iter()
+            .chain(&self.fills)
+            .flat_map(|stroke| &stroke.points);
         let beyond = points.map(|&p| (room.beyond_mm(p), p));
         match beyond.max_by(|a, b| a.0.total_cmp(&b.0)) {
             Some((by_mm, p)) if by_mm > ON_SHEET_MM => Err(PlaceError::BeyondSheet {
@@ -237,7 +241,8 @@ impl Lines {
         inside: impl Fn(Point) -> bool,
         warnings: &mut Vec<Warning>,
     ) -> Self {
-        let [own, fills] = [self.own, self.fills].map(|it| clip_to_reach(&it, within, &inside));
+        let [own, fills] =
+            [self.own, self.fills].map(|strokes| clip_to_reach(&strokes, within, &inside));
         let cut_mm = own.cut_mm + fills.cut_mm;
         let cut_dots = own.cut_dots + fills.cut_dots;
         if !(own.is_whole() && fills.is_whole()) {
@@ -256,7 +261,7 @@ impl Lines {
         let mut whole = Vec::new();
         if settings.drops_doubles && tool.cuts() {
             whole = merge(self.own.clone(), settings.join_mm());
-            whole.retain(|it| it.closed);
+            whole.retain(|stroke| stroke.closed);
         }
         let lines = self.map(|strokes| {
             if !settings.drops_doubles {
@@ -273,7 +278,7 @@ impl Lines {
             "line",
             "not compared with the others: there are too many in one place",
         ));
-        let lines = lines.map(|it| merge(it, settings.join_mm()));
+        let lines = lines.map(|strokes| merge(strokes, settings.join_mm()));
         if tool.cuts() || stay_whole {
             warnings.extend(with_gaps(&lines.own, settings.join_mm()));
         }
@@ -294,7 +299,7 @@ impl Lines {
             let strokes = in_order(vec![self.own], here, tool, settings);
             let strokes = strokes.into_iter();
             return strokes
-                .map(|it| gone_over(it, settings.pen_passes))
+                .map(|stroke| gone_over(stroke, settings.pen_passes))
                 .collect();
         }
         let cutting = settings.cutting_of(tool);
@@ -328,16 +333,20 @@ impl Lines {
 /// may be cut later. Parallel lines are not an outline, nor are shapes barely wider than their
 /// gaps.
 fn with_gaps(strokes: &[Stroke], join_mm: f64) -> Option<Warning> {
-    let open: Vec<Stroke> = strokes.iter().filter(|it| !it.closed).cloned().collect();
+    let open: Vec<Stroke> = strokes
+        .iter()
+        .filter(|stroke| !stroke.closed)
+        .cloned()
+        .collect();
     let closed = |by_mm: f64| {
         let shapes = merge(open.clone(), by_mm);
-        let wide = |it: &&Stroke| it.closed && width_mm(it) > MUCH_WIDER * by_mm;
+        let wide = |stroke: &&Stroke| stroke.closed && width_mm(stroke) > MUCH_WIDER * by_mm;
         shapes.iter().filter(wide).count()
     };
-    let wider = GAPS_MM.into_iter().filter(|&it| it > join_mm);
-    let tried: Vec<(f64, usize)> = wider.map(|it| (it, closed(it))).collect();
-    let most = tried.iter().map(|it| it.1).max()?;
-    let (by_mm, count) = tried.into_iter().find(|it| it.1 == most)?;
+    let wider = GAPS_MM.into_iter().filter(|&mm| mm > join_mm);
+    let tried: Vec<(f64, usize)> = wider.map(|mm| (mm, closed(mm))).collect();
+    let most = tried.iter().map(|gap| gap.1).max()?;
+    let (by_mm, count) = tried.into_iter().find(|gap| gap.1 == most)?;
     let instead = format!("not taken for shapes that are cut out: `way.join {by_mm}` closes them");
     counted(count, "open outline", &instead)
 }
@@ -345,7 +354,7 @@ fn with_gaps(strokes: &[Stroke], join_mm: f64) -> Option<Warning> {
 /// Returns the width of a long shape with this area and perimeter.
 fn width_mm(shape: &Stroke) -> f64 {
     let first = shape.points[0];
-    let part = |it: &[Point]| (it[0] - first).cross(it[1] - first);
+    let part = |pair: &[Point]| (pair[0] - first).cross(pair[1] - first);
     let twice_mm2: f64 = shape.points.windows(2).map(part).sum();
     twice_mm2.abs() / shape.length_mm()
 }
@@ -358,7 +367,7 @@ fn in_order(
     settings: &Settings,
 ) -> Vec<Stroke> {
     let mut all = Vec::new();
-    for group in groups.into_iter().filter(|it| !it.is_empty()) {
+    for group in groups.into_iter().filter(|group| !group.is_empty()) {
         let group = match settings.search(tool) {
             Some(search) => order_until(group, here, &search, &settings.cancel),
             None => group,
@@ -412,7 +421,10 @@ fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
 
 /// Joins all strokes to one, in order.
 fn one_line(strokes: Vec<Stroke>) -> Vec<Stroke> {
-    let points: Vec<Point> = strokes.into_iter().flat_map(|it| it.points).collect();
+    let points: Vec<Point> = strokes
+        .into_iter()
+        .flat_map(|stroke| stroke.points)
+        .collect();
     vec![Stroke::open(points)]
 }
 

@@ -25,16 +25,19 @@ pub(super) fn read(
             error,
         },
     };
-    let begin = |it| Reading::begin(it, settings).map_err(|error| named(it, error));
+    let begin = |source| Reading::begin(source, settings).map_err(|error| named(source, error));
     let mut readings: Vec<Reading> = sources.iter().map(begin).collect::<Result<_, _>>()?;
     let place = |readings: &mut [Reading], for_good| {
-        let parts = readings.iter_mut().map(|it| it.part(for_good)).collect();
+        let parts = readings
+            .iter_mut()
+            .map(|reading| reading.part(for_good))
+            .collect();
         settings.placement.place(together(parts, settings)?)
     };
     // Sources in their final size need not be kept.
     let for_good = readings
         .iter()
-        .all(|it| it.source.source.is_same_at_any_size());
+        .all(|reading| reading.source.source.is_same_at_any_size());
     let mut placed = place(&mut readings, for_good)?;
     let most_reads = if for_good { 0 } else { MOST_READS };
     for _ in 0..most_reads {
@@ -48,13 +51,13 @@ pub(super) fn read(
         }
         placed = place(&mut readings, false)?;
     }
-    let warnings = readings.into_iter().flat_map(|it| {
-        let file = (!is_alone).then(|| it.source.name.clone());
+    let warnings = readings.into_iter().flat_map(|reading| {
+        let file = (!is_alone).then(|| reading.source.name.clone());
         let in_file = move |warning| Warning {
             file: file.clone(),
             ..warning
         };
-        it.warnings.into_iter().map(in_file)
+        reading.warnings.into_iter().map(in_file)
     });
     Ok((placed, warnings.collect()))
 }
@@ -80,7 +83,7 @@ impl<'a> Reading<'a> {
             crops: settings.crops,
             hides: settings.hides,
             fills: settings.hatch.is_some(),
-            burns: settings.tool.burns() || settings.tools.iter().any(|(_, it)| it.burns()),
+            burns: settings.tool.burns() || settings.tools.iter().any(|(_, tool)| tool.burns()),
             fonts: Arc::clone(&settings.fonts),
             ..ReadOptions::default()
         };

@@ -154,8 +154,11 @@ fn a_circle_is_drawn_hardly_slower_than_the_fastest_motion_along_it() {
         let plan = prepare_passes(vec![pass], &settings, anywhere)
             .unwrap()
             .plan;
-        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
-        let drawn_s: f64 = draws.map(|it| f64::from(it.duration_s)).sum();
+        let draws = plan
+            .moves
+            .iter()
+            .filter(|vector| vector.kind == MoveKind::Draw);
+        let drawn_s: f64 = draws.map(|vector| f64::from(vector.duration_s)).sum();
         assert!(
             drawn_s <= most * optimum_s,
             "{drawn_s} instead of {optimum_s} s"
@@ -201,7 +204,11 @@ fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
     let planned = prepared.plan.paths(MoveKind::Draw);
     let worst = deviation(&prepared.wanted(), &planned);
     assert!(worst.largest_mm() <= 0.0451, "{worst:?}");
-    let corners: usize = prepared.wanted().iter().map(|it| it.points.len()).sum();
+    let corners: usize = prepared
+        .wanted()
+        .iter()
+        .map(|stroke| stroke.points.len())
+        .sum();
     // A circle of some 75 mm radius within 5 micrometres: 272 each.
     assert!((60 * 200..60 * 350).contains(&corners), "{corners}");
 }
@@ -209,7 +216,7 @@ fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
 #[test]
 fn a_drawing_of_many_colours_that_is_drawn_as_one_has_none_of_them() {
     let svg = |colors: [&str; 2]| {
-        let lines = colors.map(|it| format!(r#"<path d="M5 5H25V9" stroke="{it}"/>"#));
+        let lines = colors.map(|color| format!(r#"<path d="M5 5H25V9" stroke="{color}"/>"#));
         format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
             <g fill="none">{}</g></svg>"#,
@@ -246,7 +253,7 @@ fn a_material_that_is_cut_through_is_cut_inside_first() {
         let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
         wanted
             .iter()
-            .map(|it| it.length_mm().round())
+            .map(|stroke| stroke.length_mm().round())
             .collect::<Vec<f64>>()
     };
     assert_eq!(lengths(true).last(), Some(&320.0));
@@ -313,7 +320,7 @@ fn the_rings_of_a_hatching_are_neither_parts_nor_holes_and_are_burned_before_the
     };
     let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
     let (rings, cut) = wanted.split_at(wanted.len() - 2);
-    let mut rings_mm: Vec<f64> = rings.iter().map(|it| it.length_mm().round()).collect();
+    let mut rings_mm: Vec<f64> = rings.iter().map(|ring| ring.length_mm().round()).collect();
     rings_mm.sort_by(f64::total_cmp);
     assert_eq!(rings_mm, [32.0, 64.0, 96.0, 128.0]);
     for half in cut {
@@ -340,8 +347,8 @@ fn what_is_too_large_for_the_arm_is_cut_off_where_that_is_asked_for_wherever_it_
     assert!(texts.concat().contains("mm of its lines"), "{texts:?}");
     // Both lines cross in the middle of the area.
     let center = Placement::default().area.center();
-    let near = |it: &Stroke| {
-        it.segments().any(|(a, b)| {
+    let near = |stroke: &Stroke| {
+        stroke.segments().any(|(a, b)| {
             dobot_geometry::ParamCurveNearest::nearest(
                 &dobot_geometry::Line::new(a, b),
                 center,
@@ -351,7 +358,14 @@ fn what_is_too_large_for_the_arm_is_cut_off_where_that_is_asked_for_wherever_it_
                 < 0.01
         })
     };
-    assert_eq!(prepared.wanted().iter().filter(|it| near(it)).count(), 2);
+    assert_eq!(
+        prepared
+            .wanted()
+            .iter()
+            .filter(|stroke| near(stroke))
+            .count(),
+        2
+    );
 }
 
 #[test]
@@ -501,11 +515,11 @@ fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
         } else {
             [350.0, 200.0]
         };
-        ends.map(|it| (way * it).to_point()).to_vec()
+        ends.map(|mm| (way * mm).to_point()).to_vec()
     };
     let ring = |i: i32| {
         let middle = (Vec2::from_angle(f64::from(i) / 20.0) * 320.0).to_point();
-        let corner = |it: i32| middle + Vec2::from_angle(f64::from(it)) * 12.0;
+        let corner = |angle: i32| middle + Vec2::from_angle(f64::from(angle)) * 12.0;
         let mut ring: Vec<Point> = (0..6).map(corner).collect();
         ring.push(ring[0]);
         ring
@@ -555,7 +569,7 @@ fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_s
         let texts = prepared.warnings.iter().map(ToString::to_string);
         let is_warned = texts
             .into_iter()
-            .any(|it| it.contains("layer with the speed of a pen"));
+            .any(|text| text.contains("layer with the speed of a pen"));
         (prepared.passes[0].tool.speed_mm_s(), is_warned)
     };
     for (source, tool, expected) in [
@@ -575,11 +589,11 @@ fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_s
 
 /// Spokes all around the arm, from -120 to 120 degrees, drawn from left to right and back.
 fn spokes_around_the_arm() -> Vec<Stroke> {
-    let spoke = |it: i32| {
-        let way = Vec2::from_angle(f64::from(it).to_radians());
+    let spoke = |angle: i32| {
+        let way = Vec2::from_angle(f64::from(angle).to_radians());
         Stroke::open([150.0, 300.0].map(|mm| (way * mm).to_point()).to_vec())
     };
-    let angles = (0..12).flat_map(|it| [-120 + 20 * it, 120 - 20 * it]);
+    let angles = (0..12).flat_map(|i| [-120 + 20 * i, 120 - 20 * i]);
     angles.map(spoke).collect()
 }
 
@@ -695,15 +709,16 @@ fn layers_are_chosen_by_names_with_commas_between_them_or_in_them() {
     let chosen = |only: &[&str]| {
         let settings = Settings {
             layers: Some(dobot_import::LayersBy::Group),
-            only: only.iter().map(|&it| it.to_owned()).collect(),
+            only: only.iter().map(|&name| name.to_owned()).collect(),
             ..Settings::default()
         };
         let prepared = prepare(&svg.into(), &settings, anywhere);
-        let names = prepared.map(|it| it.passes.into_iter().map(|pass| pass.name).collect());
+        let names =
+            prepared.map(|prepared| prepared.passes.into_iter().map(|pass| pass.name).collect());
         names.map_err(|error| error.to_string())
     };
     let names = |names: &[&str]| -> Result<Vec<String>, String> {
-        Ok(names.iter().map(|&it| it.to_owned()).collect())
+        Ok(names.iter().map(|&name| name.to_owned()).collect())
     };
     assert_eq!(chosen(&["cut, outside"]), names(&["cut, outside"]));
     assert_eq!(chosen(&["text,cut"]), names(&["cut", "text"]));
@@ -806,8 +821,8 @@ fn what_the_arm_burns_slower_than_asked_for_is_reported_with_the_speed_at_which_
     let speed = warning
         .split("; at ")
         .nth(1)
-        .and_then(|it| it.split(' ').next());
-    let even_mm_s: f64 = speed.and_then(|it| it.parse().ok()).expect("a speed");
+        .and_then(|rest| rest.split(' ').next());
+    let even_mm_s: f64 = speed.and_then(|speed| speed.parse().ok()).expect("a speed");
     assert!(even_mm_s > 6.0 && even_mm_s < 10.1, "{warning}");
     assert_eq!(warning_of(even_mm_s), "");
 }
@@ -850,7 +865,10 @@ fn a_hole_comes_before_what_an_edge_that_is_drawn_once_leaves_of_its_part() {
         ..Settings::default()
     };
     let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
-    let mut lengths: Vec<f64> = wanted.iter().map(|it| it.length_mm().round()).collect();
+    let mut lengths: Vec<f64> = wanted
+        .iter()
+        .map(|stroke| stroke.length_mm().round())
+        .collect();
     let edges = lengths.split_off(2);
     assert_eq!(edges.iter().sum::<f64>(), 140.0);
     lengths.sort_by(f64::total_cmp);

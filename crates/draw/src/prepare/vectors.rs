@@ -26,10 +26,10 @@ pub(super) struct Trials {
 impl Trials {
     /// Creates the budget of a drawing.
     pub(super) fn new(passes: &[Pass]) -> Self {
-        let strokes = passes.iter().flat_map(|it| &it.strokes);
+        let strokes = passes.iter().flat_map(|pass| &pass.strokes);
         Self {
             left: MOST_TRIED,
-            points: strokes.map(|it| it.points.len()).sum(),
+            points: strokes.map(|stroke| stroke.points.len()).sum(),
             points_done: 0,
         }
     }
@@ -69,18 +69,18 @@ pub(super) fn simplified(
     trials: &mut Trials,
 ) -> Result<Pass, PrepareError> {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
-    let strokes = pass.strokes.iter().map(|it| {
+    let strokes = pass.strokes.iter().map(|stroke| {
         settings.cancel.check()?;
-        let fewest = fewest_at(it, tolerance_mm);
+        let fewest = fewest_at(stroke, tolerance_mm);
         let simple = if pass.tool.burns() {
-            fewest_long_at(it, tolerance_mm, LEAST_BURN_MM)
-                .unwrap_or_else(|| burned(it, fewest.stroke, tolerance_mm))
-        } else if fewest.stroke.points.len() == it.points.len() {
+            fewest_long_at(stroke, tolerance_mm, LEAST_BURN_MM)
+                .unwrap_or_else(|| burned(stroke, fewest.stroke, tolerance_mm))
+        } else if fewest.stroke.points.len() == stroke.points.len() {
             fewest.stroke
         } else {
-            faster(it, fewest, pass.tool, settings, trials)
+            faster(stroke, fewest, pass.tool, settings, trials)
         };
-        settings.progress.advance(it.points.len());
+        settings.progress.advance(stroke.points.len());
         Ok(shortened(simple, &settings.paper))
     });
     let strokes: Result<_, PrepareError> = strokes.collect();
@@ -97,9 +97,9 @@ pub(super) fn simplified(
 /// omits because they are too close to others. A smaller tolerance moves the corners. If none keeps
 /// it, returns the closest.
 fn burned(stroke: &Stroke, fewest: Stroke, tolerance_mm: f64) -> Stroke {
-    let off_mm = |it: &Stroke| {
-        let corners = burned_corners(it);
-        if corners.len() == it.points.len() {
+    let off_mm = |vectors: &Stroke| {
+        let corners = burned_corners(vectors);
+        if corners.len() == vectors.points.len() {
             return 0.0;
         }
         let both = [stroke.clone(), Stroke::open(corners)];
@@ -136,7 +136,7 @@ fn faster(
     }
     let few = fewest.stroke.clone();
     let ways = fast_ways_at(stroke, tolerance_mm, fewest, &estimator);
-    if ways.iter().all(|it| it.stroke == few) {
+    if ways.iter().all(|way| way.stroke == few) {
         return few;
     }
     let mut tried = Tried {
@@ -154,7 +154,7 @@ fn faster(
         }
     }
     let best = tried.planned.into_iter().nth(tried.best.1);
-    best.map_or(few, |it| it.way.stroke)
+    best.map_or(few, |planned| planned.way.stroke)
 }
 
 /// The planned variants of a stroke.
@@ -169,15 +169,22 @@ struct Tried<'a> {
 impl Tried<'_> {
     /// Plans another variant, unless it is already included.
     fn plan(&mut self, way: Way) {
-        if self.planned.iter().any(|it| it.way.stroke == way.stroke) {
+        if self
+            .planned
+            .iter()
+            .any(|planned| planned.way.stroke == way.stroke)
+        {
             return;
         }
         let pass = Pass::new(self.tool, vec![way.stroke.clone()]);
         let Ok(plan) = Plan::whole(&[pass], &self.settings.paper, &self.settings.arm_limits) else {
             return;
         };
-        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
-        let durations_s: Vec<f64> = draws.map(|it| it.duration_s.into()).collect();
+        let draws = plan
+            .moves
+            .iter()
+            .filter(|vector| vector.kind == MoveKind::Draw);
+        let durations_s: Vec<f64> = draws.map(|vector| vector.duration_s.into()).collect();
         let time_s = durations_s.iter().sum::<f64>() * self.sharpness(&plan);
         if time_s < self.best.0 * WORTH_FEWER {
             self.best = (time_s, self.planned.len());
@@ -307,10 +314,10 @@ mod tests {
         let mut random = Random::new(1);
         let scrawls: Vec<Stroke> = (0..60).map(|_| scrawl(&mut random)).collect();
         let planned_s = |left: usize| -> f64 {
-            let chosen = scrawls.iter().map(|it| {
+            let chosen = scrawls.iter().map(|scrawl| {
                 let mut trials = trials_of(left);
-                let fewest = fewest_at(it, 0.045);
-                let way = faster(it, fewest, settings.tool, &settings, &mut trials);
+                let fewest = fewest_at(scrawl, 0.045);
+                let way = faster(scrawl, fewest, settings.tool, &settings, &mut trials);
                 let pass = Pass::new(settings.tool, vec![way]);
                 let plan = Plan::new(&[pass], &settings.paper, &settings.arm_limits);
                 plan.expect("a plan").duration_s()
@@ -333,8 +340,8 @@ mod tests {
             Vec2::from_angle(swing)
         });
         directions
-            .scan(Point::new(200.0, -40.0), |at, it| {
-                *at += it * 0.02;
+            .scan(Point::new(200.0, -40.0), |at, direction| {
+                *at += direction * 0.02;
                 Some(*at)
             })
             .collect()
@@ -368,7 +375,7 @@ mod tests {
             let trembling = meant
                 .iter()
                 .step_by(15)
-                .map(|it| *it + Vec2::new(off(), off()));
+                .map(|p| *p + Vec2::new(off(), off()));
             trembling_s += planned_s(trembling.collect());
             meant_s += planned_s(meant);
         }

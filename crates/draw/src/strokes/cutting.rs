@@ -93,7 +93,7 @@ impl Cutting {
         Cut {
             strokes: all,
             too_small,
-            short_of_room: waste.map_or(0, |it| it.short_of_room),
+            short_of_room: waste.map_or(0, |waste| waste.short_of_room),
         }
     }
 
@@ -160,7 +160,8 @@ struct Waste {
 impl Waste {
     fn between(strokes: &[Stroke], others: &[&Stroke], lead_in_mm: f64) -> Self {
         let all = strokes.iter().chain(others.iter().copied()).enumerate();
-        let lines = all.flat_map(|(number, it)| it.segments().map(move |line| (number, line)));
+        let lines =
+            all.flat_map(|(number, stroke)| stroke.segments().map(move |line| (number, line)));
         let (owners, lines) = lines.unzip();
         Self {
             lines: SegmentIndex::new(lines),
@@ -173,9 +174,9 @@ impl Waste {
     /// Returns a shape with a start that has room for its lead-in: the given one, or the middle of
     /// a side.
     fn begun_well(&self, shape: Stroke, is_part: bool, stroke: usize) -> Stroke {
-        let room_mm = |it: &Stroke| {
-            let side = waste_side(it, end_direction(it), it, is_part);
-            let room_mm = self.room_mm(it.points[0], unit(side), stroke);
+        let room_mm = |shape: &Stroke| {
+            let side = waste_side(shape, end_direction(shape), shape, is_part);
+            let room_mm = self.room_mm(shape.points[0], unit(side), stroke);
             room_mm.min(2.0 * self.lead_in_mm)
         };
         let mut most_mm = room_mm(&shape);
@@ -263,7 +264,7 @@ pub(crate) fn inner_first(strokes: Vec<Stroke>, whole: &[Stroke]) -> Vec<Vec<Str
     for (stroke, depth) in strokes.into_iter().zip(depths) {
         groups[deepest - depth].push(stroke);
     }
-    groups.retain(|it: &Vec<Stroke>| !it.is_empty());
+    groups.retain(|group: &Vec<Stroke>| !group.is_empty());
     groups
 }
 
@@ -276,15 +277,15 @@ pub(crate) fn layers_inner_first(layers: &[Vec<&Stroke>]) -> (Vec<usize>, usize)
     let mut inside_of = vec![HashSet::new(); layers.len()];
     if layers.len() > 1 {
         for (inner, enclosing) in enclosing(&strokes, strokes.len()).into_iter().enumerate() {
-            let outer = enclosing.into_iter().map(|it| layer_of[it]);
-            inside_of[layer_of[inner]].extend(outer.filter(|&it| it != layer_of[inner]));
+            let outer = enclosing.into_iter().map(|stroke| layer_of[stroke]);
+            inside_of[layer_of[inner]].extend(outer.filter(|&layer| layer != layer_of[inner]));
         }
     }
     let mut left: Vec<usize> = (0..layers.len()).collect();
     let (mut sorted, mut too_late) = (Vec::new(), 0);
     while !left.is_empty() {
-        let encloses = |outer: usize| left.iter().any(|&it| inside_of[it].contains(&outer));
-        let next = left.iter().position(|&it| !encloses(it));
+        let encloses = |outer: usize| left.iter().any(|&layer| inside_of[layer].contains(&outer));
+        let next = left.iter().position(|&layer| !encloses(layer));
         too_late += usize::from(next.is_none());
         sorted.push(left.remove(next.unwrap_or(0)));
     }
@@ -301,9 +302,12 @@ fn depths(strokes: &[Stroke], others: &[&Stroke]) -> Vec<usize> {
 /// Returns the closed strokes that completely enclose each of the first strokes; strokes that only
 /// touch or partially enclose it do not count.
 fn enclosing(strokes: &[&Stroke], first: usize) -> Vec<HashSet<usize>> {
-    let loops = strokes.iter().enumerate().filter(|it| is_loop(it.1));
-    let edges = loops.flat_map(|(number, it)| {
-        let points = it.points.windows(2);
+    let loops = strokes
+        .iter()
+        .enumerate()
+        .filter(|stroke| is_loop(stroke.1));
+    let edges = loops.flat_map(|(number, ring)| {
+        let points = ring.points.windows(2);
         points.map(move |pair| (number, (pair[0], pair[1])))
     });
     let (owners, edges): (Vec<usize>, Vec<(Point, Point)>) = edges.unzip();
@@ -327,14 +331,14 @@ fn enclosing(strokes: &[&Stroke], first: usize) -> Vec<HashSet<usize>> {
         crossed.sort_unstable();
         let odd = crossed
             .chunk_by(|a, b| a == b)
-            .filter(|it| it.len() % 2 == 1);
-        let inside: HashSet<usize> = odd.map(|it| it[0]).collect();
+            .filter(|run| run.len() % 2 == 1);
+        let inside: HashSet<usize> = odd.map(|run| run[0]).collect();
         (inside, met)
     };
-    let around_whole = |(number, it): (usize, &&Stroke)| {
+    let around_whole = |(number, stroke): (usize, &&Stroke)| {
         let mut enclosing: Option<HashSet<usize>> = None;
         let mut only_met = HashSet::new();
-        for at in samples(&it.points) {
+        for at in samples(&stroke.points) {
             let (inside, met) = around(number, at);
             // A stroke that meets it here may still enclose it.
             enclosing = Some(match enclosing {
@@ -344,7 +348,7 @@ fn enclosing(strokes: &[&Stroke], first: usize) -> Vec<HashSet<usize>> {
                 }
                 Some(before) => &before & &(&inside | &met),
             });
-            only_met.retain(|it| met.contains(it));
+            only_met.retain(|number| met.contains(number));
             if enclosing.as_ref().is_some_and(HashSet::is_empty) {
                 break;
             }
@@ -362,13 +366,13 @@ fn samples(points: &[Point]) -> impl Iterator<Item = Point> {
     let step = points.len().div_ceil(SAMPLES).max(1);
     let corners = points.iter().copied().step_by(step);
     let middles = points.windows(2).step_by(step);
-    corners.chain(middles.map(|it| it[0].midpoint(it[1])))
+    corners.chain(middles.map(|pair| pair[0].midpoint(pair[1])))
 }
 
 /// Whether a point lies in a closed path.
 fn is_in(ring: &[Point], at: Point) -> bool {
-    let edges = ring.windows(2).map(|it| (it[0], it[1]));
-    edges.filter(|&it| is_ahead(it, at)).count() % 2 == 1
+    let edges = ring.windows(2).map(|pair| (pair[0], pair[1]));
+    edges.filter(|&edge| is_ahead(edge, at)).count() % 2 == 1
 }
 
 /// Whether a ray from a point along x crosses an edge: an odd number of crossings means inside.
@@ -443,7 +447,7 @@ mod tests {
     fn area(ring: &[Point]) -> f64 {
         let ends = ring.windows(2);
         let first = bounds(ring.iter().copied()).origin();
-        let part = |it: &[Point]| Vec2::cross(it[0] - first, it[1] - first);
+        let part = |pair: &[Point]| Vec2::cross(pair[0] - first, pair[1] - first);
         ends.map(part).sum::<f64>() / 2.0
     }
 
@@ -468,7 +472,7 @@ mod tests {
         let groups = inner_first(nest(), &[]);
         let widths: Vec<Vec<f64>> = groups
             .iter()
-            .map(|it| it.iter().map(width).collect())
+            .map(|group| group.iter().map(width).collect())
             .collect();
         assert_eq!(widths, [vec![8.0], vec![20.0, 20.0], vec![60.0, 10.0]]);
         assert_eq!(inner_first(Vec::new(), &[]), Vec::<Vec<Stroke>>::new());
@@ -484,7 +488,8 @@ mod tests {
         ])];
         let hole = vec![square(2.0, 2.0, 20.0), square(82.0, 2.0, 3.0)];
         let sorted = |layers: &[&Vec<Stroke>]| {
-            let layers: Vec<Vec<&Stroke>> = layers.iter().map(|it| it.iter().collect()).collect();
+            let layers: Vec<Vec<&Stroke>> =
+                layers.iter().map(|layer| layer.iter().collect()).collect();
             layers_inner_first(&layers)
         };
         assert_eq!(sorted(&[]), (vec![], 0));
@@ -570,7 +575,10 @@ mod tests {
                 ..Cutting::default()
             };
             let (offset, gone) = cutting.offset(vec![shape], &[], 0.005);
-            let areas: Vec<f64> = offset.iter().map(|it| area(&it.points).abs()).collect();
+            let areas: Vec<f64> = offset
+                .iter()
+                .map(|stroke| area(&stroke.points).abs())
+                .collect();
             // Both meet in a corner and become one.
             assert_eq!((areas.len(), gone), (1, 0), "{areas:?}");
             assert!((areas[0] - 208.0).abs() < 0.1, "{areas:?}");
@@ -644,7 +652,10 @@ mod tests {
             let [from, on] = [stroke.points[0], stroke.points[1]];
             assert!((from.distance(on) - 2.0).abs() < 1e-9, "{stroke:?}");
             assert!((stroke.length_mm() - whole.length_mm() - 2.0).abs() < 1e-9);
-            assert!(shapes.iter().all(|it| !is_in(&it.points, from)), "{from:?}");
+            assert!(
+                shapes.iter().all(|shape| !is_in(&shape.points, from)),
+                "{from:?}"
+            );
         }
     }
 
@@ -658,20 +669,17 @@ mod tests {
             ..Cutting::default()
         };
         let cut = cutting.finished(vec![square(0.0, 0.0, 60.0), square(20.0, 20.0, 20.0)], &[]);
-        let begins: Vec<Point> = cut.strokes.iter().map(|it| it.points[0]).collect();
+        let begins: Vec<Point> = cut.strokes.iter().map(|stroke| stroke.points[0]).collect();
         let (part, hole) = ([0.0, 60.0], [20.0, 40.0]);
         let is_within = |p: &Point, [low, high]: [f64; 2]| {
             (low..=high).contains(&p.x) && (low..=high).contains(&p.y)
         };
         assert_eq!(cut.strokes.len(), 4);
         assert!(
-            begins[..2].iter().all(|it| !is_within(it, part)),
+            begins[..2].iter().all(|p| !is_within(p, part)),
             "{begins:?}"
         );
-        assert!(
-            begins[2..].iter().all(|it| is_within(it, hole)),
-            "{begins:?}"
-        );
+        assert!(begins[2..].iter().all(|p| is_within(p, hole)), "{begins:?}");
         for (piece, mm) in cut.strokes.iter().zip([121.0, 121.0, 41.0, 41.0]) {
             assert!((piece.length_mm() - mm).abs() < 1e-9, "{piece:?}");
         }

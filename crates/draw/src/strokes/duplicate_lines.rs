@@ -22,7 +22,7 @@ pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> Without
     let before = strokes.len();
     let mut seen = HashSet::new();
     let mut strokes = strokes;
-    strokes.retain(|it| seen.insert(edges(&it.points)));
+    strokes.retain(|stroke| seen.insert(edges(&stroke.points)));
     let (mut doubles, mut unknown) = (before - strokes.len(), 0);
     let mut drawn = Drawn::new(&strokes);
     let mut by_length: Vec<usize> = (0..strokes.len()).collect();
@@ -42,7 +42,7 @@ pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> Without
     let all = strokes
         .into_iter()
         .zip(left)
-        .flat_map(|(it, left)| left.unwrap_or_else(|| vec![it]));
+        .flat_map(|(stroke, left)| left.unwrap_or_else(|| vec![stroke]));
     WithoutDoubles {
         strokes: all.collect(),
         doubles,
@@ -56,7 +56,9 @@ fn edges(points: &[Point]) -> Vec<[[i64; 2]; 2]> {
     #[expect(clippy::cast_possible_truncation, reason = "on a table")]
     let rounded = |mm: f64| (mm / SAME_MM).round() as i64;
     let corner = |p: &Point| [rounded(p.x), rounded(p.y)];
-    let pairs = points.windows(2).map(|it| [corner(&it[0]), corner(&it[1])]);
+    let pairs = points
+        .windows(2)
+        .map(|pair| [corner(&pair[0]), corner(&pair[1])]);
     let mut edges: Vec<_> = if let [dot] = points {
         vec![[corner(dot); 2]]
     } else {
@@ -71,8 +73,8 @@ fn edges(points: &[Point]) -> Vec<[[i64; 2]; 2]> {
 
 /// Returns the parts of a stroke outside these spans of its length.
 fn beside(stroke: &Stroke, spans: &[(f64, f64)], length_mm: f64) -> Vec<Stroke> {
-    let ends = spans.iter().map(|it| it.1);
-    let begins = spans.iter().map(|it| it.0);
+    let ends = spans.iter().map(|span| span.1);
+    let begins = spans.iter().map(|span| span.0);
     let gaps = [0.0].into_iter().chain(ends);
     let gaps = gaps.zip(begins.chain([length_mm]));
     let gaps: Vec<(f64, f64)> = gaps.filter(|(from, to)| to > from).collect();
@@ -106,15 +108,15 @@ impl Drawn {
     fn new(strokes: &[Stroke]) -> Self {
         let (mut pieces, mut segments) = (Vec::new(), Vec::new());
         let (mut first, mut length_mm) = (vec![0], Vec::new());
-        for (stroke, it) in strokes.iter().enumerate() {
+        for (number, stroke) in strokes.iter().enumerate() {
             let mut here_mm = 0.0;
-            for (a, b) in it.segments() {
+            for (a, b) in stroke.segments() {
                 let whole_mm = a.distance(b);
                 let count = (whole_mm / PIECE_MM).ceil().max(1.0);
                 let mut from = 0.0;
                 while from < count && whole_mm > 0.0 {
-                    let [begin, end] = [from, from + 1.0].map(|it| a.lerp(b, it / count));
-                    pieces.push((stroke, here_mm + whole_mm * from / count));
+                    let [begin, end] = [from, from + 1.0].map(|share| a.lerp(b, share / count));
+                    pieces.push((number, here_mm + whole_mm * from / count));
                     segments.push((begin, end));
                     from += 1.0;
                 }
@@ -159,7 +161,7 @@ impl Drawn {
             });
             self.looks_left = self.looks_left.checked_sub(looks)?;
             let here = joined(here, a.distance(b));
-            spans.extend(here.iter().map(|it| (from_mm + it.0, from_mm + it.1)));
+            spans.extend(here.iter().map(|span| (from_mm + span.0, from_mm + span.1)));
         }
         Some(joined(spans, self.length_mm[stroke]))
     }
@@ -171,7 +173,7 @@ impl Drawn {
             let (a, b) = self.index.segment(piece);
             let from_mm = self.pieces[piece as usize].1;
             let to_mm = from_mm + a.distance(b);
-            if spans.iter().any(|it| it.0 < to_mm && from_mm < it.1) {
+            if spans.iter().any(|span| span.0 < to_mm && from_mm < span.1) {
                 self.index.remove(piece);
             }
         }
@@ -232,13 +234,13 @@ mod tests {
 
     /// Returns the remaining strokes and the number of removed lines.
     fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> (Vec<Stroke>, usize) {
-        let it = super::without_doubles(strokes, stay_whole);
-        assert_eq!(it.unknown, 0);
-        (it.strokes, it.doubles)
+        let found = super::without_doubles(strokes, stay_whole);
+        assert_eq!(found.unknown, 0);
+        (found.strokes, found.doubles)
     }
 
     fn line(points: &[(f64, f64)]) -> Stroke {
-        Stroke::open(points.iter().map(|&it| Point::from(it)).collect())
+        Stroke::open(points.iter().map(|&p| Point::from(p)).collect())
     }
 
     fn square(x: f64, side: f64) -> Stroke {
@@ -369,8 +371,8 @@ mod tests {
                 ])
             })
             .collect();
-        let it = super::without_doubles(strokes, false);
-        assert!(it.unknown > 0 && it.doubles > 0);
-        assert_eq!(it.strokes.len(), 3000 - it.doubles);
+        let found = super::without_doubles(strokes, false);
+        assert!(found.unknown > 0 && found.doubles > 0);
+        assert_eq!(found.strokes.len(), 3000 - found.doubles);
     }
 }

@@ -359,7 +359,7 @@ mod tests {
         ) {
             let at = |&(x, y): &(i32, i32)| Point::new(f64::from(x) * 0.1, f64::from(y) * 0.1);
             let strokes: Vec<Stroke> =
-                corners.iter().map(|it| Stroke::open(it.iter().map(at).collect())).collect();
+                corners.iter().map(|line| Stroke::open(line.iter().map(at).collect())).collect();
             let merged = merge(strokes.clone(), tolerance_mm);
             prop_assert!(merged.len() <= strokes.len());
             prop_assert_eq!(&merge(strokes.clone(), tolerance_mm), &merged);
@@ -369,14 +369,14 @@ mod tests {
             };
             let mut left: Vec<_> = merged.iter().flat_map(Stroke::segments).collect();
             for wanted in strokes.iter().flat_map(Stroke::segments) {
-                let found = left.iter().position(|it| key(*it) == key(wanted));
+                let found = left.iter().position(|stroke| key(*stroke) == key(wanted));
                 prop_assert!(found.is_some() || wanted.0 == wanted.1);
-                found.map(|it| left.swap_remove(it));
+                found.map(|index| left.swap_remove(index));
             }
             for (a, b) in left {
                 prop_assert!(a.distance(b) <= tolerance_mm, "{a:?} {b:?}");
             }
-            for stroke in merged.iter().filter(|it| it.closed) {
+            for stroke in merged.iter().filter(|stroke| stroke.closed) {
                 prop_assert_eq!(stroke.points.first(), stroke.points.last());
             }
         }

@@ -114,7 +114,7 @@ pub(crate) fn fast_ways_at(
     }
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
     let ways = fast_ways(corridor, fewest.path, estimator);
-    ways.into_iter().map(|it| Way::of(stroke, it)).collect()
+    ways.into_iter().map(|path| Way::of(stroke, path)).collect()
 }
 
 /// Returns the estimated fastest approximation within `tolerance_mm`, in a fraction of the time.
@@ -152,11 +152,11 @@ pub(crate) fn spliced_at(
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
     let ends = |path: &[Corner]| Some([path.first()?.at, path.last()?.at]);
     let wanted = ends(&ways.first()?.way.path)?;
-    let fit = ways.iter().filter(|it| {
-        let path = &it.way.path;
-        ends(path) == Some(wanted) && path.len() == it.durations_s.len() + 1
+    let fit = ways.iter().filter(|planned| {
+        let path = &planned.way.path;
+        ends(path) == Some(wanted) && path.len() == planned.durations_s.len() + 1
     });
-    let paths = fit.map(|it| (&it.way.path[..], &it.durations_s[..]));
+    let paths = fit.map(|planned| (&planned.way.path[..], &planned.durations_s[..]));
     let way = spliced(&corridor, paths, change_s, estimator)?;
     Some(Way::of(stroke, way))
 }
@@ -340,7 +340,7 @@ mod tests {
             let fastest_s = |tolerance_mm| {
                 let ways = fast_ways(&stroke, tolerance_mm, estimator).into_iter();
                 let fewest = [0.5, 1.0].map(|share| simplify(&stroke, share * tolerance_mm));
-                let ways = ways.map(|it| it.stroke).chain(fewest);
+                let ways = ways.map(|way| way.stroke).chain(fewest);
                 ways.map(|way| planned_s(&way, estimator))
                     .fold(f64::INFINITY, f64::min)
             };
@@ -356,8 +356,8 @@ mod tests {
         let wanted = circle(30.0, 5000);
         let drawn = simplify_at(&wanted, 0.05, &estimator(100.0, 20.0));
         assert!(worst_mm(&wanted, &drawn) <= 0.01);
-        let [few, many] =
-            [simplify(&wanted, 0.05), drawn].map(|it| planned_s(&it, &estimator(100.0, 20.0)));
+        let [few, many] = [simplify(&wanted, 0.05), drawn]
+            .map(|stroke| planned_s(&stroke, &estimator(100.0, 20.0)));
         assert!(many <= 1.005 * few, "{many} instead of {few} s");
     }
 
@@ -368,7 +368,7 @@ mod tests {
         let estimator = estimator(100.0, 40.0);
         // The first is fast at the start, the second at the end.
         let mut ways = fast_ways(&arc, 0.05, &estimator).into_iter();
-        let two = [ways.next(), ways.next()].map(|it| it.expect("a way"));
+        let two = [ways.next(), ways.next()].map(|way| way.expect("a way"));
         let count = |way: &Way| way.stroke.points.len() - 1;
         let (first, second) = (count(&two[0]), count(&two[1]));
         let planned = |way: &Way, count: usize, is_fast: &dyn Fn(usize) -> bool| PlannedWay {
@@ -386,7 +386,7 @@ mod tests {
         let third = points.len() / 3;
         let are_of = |points: &[Point], way: &Way| {
             let mut points = points.iter();
-            points.all(|it| way.stroke.points.contains(it))
+            points.all(|p| way.stroke.points.contains(p))
         };
         assert!(are_of(&points[..third], &two[0]));
         assert!(are_of(&points[points.len() - third..], &two[1]));

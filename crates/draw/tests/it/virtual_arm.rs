@@ -55,8 +55,8 @@ fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec
         seen.push(next);
     }
     assert_eq!(arm.poll_refused(), None);
-    let away = |it: &Seen| distance(it.place, start);
-    let came = seen.iter().position(|it| away(it) < 0.3);
+    let away = |sample: &Seen| distance(sample.place, start);
+    let came = seen.iter().position(|sample| away(sample) < 0.3);
     let came = came.expect("it goes to the start");
     let stands = (came..came + 12).rev();
     let stands = stands.min_by(|&a, &b| away(&seen[a]).total_cmp(&away(&seen[b])));
@@ -66,7 +66,7 @@ fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec
 /// Returns the number of moving ticks.
 fn moving(seen: &[Seen]) -> f64 {
     let last = seen[seen.len() - 1].place;
-    let ends = seen.iter().rposition(|it| it.place != last);
+    let ends = seen.iter().rposition(|sample| sample.place != last);
     let ticks = u32::try_from(ends.expect("it moves") + 1);
     f64::from(ticks.expect("a few minutes"))
 }
@@ -80,7 +80,8 @@ fn ways(seen: &[Seen], which: impl Fn(&Seen) -> bool) -> Vec<Stroke> {
     let mut ways: Vec<Stroke> = Vec::new();
     let mut goes_on = false;
     for pair in seen.windows(2) {
-        let [from, to] = [pair[0], pair[1]].map(|it| Point::new(it.place[0], it.place[1]));
+        let [from, to] =
+            [pair[0], pair[1]].map(|sample| Point::new(sample.place[0], sample.place[1]));
         match ways.last_mut().filter(|_| goes_on) {
             _ if !which(&pair[0]) => {}
             Some(way) => way.points.push(to),
@@ -141,7 +142,7 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
             (took_s - planned_s).abs() < 0.041,
             "{personality:?}: {took_s} s, planned {planned_s} s"
         );
-        let drawn = ways(&seen, |it| it.place[2] < -39.999);
+        let drawn = ways(&seen, |sample| sample.place[2] < -39.999);
         let found = deviation(&strokes(), &drawn);
         // Between two samples a corner is cut.
         assert!(
@@ -185,7 +186,7 @@ fn a_stock_arm_draws_the_path_at_any_speed() {
     let head: Vec<Command> = plan.commands().take(plan.command_of(0)).collect();
     let vectors: Vec<WriteVector> = plan
         .commands()
-        .filter_map(|it| match it {
+        .filter_map(|command| match command {
             Command::WriteVector(vector) => Some(vector),
             _ => None,
         })
@@ -201,7 +202,7 @@ fn a_stock_arm_draws_the_path_at_any_speed() {
         let others = respeed(&vectors, &begin, share, &arm_limits);
         commands.extend(others.into_iter().map(Command::from));
         let seen = drive(&commands, personality, plan.start);
-        let drawn = ways(&seen, |it| it.place[2] < -39.999);
+        let drawn = ways(&seen, |sample| sample.place[2] < -39.999);
         let found = deviation(&strokes(), &drawn);
         assert!(found.astray.distance_mm < 0.02, "{share}: {found:?}");
     }
@@ -221,7 +222,7 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
             personality,
             plan.start,
         );
-        let burned = ways(&seen, |it| it.laser);
+        let burned = ways(&seen, |sample| sample.laser);
         let found = deviation(&strokes, &burned);
         // Sampled every 20 ms, in which it moves 0.2 mm. A stock arm switches the laser at a tick,
         // in which it moves 0.005 mm, and each piece of a stroke is rounded as in a packet.
@@ -236,7 +237,10 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
             "{personality:?}: {found:?}"
         );
         assert_eq!(burned.len(), strokes.len(), "{personality:?}");
-        let travels = plan.moves.iter().filter(|it| it.kind == MoveKind::Travel);
+        let travels = plan
+            .moves
+            .iter()
+            .filter(|vector| vector.kind == MoveKind::Travel);
         assert_eq!(travels.count(), strokes.len());
         assert!(!seen[seen.len() - 1].laser);
     }
@@ -269,7 +273,7 @@ fn a_stock_arm_burns_small_letters_within_the_tolerance() {
             Personality::Firmware11,
             prepared.plan.start,
         );
-        let burned = ways(&seen, |it| it.laser);
+        let burned = ways(&seen, |sample| sample.laser);
         let found = deviation(&prepared.wanted(), &burned);
         // If it is switched at a corner it begins up to 0.04 mm too late or too early along the
         // path, in addition to the lateral error.

@@ -306,13 +306,13 @@ fn a_page_keeps_its_corner_on_the_sheet() {
     let corner = (Point::new(294.0, 100.0), 1.0);
     assert_eq!(first(&on_a5(|_| {}), page(210.0, 148.0)), corner);
     assert_eq!(first(&on_a5(|_| {}), page(85.0, 54.0)), corner);
-    let margin = on_a5(|it| it.margin_mm = 10.0);
+    let margin = on_a5(|placement| placement.margin_mm = 10.0);
     assert_eq!(first(&margin, page(85.0, 54.0)).0, Point::new(284.0, 90.0));
     // A page larger than the sheet is fitted and stays in the corner.
     let half = first(&on_a5(|_| {}), page(420.0, 148.0));
     assert_eq!(half, (Point::new(296.5, 102.5), 0.5));
     // The right edge of the mirrored page is its left one.
-    let mirrored = on_a5(|it| it.mirrors = true);
+    let mirrored = on_a5(|placement| placement.mirrors = true);
     assert_eq!(
         first(&mirrored, page(85.0, 54.0)).0,
         Point::new(294.0, 25.0)
@@ -321,9 +321,9 @@ fn a_page_keeps_its_corner_on_the_sheet() {
 
 #[test]
 fn what_is_to_fit_a_sheet_fills_it_with_its_ink() {
-    let fitting = on_a5(|it| {
-        it.size = Size::Fit;
-        it.margin_mm = 4.0;
+    let fitting = on_a5(|placement| {
+        placement.size = Size::Fit;
+        placement.margin_mm = 4.0;
     });
     // 10 x 5 mm of ink on 202 x 140 mm.
     let (at, scale) = first(&fitting, page(210.0, 148.0));

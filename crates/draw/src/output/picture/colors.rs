@@ -54,7 +54,7 @@ impl Colors {
 
 /// Returns the colour of a pass.
 pub(super) fn pass_color(plan: &Plan, pass: usize) -> String {
-    match plan.passes.get(pass).and_then(|it| it.color) {
+    match plan.passes.get(pass).and_then(|pass| pass.color) {
         Some(color) => {
             let [red, green, blue] = seen_on_white(color);
             format!("#{red:02x}{green:02x}{blue:02x}")
@@ -76,7 +76,7 @@ fn seen_on_white(rgb: [u8; 3]) -> [u8; 3] {
         clippy::cast_sign_loss,
         reason = "less than it was"
     )]
-    [red, green, blue].map(|it| (it * darker) as u8)
+    [red, green, blue].map(|shade| (shade * darker) as u8)
 }
 
 /// Colours that can be distinguished with colour blindness; the width is a second cue.

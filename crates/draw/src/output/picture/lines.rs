@@ -91,7 +91,7 @@ mod tests {
         let class = |line: &InkLine, i: usize| usize::from(line.errors_mm[i] > 0.5);
         by_class(&[ink(errors_mm)], class)
             .into_iter()
-            .flat_map(|(class, pieces)| pieces.into_iter().map(move |it| (class, it)))
+            .flat_map(|(class, pieces)| pieces.into_iter().map(move |piece| (class, piece)))
             .map(|(class, piece)| (class, piece.iter().map(|p| p.x).collect()))
             .collect()
     }

@@ -30,7 +30,7 @@ fn drawn_on(sheet: &mut Sheet, place: &SheetPlace) {
     let edges: Vec<[f64; 2]> = seen(&corners).collect();
     sheet.area(&edges, &ShapeStyle::area("#ffffff").edged("#7d8f9b", 0.4));
     let stripes = stripes(place);
-    let stripes = stripes.iter().map(|it| seen(it));
+    let stripes = stripes.iter().map(|stripe| seen(stripe));
     sheet.curves(stripes, &ShapeStyle::line("#d98880", 0.35));
 }
 
@@ -43,8 +43,8 @@ fn stripes(place: &SheetPlace) -> Vec<Vec<Point>> {
     while down_mm < place.size.height_mm {
         let [from, to] = [0.0, place.size.width_mm].map(|x| place.place(Point::new(x, down_mm)));
         let places: Vec<Point> = steps(from, to, 0.5).collect();
-        let pieces = places.split(reached).filter(|it| it.len() > 1);
-        stripes.extend(pieces.map(|it| vec![it[0], it[it.len() - 1]]));
+        let pieces = places.split(reached).filter(|piece| piece.len() > 1);
+        stripes.extend(pieces.map(|piece| vec![piece[0], piece[piece.len() - 1]]));
         down_mm += STRIPES_MM;
     }
     stripes

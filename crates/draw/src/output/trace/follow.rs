@@ -10,15 +10,18 @@ pub(super) fn beginning(plan: &Plan, samples: &[Sample]) -> Result<usize, StartN
     let [x, y, z] = plan.start;
     let start = Position::new(x, y, z);
     let away_mm = |sample: &Sample| sample.position.distance(start).0;
-    let Some(came) = samples.iter().position(|it| away_mm(it) <= AT_START_MM) else {
+    let Some(came) = samples
+        .iter()
+        .position(|sample| away_mm(sample) <= AT_START_MM)
+    else {
         let nearest_mm = samples.iter().map(away_mm).fold(f64::INFINITY, f64::min);
         let start = plan.start;
         return Err(StartNotReached { start, nearest_mm });
     };
     let there = samples[came..].iter().map(away_mm);
-    let there: Vec<f64> = there.take_while(|&it| it <= AT_START_MM).collect();
+    let there: Vec<f64> = there.take_while(|&mm| mm <= AT_START_MM).collect();
     let nearest_mm = there.iter().copied().fold(f64::INFINITY, f64::min);
-    let stays = there.iter().rposition(|&it| it <= nearest_mm + SAME_MM);
+    let stays = there.iter().rposition(|&mm| mm <= nearest_mm + SAME_MM);
     Ok(came + stays.unwrap_or(0))
 }
 
@@ -50,13 +53,14 @@ fn end_of(samples: &[Sample], from: usize, there: Position, length_mm: f64) -> O
             break;
         }
         let away_mm = sample.position.distance(there).0;
-        if driven_mm >= length_mm * 0.5 - SAME_MM && best.is_none_or(|it| away_mm < it.1 - SAME_MM)
+        if driven_mm >= length_mm * 0.5 - SAME_MM
+            && best.is_none_or(|best| away_mm < best.1 - SAME_MM)
         {
             best = Some((i, away_mm));
         }
     }
-    best.filter(|it| it.1 <= length_mm * 0.2 + SPARE_MM)
-        .map(|it| it.0)
+    best.filter(|best| best.1 <= length_mm * 0.2 + SPARE_MM)
+        .map(|best| best.0)
 }
 
 /// Corners match within the rounding from joints to poses.

@@ -94,7 +94,8 @@ fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Poi
 
 /// Returns for each ring its single follower on the next level, if that follows no other ring.
 fn followers(levels: &[Vec<Vec<Point>>]) -> Vec<Vec<Option<usize>>> {
-    let mut next: Vec<Vec<Option<usize>>> = levels.iter().map(|it| vec![None; it.len()]).collect();
+    let mut next: Vec<Vec<Option<usize>>> =
+        levels.iter().map(|level| vec![None; level.len()]).collect();
     for (level, pair) in levels.windows(2).enumerate() {
         let (owners, edges): (Vec<usize>, Vec<(Point, Point)>) = pair[0]
             .iter()
@@ -151,7 +152,7 @@ fn begun_near(ring: &[Point], p: Point) -> Vec<Point> {
     let behind = &ring[number + 1..];
     let before = &ring[..=number];
     let mut begun = vec![begin];
-    begun.extend(behind.iter().chain(before).filter(|&&it| it != begin));
+    begun.extend(behind.iter().chain(before).filter(|&&p| p != begin));
     begun
 }
 

@@ -6,9 +6,9 @@ use super::scan::Span;
 
 /// Returns the visible parts of the lines as separate strokes.
 pub(super) fn each(spans: &[Span]) -> Vec<Stroke> {
-    let drawn = spans.iter().filter(|it| it.line % 2 == 0);
+    let drawn = spans.iter().filter(|span| span.line % 2 == 0);
     drawn
-        .map(|it| Stroke::open(ends(*it, false).to_vec()))
+        .map(|span| Stroke::open(ends(*span, false).to_vec()))
         .collect()
 }
 
@@ -52,7 +52,7 @@ impl<'a> Joined<'a> {
             if before + 2 != line[0].line {
                 self.open.clear();
             }
-            let halfway = between.first().is_some_and(|it| it.line == before + 1);
+            let halfway = between.first().is_some_and(|span| span.line == before + 1);
             self.draw(line, if halfway { between } else { &[] });
             before = line[0].line;
         }

@@ -108,7 +108,7 @@ fn lines_that_stay_apart_are_the_same_lines_each_for_itself() {
         ..along_x(1.0)
     };
     let strokes = hatch(&ringed, &apart).unwrap();
-    assert!(strokes.iter().all(|it| it.points.len() == 2));
+    assert!(strokes.iter().all(|stroke| stroke.points.len() == 2));
     let level = |strokes: &[Stroke]| -> f64 {
         let segments = strokes.iter().flat_map(Stroke::segments);
         let level = segments.filter(|(a, b)| (a.y - b.y).abs() < 1e-9);
@@ -137,10 +137,13 @@ fn far_from(strokes: &[Stroke], p: Point) -> f64 {
 fn concentric_lines_are_the_outline_farther_and_farther_inside() {
     let settings = wound(HatchStyle::Concentric, 1.0);
     let strokes = hatch(&area(&[SQUARE], FillRule::NonZero), &settings).unwrap();
-    let mut lengths: Vec<f64> = strokes.iter().map(|it| it.length_mm().round()).collect();
+    let mut lengths: Vec<f64> = strokes
+        .iter()
+        .map(|stroke| stroke.length_mm().round())
+        .collect();
     lengths.sort_by(f64::total_cmp);
     assert_eq!(lengths, [8.0, 16.0, 24.0, 32.0]);
-    assert!(strokes.iter().all(|it| it.closed));
+    assert!(strokes.iter().all(|stroke| stroke.closed));
 }
 
 #[test]
@@ -153,7 +156,7 @@ fn concentric_lines_go_around_holes_and_begin_at_the_inset() {
     let strokes = hatch(&ringed, &settings).unwrap();
     let bounds = dobot_geometry::bounds_of_strokes(&strokes);
     assert!((bounds.x0 - 0.25).abs() < 1e-3 && (bounds.x1 - 9.75).abs() < 1e-3);
-    for p in strokes.iter().flat_map(|it| &it.points) {
+    for p in strokes.iter().flat_map(|stroke| &stroke.points) {
         // Corners are rounded.
         let beside = |at: f64| (3.0 - at).max(at - 7.0).max(0.0);
         assert!(beside(p.x).hypot(beside(p.y)) > 0.24, "{p:?}");
@@ -342,6 +345,6 @@ fn outlines(area: &Area) -> Vec<Stroke> {
     let closed = |ring: &Vec<Point>| ring.iter().chain(ring.first()).copied().collect();
     area.rings
         .iter()
-        .map(|it| Stroke::open(closed(it)))
+        .map(|ring| Stroke::open(closed(ring)))
         .collect()
 }

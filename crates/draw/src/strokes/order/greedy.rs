@@ -17,10 +17,10 @@ pub(super) fn greedy(nodes: &Nodes) -> Vec<u32> {
 fn shortest_first(nodes: &Nodes) -> Vec<(u32, u32)> {
     let mut ways = Vec::new();
     for a in 0..nodes.end() {
-        for b in nodes.near(a).iter().map(|it| it.node) {
+        for b in nodes.near(a).iter().map(|near| near.node) {
             // Of two mutual neighbours only the smaller one adds the edge; a node listed as its own
             // neighbour is a filler.
-            if a < b || (a > b && !nodes.near(b).iter().any(|it| it.node == a)) {
+            if a < b || (a > b && !nodes.near(b).iter().any(|near| near.node == a)) {
                 #[expect(clippy::cast_possible_truncation, reason = "only to sort by it")]
                 let length = (nodes.point(b) - nodes.point(a)).length() as f32;
                 // Non-negative floats sort like their bits.

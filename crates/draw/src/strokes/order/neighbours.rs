@@ -17,8 +17,8 @@ pub(super) fn near(tree: &BoxTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR
             near[..NEAREST].copy_from_slice(&nearest(tree, at, p, not));
             let mut beyond: Vec<(f64, u32)> = net
                 .joined(node)
-                .filter(|it| !not.contains(it) && !near.contains(it))
-                .map(|it| (at[it as usize].distance_squared(p), it))
+                .filter(|other| !not.contains(other) && !near.contains(other))
+                .map(|other| (at[other as usize].distance_squared(p), other))
                 .collect();
             beyond.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
             for (slot, (_, other)) in near[NEAREST..].iter_mut().zip(beyond) {
@@ -33,7 +33,7 @@ pub(super) fn near(tree: &BoxTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR
 fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [u32; NEAREST] {
     let mut found = [(f64::INFINITY, not[0]); NEAREST];
     tree.around(p, f64::INFINITY, &|_, _| true, &mut |others| {
-        for other in others.filter(|it| !not.contains(it)) {
+        for other in others.filter(|other| !not.contains(other)) {
             let distance2 = at[other as usize].distance_squared(p);
             if distance2 >= found[NEAREST - 1].0 {
                 continue;
@@ -73,15 +73,21 @@ impl Net {
             })
         });
         let place = place.collect();
-        let places = node.iter().map(|&it: &u32| {
-            let Point { x, y } = at[it as usize];
+        let places = node.iter().map(|&node: &u32| {
+            let Point { x, y } = at[node as usize];
             delaunator::Point { x, y }
         });
         let net = delaunator::triangulate(&places.collect::<Vec<_>>());
         let corners = net.triangles.chunks_exact(3);
-        let sides = corners.flat_map(|it| [(it[0], it[1]), (it[1], it[2]), (it[2], it[0])]);
+        let sides = corners.flat_map(|triangle| {
+            [
+                (triangle[0], triangle[1]),
+                (triangle[1], triangle[2]),
+                (triangle[2], triangle[0]),
+            ]
+        });
         // Collinear points have no triangles, but a hull.
-        let hull = net.hull.windows(2).map(|it| (it[0], it[1]));
+        let hull = net.hull.windows(2).map(|pair| (pair[0], pair[1]));
         let sides = sides.chain(hull).flat_map(|(a, b)| [(a, b), (b, a)]);
         let mut sides: Vec<_> = sides.map(|(a, b)| (index(a), index(b))).collect();
         sides.sort_unstable();
@@ -118,7 +124,7 @@ mod tests {
         let alone: Vec<u32> = (0..).take(points.len()).collect();
         let found = near(&tree, &points, &alone);
         points.iter().zip(found).any(|(p, near)| {
-            let is_other = |it: u32| other.contains(&points[it as usize]);
+            let is_other = |node: u32| other.contains(&points[node as usize]);
             one.contains(p) && near.into_iter().any(is_other)
         })
     }

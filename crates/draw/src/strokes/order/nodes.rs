@@ -52,9 +52,9 @@ impl Nodes {
         let fare = Fare::of(travel);
         let near = (0..).zip(near(&tree, &at, &mates(&stops, strokes.len())));
         let near = near.map(|(node, near)| {
-            near.map(|it| Near {
-                node: it,
-                cost: way_cost(fare, &at, node, it),
+            near.map(|neighbour| Near {
+                node: neighbour,
+                cost: way_cost(fare, &at, node, neighbour),
             })
         });
         let near = near.collect();

@@ -261,7 +261,7 @@ impl<'a> Row<'a> {
             for part in from..=to {
                 // The start of the second half of the part.
                 let middle = (2 * part + 1) * half - leaves;
-                let halves = [2 * part, 2 * part + 1].map(|it| &self.parts[it]);
+                let halves = [2 * part, 2 * part + 1].map(|half| &self.parts[half]);
                 self.parts[part] = through(halves[0], &self.gaps[middle], halves[1]);
             }
             half *= 2;
@@ -273,12 +273,12 @@ impl<'a> Row<'a> {
         let mut costs = [0.0, f64::INFINITY];
         for place in 1..self.len() {
             let gap = &self.gaps[place];
-            let found = [0, 1].map(|it| {
-                let (a, b) = (costs[0] + gap[0][it], costs[1] + gap[1][it]);
+            let found = [0, 1].map(|turned| {
+                let (a, b) = (costs[0] + gap[0][turned], costs[1] + gap[1][turned]);
                 if b < a { (b, 1) } else { (a, 0) }
             });
-            costs = found.map(|it| it.0);
-            self.before[place] = found.map(|it| it.1);
+            costs = found.map(|found| found.0);
+            self.before[place] = found.map(|found| found.1);
         }
         let mut turned = usize::from(costs[1] < costs[0]);
         self.cost = costs[turned];
@@ -299,7 +299,7 @@ fn through(a: &Ways, gap: &Ways, b: &Ways) -> Ways {
 
 #[inline]
 fn times(a: &Ways, b: &Ways) -> Ways {
-    a.map(|a| [0, 1].map(|it| smaller(a[0] + b[0][it], a[1] + b[1][it])))
+    a.map(|a| [0, 1].map(|turned| smaller(a[0] + b[0][turned], a[1] + b[1][turned])))
 }
 
 #[inline]
@@ -391,7 +391,7 @@ mod tests {
             let mut row = Row::new(&nodes, &nodes.tour(&way));
             let count = row.len();
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "few")]
-            let mut cuts = cuts.map(|it| 1 + (it * (count - 1) as f64) as usize);
+            let mut cuts = cuts.map(|share| 1 + (share * (count - 1) as f64) as usize);
             cuts.sort_unstable();
             let [a, b, c] = cuts;
             let part = |from, to, is_backward| Part { from, to, is_backward };

@@ -68,7 +68,7 @@ impl<'a> Corridor<'a> {
     /// Returns eight places around a point at the maximum distance of a vector.
     pub(super) fn around(&self, i: usize) -> impl Iterator<Item = Point> + use<'_> {
         let eighths = (0..8).map(|n| Vec2::from_angle(f64::from(n) * TAU / 8.0));
-        eighths.map(move |it| self.points[i] + it * self.radii[i])
+        eighths.map(move |direction| self.points[i] + direction * self.radii[i])
     }
 
     /// Whether the vector from `a` to `b` hits the discs of the points `first..=last` in order.

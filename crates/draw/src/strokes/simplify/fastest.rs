@@ -47,7 +47,7 @@ pub(super) fn fast_ways(
     }
     let mut ways = vec![found.best.path];
     ways.extend(timed);
-    ways.extend(found.plain.into_iter().map(|it| it.path));
+    ways.extend(found.plain.into_iter().map(|attempt| attempt.path));
     ways
 }
 
@@ -64,11 +64,11 @@ pub(super) fn seemingly_fastest(
     if !few.is_curved(&corridor, most_mm / NARROWEST) {
         return few.path;
     }
-    let given = as_given(&corridor).map(|it| Attempt::of(it, &corridor, estimator));
+    let given = as_given(&corridor).map(|path| Attempt::of(path, &corridor, estimator));
     let begin = (few.clone(), few.clone());
     let best = narrowed(&mut corridor, most_mm, estimator, &ROUNDS[..1], begin);
     let sooner_s = best.arm_s().min(few.arm_s());
-    let smoothest = match given.filter(|it| it.arm_s() < sooner_s) {
+    let smoothest = match given.filter(|attempt| attempt.arm_s() < sooner_s) {
         // Without tremor there is no smoother path.
         Some(given) => given,
         None => match fine(&mut corridor, most_mm, estimator) {
@@ -95,8 +95,8 @@ pub(super) fn seemingly_fastest(
         if estimator.has_ticks() {
             return Some((time_s, path));
         }
-        let it = Attempt::of(path, &corridor, estimator);
-        Some((seems * it.time_s, it.path))
+        let attempt = Attempt::of(path, &corridor, estimator);
+        Some((seems * attempt.time_s, attempt.path))
     });
     let best = (best_seems * best.time_s, best.path);
     let sooner = |a: (f64, Vec<Corner>), b: (f64, Vec<Corner>)| if b.0 <= a.0 { b } else { a };
@@ -167,14 +167,16 @@ impl Found {
         let [as_the_arm, as_the_link] = gentler(estimator);
         corridor.radii.fill(most_mm);
         let smoother = self.smoother(corridor, estimator);
-        let arms = as_the_arm.iter().map(|it| self.as_the_arm(*it, estimator));
+        let arms = as_the_arm
+            .iter()
+            .map(|gentler| self.as_the_arm(*gentler, estimator));
         let smoother = smoother.iter().flat_map(|path| {
             let gentler = as_the_arm.iter();
-            gentler.map(|it| Course::along(path, 0.0, *it, estimator))
+            gentler.map(|gentler| Course::along(path, 0.0, *gentler, estimator))
         });
         let links = as_the_link
             .iter()
-            .map(|it| self.as_the_link(*it, estimator));
+            .map(|gentler| self.as_the_link(*gentler, estimator));
         let timed = |course: Course<'_>| course.timed(corridor, &SIDES, estimator);
         let mut ways: Vec<TimedPath> = arms
             .chain(links)
@@ -184,7 +186,7 @@ impl Found {
         corridor.radii.fill(0.5 * most_mm);
         let nearer = self.as_the_arm(as_the_arm[0], estimator);
         ways.extend(nearer.timed(corridor, &SIDES, estimator));
-        ways.into_iter().map(|it| it.path).collect()
+        ways.into_iter().map(|timed| timed.path).collect()
     }
 
     /// Returns a path on which the arm would be faster than on the smoothest one, if any: along the
@@ -195,7 +197,7 @@ impl Found {
         estimator: &DurationEstimator,
     ) -> Option<Vec<Corner>> {
         let paths = [as_given(corridor), smooth(corridor)].into_iter().flatten();
-        let attempts = paths.map(|it| Attempt::of(it, corridor, estimator));
+        let attempts = paths.map(|path| Attempt::of(path, corridor, estimator));
         let fastest = attempts.min_by(|a, b| a.arm_s().total_cmp(&b.arm_s()))?;
         (fastest.arm_s() * SAME < self.smoothest.arm_s()).then_some(fastest.path)
     }
@@ -307,7 +309,7 @@ impl Attempt {
             let (from, way) = (pair[0].at, pair[1].at - pair[0].at);
             let passed = &corridor.points[pair[0].passed + 1..=pair[1].passed];
             let mut across = passed.iter().map(|p| (*p - from).cross(way).abs());
-            passes_points(pair) && across.any(|it| it > off_mm * way.length())
+            passes_points(pair) && across.any(|off| off > off_mm * way.length())
         })
     }
 

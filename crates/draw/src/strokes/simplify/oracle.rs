@@ -17,7 +17,7 @@ pub(super) fn fewest_between_points(points: &[Point], tolerance_mm: f64) -> Opti
         least[end] = begins
             .filter_map(|begin| least[begin])
             .min()
-            .map(|it| it + 1);
+            .map(|count| count + 1);
     }
     least[points.len() - 1]
 }

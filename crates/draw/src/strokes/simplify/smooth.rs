@@ -24,7 +24,7 @@ pub(super) fn as_given(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
         return None;
     }
     let nodes = nodes(corridor.points, MIN_VECTOR_MM);
-    let at = nodes.iter().map(|&it| corridor.points[it]).collect();
+    let at = nodes.iter().map(|&node| corridor.points[node]).collect();
     within(corridor, at, &nodes)
 }
 
@@ -33,7 +33,7 @@ pub(super) fn as_given(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
 /// points. Both ends are kept.
 pub(super) fn smooth(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
     let nodes = nodes(corridor.points, SPACING_MM);
-    let given: Vec<Point> = nodes.iter().map(|&it| corridor.points[it]).collect();
+    let given: Vec<Point> = nodes.iter().map(|&node| corridor.points[node]).collect();
     let mut at = given.clone();
     let last = at.len() - 1;
     if !NODES.contains(&last) {
@@ -54,7 +54,10 @@ pub(super) fn smooth(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
 fn bent_evenly(at: &[Point], i: usize) -> Point {
     let last = at.len() - 1;
     let sum = |shares: &[(usize, f64)]| -> Point {
-        let sum: Vec2 = shares.iter().map(|(i, it)| at[*i].to_vec2() * *it).sum();
+        let sum: Vec2 = shares
+            .iter()
+            .map(|(i, share)| at[*i].to_vec2() * *share)
+            .sum();
         sum.to_point()
     };
     if i == 1 {
@@ -117,7 +120,7 @@ mod tests {
         let mut random = Random::new(3);
         let mut off = || 0.02 * (2.0 * random.share() - 1.0);
         let arc = (0..150).map(|i| Vec2::from_angle(0.015 * f64::from(i)) * 20.0);
-        arc.map(|it| it.to_point() + Vec2::new(off(), off()))
+        arc.map(|p| p.to_point() + Vec2::new(off(), off()))
             .collect()
     }
 
@@ -130,14 +133,18 @@ mod tests {
             let (came, goes) = (at[1] - at[0], at[2] - at[1]);
             came.cross(goes).atan2(came.dot(goes))
         };
-        let sharpest = |at: &[Point]| at.windows(3).map(|it| turn(it).abs()).fold(0.0, f64::max);
-        let at: Vec<Point> = path.iter().map(|it| it.at).collect();
+        let sharpest = |at: &[Point]| {
+            at.windows(3)
+                .map(|three| turn(three).abs())
+                .fold(0.0, f64::max)
+        };
+        let at: Vec<Point> = path.iter().map(|corner| corner.at).collect();
         // The intended turns are 0.015.
         assert!(sharpest(&points) > 0.1, "{}", sharpest(&points));
         assert!(sharpest(&at[1..at.len() - 1]) < 0.025, "{}", sharpest(&at));
         // Both ends keep their places, off the arc.
         let inner = &at[5..at.len() - 5];
-        let off_mm = inner.iter().map(|it| (it.to_vec2().length() - 20.0).abs());
+        let off_mm = inner.iter().map(|p| (p.to_vec2().length() - 20.0).abs());
         let off_mm = off_mm.fold(0.0, f64::max);
         assert!(off_mm < 0.02, "{off_mm} mm");
         assert_eq!([at[0], at[at.len() - 1]], [points[0], points[149]]);

@@ -39,13 +39,15 @@ pub(super) fn spliced<'a>(
     let nodes = paths.nodes();
     let labels = paths.labels(&nodes);
     let last = (0..nodes.len())
-        .filter(|it| paths.next_corner(nodes[*it]).is_none())
+        .filter(|node| paths.next_corner(nodes[*node]).is_none())
         .min_by(|a, b| labels[*a].time_s.total_cmp(&labels[*b].time_s))?;
     let before = |at: &usize| labels[*at].before;
-    let mut found: Vec<Node> = successors(Some(last), before).map(|it| nodes[it]).collect();
+    let mut found: Vec<Node> = successors(Some(last), before)
+        .map(|node| nodes[node])
+        .collect();
     found.reverse();
     let changes = found.windows(2).any(|pair| pair[0].path != pair[1].path);
-    changes.then(|| found.iter().map(|it| paths.corner(*it)).collect())
+    changes.then(|| found.iter().map(|node| paths.corner(*node)).collect())
 }
 
 /// A path with the planned times of its corners.
@@ -61,8 +63,8 @@ struct PlannedPath<'a> {
 impl<'a> PlannedPath<'a> {
     fn new(lengths: &Lengths<'_>, corners: &'a [Corner], durations_s: &[f64]) -> Self {
         let (mut times_s, mut gone_mm) = (vec![0.0], Vec::with_capacity(corners.len()));
-        times_s.extend(durations_s.iter().scan(0.0, |time_s, it| {
-            *time_s += it;
+        times_s.extend(durations_s.iter().scan(0.0, |time_s, duration_s| {
+            *time_s += duration_s;
             Some(*time_s)
         }));
         // On a stroke that turns back, a corner may lie before its predecessor.
@@ -79,7 +81,7 @@ impl<'a> PlannedPath<'a> {
 
     /// Returns the tool position at a time.
     fn at(&self, t_s: f64) -> Point {
-        let after = self.times_s.partition_point(|it| *it <= t_s);
+        let after = self.times_s.partition_point(|corner_s| *corner_s <= t_s);
         let after = after.clamp(1, self.corners.len() - 1);
         let [from_s, to_s] = [after - 1, after].map(|i| self.times_s[i]);
         let share = ((t_s - from_s) / (to_s - from_s)).clamp(0.0, 1.0);
@@ -90,7 +92,9 @@ impl<'a> PlannedPath<'a> {
 
     /// Returns the time at a distance along the stroke, in s.
     fn time_s(&self, gone_mm: f64) -> f64 {
-        let after = self.gone_mm.partition_point(|it| *it <= gone_mm);
+        let after = self
+            .gone_mm
+            .partition_point(|corner_mm| *corner_mm <= gone_mm);
         let after = after.clamp(1, self.corners.len() - 1);
         let [from_mm, to_mm] = [after - 1, after].map(|i| self.gone_mm[i]);
         let share = (gone_mm - from_mm) / (to_mm - from_mm).max(f64::MIN_POSITIVE);
@@ -115,8 +119,8 @@ impl<'a> Lengths<'a> {
         let points = corridor.points;
         let lengths = points.windows(2).map(|pair| pair[0].distance(pair[1]));
         let mut gone_mm = vec![0.0];
-        gone_mm.extend(lengths.scan(0.0, |gone_mm, it| {
-            *gone_mm += it;
+        gone_mm.extend(lengths.scan(0.0, |gone_mm, length_mm| {
+            *gone_mm += length_mm;
             Some(*gone_mm)
         }));
         Self { points, gone_mm }
@@ -162,12 +166,18 @@ impl Paths<'_> {
     /// Returns all corners, ordered along the stroke.
     fn nodes(&self) -> Vec<Node> {
         let mut nodes: Vec<Node> = Vec::new();
-        for (path, it) in self.all.iter().enumerate() {
-            nodes.extend(it.gone_mm.iter().enumerate().map(|(corner, gone_mm)| Node {
-                path,
-                corner,
-                gone_mm: *gone_mm,
-            }));
+        for (path, planned) in self.all.iter().enumerate() {
+            nodes.extend(
+                planned
+                    .gone_mm
+                    .iter()
+                    .enumerate()
+                    .map(|(corner, gone_mm)| Node {
+                        path,
+                        corner,
+                        gone_mm: *gone_mm,
+                    }),
+            );
         }
         // A stable sort keeps the corners of a path in order.
         nodes.sort_by(|a, b| a.gone_mm.total_cmp(&b.gone_mm));
@@ -225,7 +235,7 @@ impl Paths<'_> {
         let until_mm = own_mm[(node.corner + AHEAD).min(own_mm.len() - 1)];
         let mut visibility = Visibility::from(self.corridor, from, 0.0);
         let next = nodes.iter().enumerate().skip(here + 1);
-        for (there, next) in next.take_while(|(_, it)| it.gone_mm <= until_mm) {
+        for (there, next) in next.take_while(|(_, node)| node.gone_mm <= until_mm) {
             let to = self.corner(*next);
             // Where the stroke turns back, distances need not follow the order of the points.
             if next.path == node.path || to.passed < visibility.passed {
@@ -245,7 +255,7 @@ impl Paths<'_> {
     /// Returns the duration of the vector from one path to another, including the cost of the
     /// switch.
     fn took_s(&self, from: Node, to: Node) -> f64 {
-        let [own, other] = [from, to].map(|it| &self.all[it.path]);
+        let [own, other] = [from, to].map(|node| &self.all[node.path]);
         let (begin_s, end_s) = (own.times_s[from.corner], other.times_s[to.corner]);
         let beside_s = other.time_s(from.gone_mm);
         let took_s = 0.5 * (end_s - beside_s + own.time_s(to.gone_mm) - begin_s);
@@ -253,7 +263,7 @@ impl Paths<'_> {
         let a = self.estimator.cornering.acceleration_mm_s2;
         let (has, wanted) = (own.speed_mm_s(begin_s), other.speed_mm_s(beside_s));
         let unlike_s = (has - wanted).powi(2) / (2.0 * a * has.max(wanted).max(1.0));
-        let [from_at, to_at] = [from, to].map(|it| self.corner(it).at);
+        let [from_at, to_at] = [from, to].map(|node| self.corner(node).at);
         let at = |t_s: f64| {
             if t_s <= 0.0 {
                 own.at(begin_s + t_s)

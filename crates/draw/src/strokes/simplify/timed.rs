@@ -76,7 +76,7 @@ impl<'a> Course<'a> {
         if tick >= last {
             return self.gone_mm[last];
         }
-        let [from, to] = [tick, tick + 1].map(|it| self.gone_mm[it]);
+        let [from, to] = [tick, tick + 1].map(|i| self.gone_mm[i]);
         from + (to - from) * ticks.fract()
     }
 
@@ -216,13 +216,13 @@ impl<'a> Places<'a> {
     }
 
     /// Adds the places of a tick. A corner in the middle of a long straight line is useless.
-    fn come_by(&mut self, it: TickPlace) {
+    fn come_by(&mut self, tick: TickPlace) {
         self.since_point += 1;
         if self.since_point <= NEAR_A_POINT {
-            self.add_tick(it);
+            self.add_tick(tick);
             return;
         }
-        self.far.push_back(it);
+        self.far.push_back(tick);
         if self.far.len() > NEAR_A_POINT {
             self.far.pop_front();
         }
@@ -231,22 +231,22 @@ impl<'a> Places<'a> {
     /// Records that a point of the stroke is passed.
     fn come_to_point(&mut self) {
         self.since_point = 0;
-        while let Some(it) = self.far.pop_front() {
-            self.add_tick(it);
+        while let Some(tick) = self.far.pop_front() {
+            self.add_tick(tick);
         }
     }
 
     /// Adds the places of a tick: around the point of the stroke closest to the motion.
-    fn add_tick(&mut self, it: TickPlace) {
+    fn add_tick(&mut self, tick: TickPlace) {
         let corridor = self.corridor;
-        let next = (it.passed + 1).min(corridor.points.len() - 1);
-        let [from, to] = [it.passed, next].map(|i| corridor.points[i]);
+        let next = (tick.passed + 1).min(corridor.points.len() - 1);
+        let [from, to] = [tick.passed, next].map(|i| corridor.points[i]);
         let way = to - from;
-        let share = (it.on_path - from).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
+        let share = (tick.on_path - from).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
         let at = from + way * share.clamp(0.0, 1.0);
-        let across = it.unit.turn_90() * corridor.radii[it.passed].min(corridor.radii[next]);
+        let across = tick.unit.turn_90() * corridor.radii[tick.passed].min(corridor.radii[next]);
         let places = self.sides.iter().map(|side| at + across * *side);
-        self.add(places, it.passed, it.time_s, it.gone_mm);
+        self.add(places, tick.passed, tick.time_s, tick.gone_mm);
     }
 
     /// Adds the places at a sharp turn of the stroke, at any time.
@@ -411,8 +411,8 @@ fn go_on(
 ) {
     let from = places[here];
     let farther = here + 1..places.len();
-    let first = farther.clone().find(|it| {
-        let to = &places[*it];
+    let first = farther.clone().find(|index| {
+        let to = &places[*index];
         to.step > from.step && to.time_s - from.time_s >= rates.least_s - SPARE_TICKS * TICK_S
     });
     let first = first.unwrap_or(places.len());
