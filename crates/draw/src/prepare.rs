@@ -179,7 +179,7 @@ fn plan_passes<E: fmt::Display>(
 #[non_exhaustive]
 pub enum PrepareError {
     /// The preparation was cancelled.
-    #[error("the plan was cancelled before it was done")]
+    #[error("the preparation was cancelled")]
     Cancelled,
     /// The tolerance is out of range.
     #[error("the tolerance is {0:?} mm; it must be a number from 0.02 to 10 mm")]
@@ -196,7 +196,7 @@ pub enum PrepareError {
         error: SourceError,
     },
     /// There is no layer with this name.
-    #[error("there is no layer {name:?}; {}", if layers.is_empty() { "layers have no names here".to_owned() } else { format!("the layers are {layers}") })]
+    #[error("there is no layer {name:?}; {}", if layers.is_empty() { "the layers have no names".to_owned() } else { format!("the layers are {layers}") })]
     NoSuchLayer {
         /// The requested name.
         name: String,
@@ -208,7 +208,7 @@ pub enum PrepareError {
     Place(#[from] PlaceError),
     /// No part of the drawing is on the sheet and within reach.
     #[error(
-        "nothing is left of the drawing: all of it is beyond the sheet or out of the arm's reach; place it elsewhere, or make it smaller with place.fit"
+        "no part of the drawing is on the sheet and within the arm's reach; place it elsewhere, or make it smaller with place.fit"
     )]
     AllCutOff,
     /// The areas cannot be hatched with these settings.

@@ -189,7 +189,7 @@ pub enum PaperError {
     Collinear(f64),
     /// The plane is too steep: its slope, in degrees.
     #[error(
-        "the paper through the touched points slopes by {0:.1} degrees; at most 10 are allowed: touch them again"
+        "the paper through the touched points slopes by {0:.1} degrees; at most 10 are allowed; touch them again"
     )]
     TooSteep(f64),
     /// The height, in mm, is not finite.
@@ -269,7 +269,7 @@ mod tests {
         ];
         assert_eq!(
             Paper::through(&steep).unwrap_err().to_string(),
-            "the paper through the touched points slopes by 11.3 degrees; at most 10 are allowed: \
+            "the paper through the touched points slopes by 11.3 degrees; at most 10 are allowed; \
              touch them again"
         );
         assert!(Paper::through(&[[f64::NAN; 3]; 3]).is_err());

@@ -435,7 +435,7 @@ mod tests {
         );
         assert_eq!(
             pen(|pen| pen.lift_mm = -1.0),
-            "the pen is lifted by -1 mm; it must be at least 0.1 mm"
+            "the pen lift is -1 mm; it must be at least 0.1 mm"
         );
         let laser = Laser {
             times: 0,

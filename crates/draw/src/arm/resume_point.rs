@@ -77,7 +77,7 @@ impl From<ResumePoint> for String {
 #[non_exhaustive]
 pub enum ResumePointError {
     /// There is no such pass.
-    #[error("there is no pass '{found}' to start from; there are: {}", numbered(.names))]
+    #[error("there is no pass '{found}' to resume at; the passes are: {}", numbered(.names))]
     Pass {
         /// The requested pass.
         found: String,
@@ -85,7 +85,7 @@ pub enum ResumePointError {
         names: Vec<String>,
     },
     /// There is no such stroke.
-    #[error("there is no stroke {found} to start from; allowed is 1 to {strokes}")]
+    #[error("there is no stroke {found} to resume at; allowed are 1 to {strokes}")]
     Stroke {
         /// The requested stroke.
         found: usize,
@@ -93,7 +93,7 @@ pub enum ResumePointError {
         strokes: usize,
     },
     /// The share is out of range.
-    #[error("a drawing cannot start from {0} %; allowed is 0 to below 100")]
+    #[error("a drawing cannot resume at {0} %; allowed are 0 to below 100")]
     Percent(f64),
 }
 
@@ -348,7 +348,7 @@ mod tests {
     fn a_pass_without_a_name_is_reported_by_its_number() {
         let passes = vec![pass("", vec![Stroke::open(vec![Point::default()])])];
         let error = ResumePoint::Pass("red".to_owned()).rest_of(passes);
-        let expected = "there is no pass 'red' to start from; there are: 1";
+        let expected = "there is no pass 'red' to resume at; the passes are: 1";
         assert_eq!(error.unwrap_err().to_string(), expected);
     }
 
@@ -358,21 +358,21 @@ mod tests {
         for name in ["green", "0", "3"] {
             assert_eq!(
                 error(ResumePoint::Pass(name.to_owned())),
-                format!("there is no pass '{name}' to start from; there are: 1 (red), 2 (blue)")
+                format!("there is no pass '{name}' to resume at; the passes are: 1 (red), 2 (blue)")
             );
         }
         assert_eq!(
             error(ResumePoint::Stroke(4)),
-            "there is no stroke 4 to start from; allowed is 1 to 3"
+            "there is no stroke 4 to resume at; allowed are 1 to 3"
         );
         assert_eq!(
             error(ResumePoint::Stroke(0)),
-            "there is no stroke 0 to start from; allowed is 1 to 3"
+            "there is no stroke 0 to resume at; allowed are 1 to 3"
         );
         for found in [-1.0, 100.0, f64::NAN] {
             assert_eq!(
                 error(ResumePoint::Percent(found)),
-                format!("a drawing cannot start from {found} %; allowed is 0 to below 100")
+                format!("a drawing cannot resume at {found} %; allowed are 0 to below 100")
             );
         }
     }

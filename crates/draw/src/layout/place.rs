@@ -260,7 +260,7 @@ pub enum PlaceError {
     #[error("the scale is {0}; it must be a number above 0")]
     Scale(f64),
     /// The rotation, in degrees, is not a number.
-    #[error("the drawing is turned by {0} degrees; it must be a number")]
+    #[error("the rotation is {0} degrees; it must be a finite number")]
     Rotate(f64),
     /// The margin leaves no space.
     #[error("the margin is {margin_mm} mm; it must be from 0 to below {most_mm} mm")]
@@ -272,7 +272,7 @@ pub enum PlaceError {
     },
     /// There are more files than cells in the grid.
     #[error(
-        "a grid of {cells} cell{} has no room for {files} files; give it a cell for each, as in place.grid {files}x1",
+        "a grid of {cells} cell{} has no room for {files} files; use a cell for each, as in place.grid {files}x1",
         if *cells == 1 { "" } else { "s" }
     )]
     Cells {
@@ -297,7 +297,7 @@ pub enum PlaceError {
     },
     /// The drawing does not fit on the sheet.
     #[error(
-        "the drawing goes {by_mm:.1} mm beyond the {} of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or cut it there with place.clip",
+        "the drawing extends {by_mm:.1} mm beyond the {} of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or clip it with place.clip",
         if *margin_mm > 0.0 { "margin" } else { "edge" }
     )]
     BeyondSheet {
@@ -312,7 +312,7 @@ pub enum PlaceError {
     },
     /// A point is out of the arm's reach.
     #[error(
-        "the pen would have to go to x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; make the drawing smaller, or place it elsewhere"
+        "the pen cannot reach x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; make the drawing smaller, or place it elsewhere"
     )]
     OutOfReach {
         /// Forward, in the base frame.
@@ -326,7 +326,7 @@ pub enum PlaceError {
     },
     /// A point on the run-up or run-out of the laser is out of reach.
     #[error(
-        "the laser would have to run up to its line, or run out behind it, at x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; burn slower, which takes a shorter way, or place the drawing elsewhere"
+        "the run-up or run-out of the laser cannot reach x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; burn slower, which shortens it, or place the drawing elsewhere"
     )]
     RunOutOfReach {
         /// Forward, in the base frame.
@@ -340,7 +340,7 @@ pub enum PlaceError {
     },
     /// A travel between two strokes leads out of reach, although each stroke may be within reach.
     #[error(
-        "the way from one stroke to the next leads through x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; place the drawing farther from the arm, or draw what lies on either side of it one after the other"
+        "the travel between two strokes passes through x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; place the drawing farther from the arm, or draw the parts on either side of it separately"
     )]
     WayOutOfReach {
         /// Forward, in the base frame.

@@ -425,23 +425,23 @@ mod tests {
             ),
             (
                 r#"{"place": {"fit": true, "scale": 2}}"#,
-                "place.fit and place.scale exclude each other: give one of them",
+                "place.fit and place.scale exclude each other; use only one",
             ),
             (
                 r#"{"tool": {"pen": "marker", "laser": "plywood-engrave"}}"#,
-                "tool.pen and tool.laser exclude each other: give one of them",
+                "tool.pen and tool.laser exclude each other; use only one",
             ),
             (
                 r#"{"what": {"cross": true}}"#,
-                "what.cross does nothing without what.hatch",
+                "what.cross has no effect without what.hatch",
             ),
             (
                 r#"{"place": {"gap": 9}}"#,
-                "place.gap does nothing without place.grid or what.text",
+                "place.gap has no effect without place.grid or what.text",
             ),
             (
                 r#"{"what": {"shade": "stipple", "levels": 3}}"#,
-                "what.levels does nothing without what.shade hatch or outline",
+                "what.levels has no effect without what.shade hatch or outline",
             ),
             (
                 r#"{"place": {"at": [200]}}"#,
@@ -461,11 +461,11 @@ mod tests {
             ),
             (
                 r#"{"what": {"shade": "tsp"}, "way": {"keep_order": true}}"#,
-                "way.keep_order and what.shade tsp exclude each other: give one of them",
+                "way.keep_order and what.shade tsp exclude each other; use only one",
             ),
             (
                 r#"{"what": {"layers": "color", "layer": [{"name": "red", "pen": "marker"}, {"name": "red", "pen": "pencil"}]}}"#,
-                "what.layer \"red\" is given twice: give one of them",
+                "what.layer \"red\" is given twice; use only one",
             ),
             (
                 r#"{"tool": {"passes": 0}}"#,

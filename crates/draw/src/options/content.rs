@@ -166,7 +166,7 @@ impl FromStr for Spacing {
         }
         let spacing_mm = text.parse().map(Self::Millimeters);
         spacing_mm.map_err(|_| {
-            "expected a number of millimetres; a file stands before the option, or the option has `=auto` behind it"
+            "expected a number of millimetres; put the file before the option, or append `=auto` to the option"
         })
     }
 }

@@ -27,7 +27,7 @@ pub enum OptionsError {
         field: &'static str,
     },
     /// A test card requires a laser.
-    #[error("a test card is burned, and the tool is a pen")]
+    #[error("a test card needs a laser, but the tool is a pen")]
     CardByPen,
     /// The test card cannot be laid out.
     #[error(transparent)]
@@ -43,7 +43,7 @@ pub enum OptionsError {
         is: String,
     },
     /// Two options exclude each other.
-    #[error("{field} and {other} exclude each other: give one of them")]
+    #[error("{field} and {other} exclude each other; use only one")]
     Both {
         /// The first field, as in `place.fit`.
         field: &'static str,
@@ -51,7 +51,7 @@ pub enum OptionsError {
         other: &'static str,
     },
     /// An option has no effect without another one.
-    #[error("{field} does nothing without {needs}")]
+    #[error("{field} has no effect without {needs}")]
     Alone {
         /// The given field.
         field: &'static str,
@@ -59,7 +59,7 @@ pub enum OptionsError {
         needs: &'static str,
     },
     /// A layer is given twice.
-    #[error("what.layer {0:?} is given twice: give one of them")]
+    #[error("what.layer {0:?} is given twice; use only one")]
     Twice(String),
     /// A coordinate is not finite or too large.
     #[error("{field} has {found:?}; it takes numbers of millimetres from -10000 to 10000")]
@@ -142,19 +142,19 @@ impl OptionsError {
                 Some("add `tool.laser MATERIAL`; `dobot materials` lists them".to_owned())
             }
             Self::Prepare(PrepareError::Place(PlaceError::TooLarge { .. })) => {
-                Some("`place.fit`, instead of `place.scale`, makes it as large as the drawing area allows; `place.clip` draws what of it is within reach; `place.at X Y` says where its middle lies".into())
+                Some("use `place.fit` instead of `place.scale` to fit the drawing area, `place.clip` to draw only the part within reach, or `place.at X Y` to move its centre".into())
             }
             Self::Prepare(PrepareError::Place(PlaceError::BeyondSheet { .. })) => Some(
-                "`place.landscape` or `place.rotate 90` where the page lies the other way round; `place.fit` instead of `place.scale`; `place.clip`".into(),
+                "use `place.landscape` or `place.rotate 90` if the page has the other orientation, `place.fit` instead of `place.scale`, or `place.clip`".into(),
             ),
             Self::Prepare(PrepareError::Place(PlaceError::OutOfReach { .. })) => Some(
-                "`place.clip` draws what is within reach; `place.fit` without `place.at` and `place.paper_size` makes all of it fit; on a sheet, a smaller one or one that lies nearer (`place.corner`); `place.pen_down` and `tool.lift` set the heights".into(),
+                "use `place.clip` to draw only the part within reach, `place.fit` without `place.at` and `place.paper_size` to fit the drawing, a smaller or closer sheet (`place.corner`), or other heights (`place.pen_down`, `tool.lift`)".into(),
             ),
             Self::Prepare(PrepareError::Place(PlaceError::RunOutOfReach { .. })) => {
-                Some("a lower `tool.speed`; `place.clip` leaves room for the ways of the laser".into())
+                Some("use a lower `tool.speed`, or `place.clip`, which leaves room for the run-ups of the laser".into())
             }
             Self::Prepare(PrepareError::AllCutOff) => Some(
-                "without `place.clip` the place is told; `place.at` or `place.corner` say where the sheet lies".into(),
+                "remove `place.clip` to see the position that is out of reach; `place.at` or `place.corner` move the sheet".into(),
             ),
             _ => None,
         }

@@ -56,10 +56,10 @@ pub enum View {
 #[non_exhaustive]
 pub enum PictureError {
     /// The size is out of range.
-    #[error("a picture {0} pixels wide cannot be made; from 16 to 16384 are allowed")]
+    #[error("the picture width is {0} pixels; allowed are 16 to 16384")]
     Width(u32),
     /// The picture could not be rendered.
-    #[error("the picture could not be turned into pixels: {0}")]
+    #[error("the picture could not be rendered: {0}")]
     Render(String),
 }
 
@@ -260,7 +260,7 @@ mod tests {
         let error = picture(View::Paper, |p| p.to_png(0).unwrap_err());
         assert_eq!(
             error.to_string(),
-            "a picture 0 pixels wide cannot be made; from 16 to 16384 are allowed"
+            "the picture width is 0 pixels; allowed are 16 to 16384"
         );
     }
 }

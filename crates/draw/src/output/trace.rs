@@ -135,7 +135,7 @@ impl<'a> Trace<'a> {
 /// The error returned when the samples never reach the start of the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error(
-    "the arm never came to the start of the plan at x {:.1}, y {:.1}, z {:.1} mm; the nearest it came is {nearest_mm:.1} mm away",
+    "the arm never reached the start of the plan at x {:.1}, y {:.1}, z {:.1} mm; the closest sample is {nearest_mm:.1} mm away",
     start[0], start[1], start[2]
 )]
 pub struct StartNotReached {

@@ -119,8 +119,8 @@ fn inner_layers_first(laid: Vec<LaidLayer>, warnings: &mut Vec<Warning>) -> Vec<
     sorted.extend(order.into_iter().filter_map(|index| cut[index].take()));
     warnings.extend(counted(
         too_late,
-        "layer inside of shapes that are cut before",
-        "cut all the same: two layers lie inside of each other",
+        "layer inside shapes that are cut earlier",
+        "cut anyway: two layers are inside each other",
     ));
     sorted
 }
@@ -272,7 +272,7 @@ impl Lines {
             unknown += single.unknown;
             single.strokes
         });
-        warnings.extend(counted(doubles, "double line", "drawn once"));
+        warnings.extend(counted(doubles, "duplicate line", "drawn once"));
         warnings.extend(counted(
             unknown,
             "line",
@@ -314,16 +314,16 @@ impl Lines {
         let here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let cut = cutting.finished(in_order(groups, here, tool, settings), others);
         strokes.extend(cut.strokes);
-        warnings.extend(counted(gone, "narrow shape", "left out, the beam is wider"));
+        warnings.extend(counted(gone, "narrow shape", "omitted, because the beam is wider"));
         warnings.extend(counted(
             cut.too_small,
             "shape",
-            "too small for tabs: cut all around",
+            "too small for tabs, cut all around",
         ));
         warnings.extend(counted(
             cut.short_of_room,
             "shorter lead-in",
-            "the waste beside the cut has no room for more",
+            "the waste beside the cut is too narrow",
         ));
         strokes
     }
@@ -347,7 +347,7 @@ fn with_gaps(strokes: &[Stroke], join_mm: f64) -> Option<Warning> {
     let tried: Vec<(f64, usize)> = wider.map(|mm| (mm, closed(mm))).collect();
     let most = tried.iter().map(|gap| gap.1).max()?;
     let (by_mm, count) = tried.into_iter().find(|gap| gap.1 == most)?;
-    let instead = format!("not taken for shapes that are cut out: `way.join {by_mm}` closes them");
+    let instead = format!("not cut out as shapes: `way.join {by_mm}` closes them");
     counted(count, "open outline", &instead)
 }
 

@@ -129,7 +129,7 @@ impl Defaults {
             if let Some(other) = used[..i].iter().find(|it| excludes(&it.id, &one.id)) {
                 let (file, line) = (self.file.display(), one.line);
                 return Err(anyhow!(
-                    "{file}, line {line}: {} and {} exclude each other: give one of them",
+                    "{file}, line {line}: {} and {} exclude each other; use only one",
                     one.option,
                     other.option
                 )

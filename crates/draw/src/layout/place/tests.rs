@@ -141,7 +141,7 @@ fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
     assert!(
         error
             .to_string()
-            .starts_with("the pen would have to go to x 0.0, y 1"),
+            .starts_with("the pen cannot reach x 0.0, y 1"),
         "{error}"
     );
     assert!(
@@ -169,7 +169,7 @@ fn a_way_through_the_hole_around_the_base_is_reported_from_a_line_through_it() {
         .unwrap_err()
         .to_string();
     assert!(
-        error.starts_with("the way from one stroke to the next leads through x "),
+        error.starts_with("the travel between two strokes passes through x "),
         "{error}"
     );
     assert!(
@@ -191,7 +191,7 @@ fn a_place_beyond_the_reach_is_reported_as_a_place_and_not_as_a_way_however_the_
     assert!(
         error
             .to_string()
-            .starts_with("the pen would have to go to x 330.0, y 0.0"),
+            .starts_with("the pen cannot reach x 330.0, y 0.0"),
         "{error}"
     );
 }
