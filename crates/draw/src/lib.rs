@@ -64,7 +64,7 @@ pub use preparation::cancel::CancelToken;
 pub use preparation::program_files::ProgramFiles;
 pub use preparation::progress::{PrepareStep, Progress};
 pub use prepare::{
-    NamedSource, PrepareError, Prepared, Settings, prepare, prepare_passes, prepare_together,
+    NamedSource, PrepareError, Prepared, Settings, prepare, prepare_multi_file, prepare_passes,
 };
 pub use strokes::cutting::Cutting;
 pub use strokes::hatch::{Hatch, HatchError, HatchStyle, hatch};

@@ -76,7 +76,7 @@ pub fn prepare<E: fmt::Display>(
         name: String::new(),
         source: source.clone(),
     };
-    prepare_together(&[alone], settings, reachable)
+    prepare_multi_file(&[alone], settings, reachable)
 }
 
 /// Prepares several sources on one page: each at its place on its own page, or side by side
@@ -85,7 +85,7 @@ pub fn prepare<E: fmt::Display>(
 /// # Errors
 ///
 /// [`PrepareError`] with the failed step.
-pub fn prepare_together<E: fmt::Display>(
+pub fn prepare_multi_file<E: fmt::Display>(
     sources: &[NamedSource],
     settings: &Settings,
     reachable: impl Fn(Position) -> Result<(), E>,

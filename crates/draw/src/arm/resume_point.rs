@@ -358,7 +358,9 @@ mod tests {
         for name in ["green", "0", "3"] {
             assert_eq!(
                 error(ResumePoint::Pass(name.to_owned())),
-                format!("there is no pass '{name}' to resume at; the passes are: 1 (red), 2 (blue)")
+                format!(
+                    "there is no pass '{name}' to resume at; the passes are: 1 (red), 2 (blue)"
+                )
             );
         }
         assert_eq!(

@@ -13,7 +13,7 @@ use crate::prepare::Settings;
 /// # Errors
 ///
 /// [`PlaceError::Cells`] if the grid has fewer cells than there are files.
-pub(crate) fn together(
+pub(crate) fn combine(
     parts: Vec<(&Source, Artwork)>,
     settings: &Settings,
 ) -> Result<Artwork, PlaceError> {
@@ -107,7 +107,7 @@ mod tests {
             (&file, page("blue", (30.0, 5.0), (40.0, 5.0))),
             (&file, page("red", (70.0, 5.0), (80.0, 5.0))),
         ];
-        let all = together(parts, &Settings::default()).expect("there is no grid");
+        let all = combine(parts, &Settings::default()).expect("there is no grid");
         assert_eq!((all.width_mm, all.height_mm), (100.0, 50.0));
         let names: Vec<_> = all.layers.iter().map(|layer| layer.name.as_str()).collect();
         assert_eq!(names, ["red", "blue"]);
@@ -129,7 +129,7 @@ mod tests {
                 grid,
                 ..Settings::default()
             };
-            together(parts(), &settings)
+            combine(parts(), &settings)
         };
         // Cells of 20 x 10 mm, 5 mm apart; b is centred in the second and the fourth.
         let all = in_grid("2x2").expect("there are enough cells");
@@ -162,7 +162,7 @@ mod tests {
             let text = text(align);
             let drawing = page("red", (10.0, 5.0), (70.0, 42.0));
             let parts = vec![(&text, letters.clone()), (&file, drawing)];
-            let all = together(parts, &Settings::default()).expect("there is no grid");
+            let all = combine(parts, &Settings::default()).expect("there is no grid");
             assert_eq!(place(&all, 1, 0), (x, 47.0));
             assert_eq!((all.width_mm, all.height_mm), (100.0, 57.0));
         }

@@ -18,7 +18,7 @@ use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
 use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
-use crate::prepare::{NamedSource, Prepared, Settings, prepare_passes, prepare_together};
+use crate::prepare::{NamedSource, Prepared, Settings, prepare_multi_file, prepare_passes};
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::Hatch;
 
@@ -148,7 +148,7 @@ impl DrawingRequest {
             crops: !options.what.no_crop,
             hides: options.what.hide,
             join_mm: options.way.join,
-            drops_doubles: options.way.drop_doubles,
+            drops_duplicates: options.way.drop_doubles,
             pen_passes: options.tool.passes.unwrap_or(1),
             cutting: Cutting {
                 kerf_mm: options.tool.kerf,
@@ -220,7 +220,7 @@ impl DrawingRequest {
         let tool = settings.tool.end_effector();
         let reachable = |position| reachable(position, tool);
         let prepared = match &self.what {
-            Drawable::Sources(all) => prepare_together(all, &settings, reachable),
+            Drawable::Sources(all) => prepare_multi_file(all, &settings, reachable),
             Drawable::Passes(passes) => prepare_passes(passes.clone(), &settings, reachable),
         };
         Ok((prepared?, settings))

@@ -60,7 +60,7 @@ pub(super) fn check(
 pub(super) fn check_values(options: &Options) -> Result<(), OptionsError> {
     counts(options)?;
     ranges(options)?;
-    together(options)
+    combinations(options)
 }
 
 /// Checks that coordinates are finite and complete.
@@ -106,7 +106,7 @@ type Pair = (&'static str, bool, &'static str, bool);
 
 /// Refuses options that exclude each other, a layer named twice, and options that require another
 /// one.
-fn together(options: &Options) -> Result<(), OptionsError> {
+fn combinations(options: &Options) -> Result<(), OptionsError> {
     if let Some((field, _, other, _)) = exclusive(options).into_iter().find(|pair| pair.1 && pair.3)
     {
         return Err(OptionsError::Both { field, other });

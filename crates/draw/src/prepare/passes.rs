@@ -12,7 +12,7 @@ use crate::layout::clip::{Clipped, clip_to_reach};
 use crate::layout::place::PlaceError;
 use crate::preparation::progress::PrepareStep;
 use crate::strokes::cutting::{inner_first, layers_inner_first};
-use crate::strokes::duplicate_lines::without_doubles;
+use crate::strokes::duplicate_lines::without_duplicates;
 use crate::strokes::hatch::hatch;
 use crate::strokes::merge::merge;
 use crate::strokes::order::order_until;
@@ -259,15 +259,15 @@ impl Lines {
         let stay_whole = settings.cutting_of(tool).is_asked_for();
         let (mut doubles, mut unknown) = (0, 0);
         let mut whole = Vec::new();
-        if settings.drops_doubles && tool.cuts() {
+        if settings.drops_duplicates && tool.cuts() {
             whole = merge(self.own.clone(), settings.join_mm());
             whole.retain(|stroke| stroke.closed);
         }
         let lines = self.map(|strokes| {
-            if !settings.drops_doubles {
+            if !settings.drops_duplicates {
                 return strokes;
             }
-            let single = without_doubles(strokes, stay_whole);
+            let single = without_duplicates(strokes, stay_whole);
             doubles += single.doubles;
             unknown += single.unknown;
             single.strokes
@@ -314,7 +314,11 @@ impl Lines {
         let here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let cut = cutting.finished(in_order(groups, here, tool, settings), others);
         strokes.extend(cut.strokes);
-        warnings.extend(counted(gone, "narrow shape", "omitted, because the beam is wider"));
+        warnings.extend(counted(
+            gone,
+            "narrow shape",
+            "omitted, because the beam is wider",
+        ));
         warnings.extend(counted(
             cut.too_small,
             "shape",

@@ -6,7 +6,7 @@ use dobot_geometry::{Point, Stroke};
 use dobot_import::{Artwork, Layer, ReadOptions, Source, SourceError, Warning};
 
 use super::{NamedSource, PrepareError, Settings};
-use crate::layout::multi_file::together;
+use crate::layout::multi_file::combine;
 use crate::layout::place::Placed;
 
 /// Reads the layers on the paper, within the share of the tolerance for curves.
@@ -32,7 +32,7 @@ pub(super) fn read(
             .iter_mut()
             .map(|reading| reading.part(for_good))
             .collect();
-        settings.placement.place(together(parts, settings)?)
+        settings.placement.place(combine(parts, settings)?)
     };
     // Sources in their final size need not be kept.
     let for_good = readings

@@ -60,7 +60,7 @@ pub struct Settings {
     /// The distance up to which stroke ends are joined, in mm; the tolerance by default.
     pub join_mm: Option<f64>,
     /// Whether duplicate lines are removed.
-    pub drops_doubles: bool,
+    pub drops_duplicates: bool,
     /// The number of passes of a pen over each line, at least 1.
     pub pen_passes: u32,
     /// The settings for cutting shapes out with a laser.
@@ -159,7 +159,7 @@ impl Default for Settings {
             crops: true,
             hides: false,
             join_mm: None,
-            drops_doubles: false,
+            drops_duplicates: false,
             pen_passes: 1,
             cutting: Cutting::default(),
             hatch: None,

@@ -861,7 +861,7 @@ fn a_hole_comes_before_what_an_edge_that_is_drawn_once_leaves_of_its_part() {
             cuts: true,
             ..Laser::default()
         }),
-        drops_doubles: true,
+        drops_duplicates: true,
         ..Settings::default()
     };
     let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();

@@ -10,7 +10,8 @@ use dobot_plan::{
 use super::{PrepareError, Settings};
 use crate::arm::calibrated::shortened;
 use crate::strokes::simplify::{
-    PlannedWay, Way, fast_ways_at, fewest_at, fewest_long_at, seemingly_fastest_at, spliced_at,
+    Approximation, PlannedApproximation, fast_ways_at, fewest_at, fewest_long_at,
+    seemingly_fastest_at, spliced_at,
 };
 
 /// The remaining budget for planning variants to find the fastest vectors.
@@ -124,7 +125,7 @@ fn burned(stroke: &Stroke, fewest: Stroke, tolerance_mm: f64) -> Stroke {
 /// their best parts. In a long drawing the last strokes are only estimated.
 fn faster(
     stroke: &Stroke,
-    fewest: Way,
+    fewest: Approximation,
     tool: DrawingTool,
     settings: &Settings,
     trials: &mut Trials,
@@ -139,7 +140,7 @@ fn faster(
     if ways.iter().all(|way| way.stroke == few) {
         return few;
     }
-    let mut tried = Tried {
+    let mut tried = PlannedVariants {
         tool,
         settings,
         planned: Vec::new(),
@@ -158,17 +159,17 @@ fn faster(
 }
 
 /// The planned variants of a stroke.
-struct Tried<'a> {
+struct PlannedVariants<'a> {
     tool: DrawingTool,
     settings: &'a Settings,
-    planned: Vec<PlannedWay>,
+    planned: Vec<PlannedApproximation>,
     /// The duration of the fastest variant, in s, and its index.
     best: (f64, usize),
 }
 
-impl Tried<'_> {
+impl PlannedVariants<'_> {
     /// Plans another variant, unless it is already included.
-    fn plan(&mut self, way: Way) {
+    fn plan(&mut self, way: Approximation) {
         if self
             .planned
             .iter()
@@ -189,7 +190,7 @@ impl Tried<'_> {
         if time_s < self.best.0 * WORTH_FEWER {
             self.best = (time_s, self.planned.len());
         }
-        self.planned.push(PlannedWay { way, durations_s });
+        self.planned.push(PlannedApproximation { way, durations_s });
     }
 
     /// Returns the penalty factor of a plan whose motion is too sharp in the ticks of a stock arm.

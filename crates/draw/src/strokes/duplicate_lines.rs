@@ -8,33 +8,33 @@ use crate::strokes::cutting::along;
 
 /// Strokes without duplicate lines, and statistics of the removal.
 #[derive(Debug, PartialEq)]
-pub(crate) struct WithoutDoubles {
+pub(crate) struct Deduplicated {
     pub strokes: Vec<Stroke>,
     /// The number of removed lines or parts of lines.
-    pub doubles: usize,
+    pub duplicates: usize,
     /// The number of lines that were not compared, because there are too many.
     pub unknown: usize,
 }
 
 /// Removes lines that lie on another stroke, in either direction; the longer one remains. If shapes
 /// must stay whole, only strokes that are duplicates from end to end are removed.
-pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> WithoutDoubles {
+pub(crate) fn without_duplicates(strokes: Vec<Stroke>, stay_whole: bool) -> Deduplicated {
     let before = strokes.len();
     let mut seen = HashSet::new();
     let mut strokes = strokes;
     strokes.retain(|stroke| seen.insert(edges(&stroke.points)));
-    let (mut doubles, mut unknown) = (before - strokes.len(), 0);
+    let (mut duplicates, mut unknown) = (before - strokes.len(), 0);
     let mut drawn = Drawn::new(&strokes);
     let mut by_length: Vec<usize> = (0..strokes.len()).collect();
     by_length.sort_by(|&a, &b| drawn.length_mm[a].total_cmp(&drawn.length_mm[b]));
     let mut left: Vec<Option<Vec<Stroke>>> = vec![None; strokes.len()];
     for stroke in by_length {
-        let Some(spans) = drawn.doubles(stroke, stay_whole) else {
+        let Some(spans) = drawn.duplicates(stroke, stay_whole) else {
             unknown += 1;
             continue;
         };
         if !spans.is_empty() {
-            doubles += spans.len();
+            duplicates += spans.len();
             drawn.remove(stroke, &spans);
             left[stroke] = Some(beside(&strokes[stroke], &spans, drawn.length_mm[stroke]));
         }
@@ -43,9 +43,9 @@ pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> Without
         .into_iter()
         .zip(left)
         .flat_map(|(stroke, left)| left.unwrap_or_else(|| vec![stroke]));
-    WithoutDoubles {
+    Deduplicated {
         strokes: all.collect(),
-        doubles,
+        duplicates,
         unknown,
     }
 }
@@ -136,7 +136,7 @@ impl Drawn {
 
     /// Returns the spans of a stroke's length that need not be drawn; `None` if the budget is used
     /// up.
-    fn doubles(&mut self, stroke: usize, stay_whole: bool) -> Option<Vec<(f64, f64)>> {
+    fn duplicates(&mut self, stroke: usize, stay_whole: bool) -> Option<Vec<(f64, f64)>> {
         let mut spans = self.covered(stroke)?;
         let length_mm = self.length_mm[stroke];
         let is_whole = matches!(spans[..], [(from, to)] if from == 0.0 && to == length_mm);
@@ -233,10 +233,10 @@ mod tests {
     use super::*;
 
     /// Returns the remaining strokes and the number of removed lines.
-    fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> (Vec<Stroke>, usize) {
-        let found = super::without_doubles(strokes, stay_whole);
+    fn without_duplicates(strokes: Vec<Stroke>, stay_whole: bool) -> (Vec<Stroke>, usize) {
+        let found = super::without_duplicates(strokes, stay_whole);
         assert_eq!(found.unknown, 0);
-        (found.strokes, found.doubles)
+        (found.strokes, found.duplicates)
     }
 
     fn line(points: &[(f64, f64)]) -> Stroke {
@@ -269,7 +269,7 @@ mod tests {
             line(&[(3.0, 1.0)]),
         ];
         for stay_whole in [false, true] {
-            let (kept, count) = without_doubles(strokes.clone(), stay_whole);
+            let (kept, count) = without_duplicates(strokes.clone(), stay_whole);
             assert_eq!(count, 3);
             let left = [0, 2, 4, 5].map(|i: usize| strokes[i].clone());
             assert!((length_mm(&kept) - length_mm(&left)).abs() < 0.02);
@@ -292,12 +292,15 @@ mod tests {
             vec![open.clone(), square(0.0, 20.0)],
             vec![square(0.0, 20.0), open],
         ] {
-            assert_eq!(without_doubles(strokes, true), (vec![square(0.0, 20.0)], 1));
+            assert_eq!(
+                without_duplicates(strokes, true),
+                (vec![square(0.0, 20.0)], 1)
+            );
         }
         let both = vec![square(0.0, 20.0), bow_tie];
-        assert_eq!(without_doubles(both.clone(), true), (both.clone(), 0));
+        assert_eq!(without_duplicates(both.clone(), true), (both.clone(), 0));
         // Both of its sides lie on the square, its diagonals do not.
-        let (kept, count) = without_doubles(both, false);
+        let (kept, count) = without_duplicates(both, false);
         let diagonals_mm = 2.0 * 20.0 * 2.0_f64.sqrt();
         assert_eq!(count, 2);
         assert!(
@@ -311,14 +314,14 @@ mod tests {
         let long = line(&[(0.0, 0.0), (40.0, 0.0)]);
         let short = line(&[(20.0, 0.01), (10.0, 0.0)]);
         assert_eq!(
-            without_doubles(vec![short, long.clone()], true),
+            without_duplicates(vec![short, long.clone()], true),
             (vec![long.clone()], 1)
         );
         let overlapping = line(&[(30.0, 0.0), (60.0, 0.0)]);
-        let (kept, count) = without_doubles(vec![long, overlapping], false);
+        let (kept, count) = without_duplicates(vec![long, overlapping], false);
         assert_eq!(count, 1);
         assert!((length_mm(&kept) - 60.0).abs() < 0.01, "{kept:?}");
-        let (kept, count) = without_doubles(vec![square(0.0, 20.0), square(20.0, 20.0)], false);
+        let (kept, count) = without_duplicates(vec![square(0.0, 20.0), square(20.0, 20.0)], false);
         assert_eq!((kept.len(), count), (2, 1));
         assert!((length_mm(&kept) - 140.0).abs() < 0.5, "{kept:?}");
     }
@@ -330,7 +333,7 @@ mod tests {
             let points = (0..=count).map(|i| (9.0 * at(i).cos(), 9.0 * at(i).sin()));
             line(&points.collect::<Vec<_>>())
         };
-        let (kept, count) = without_doubles(vec![circle(100), circle(173)], true);
+        let (kept, count) = without_duplicates(vec![circle(100), circle(173)], true);
         assert_eq!((kept.len(), count), (1, 1));
         let star: Vec<Stroke> = (0..18)
             .map(|i| {
@@ -338,7 +341,7 @@ mod tests {
                 line(&[(-30.0 * cos, -30.0 * sin), (30.0 * cos, 30.0 * sin)])
             })
             .collect();
-        assert_eq!(without_doubles(star.clone(), false), (star, 0));
+        assert_eq!(without_duplicates(star.clone(), false), (star, 0));
     }
 
     #[test]
@@ -349,7 +352,7 @@ mod tests {
                 let points = (0..=count).map(|i| (radius * at(i).cos(), radius * at(i).sin()));
                 line(&points.collect::<Vec<_>>())
             };
-            let (kept, _) = without_doubles(vec![arc(0.0, points), arc(0.7, points + 7)], false);
+            let (kept, _) = without_duplicates(vec![arc(0.0, points), arc(0.7, points + 7)], false);
             let wanted_mm = 2.2 * radius;
             assert!(
                 (length_mm(&kept) - wanted_mm).abs() < 0.3,
@@ -371,8 +374,8 @@ mod tests {
                 ])
             })
             .collect();
-        let found = super::without_doubles(strokes, false);
-        assert!(found.unknown > 0 && found.doubles > 0);
-        assert_eq!(found.strokes.len(), 3000 - found.doubles);
+        let found = super::without_duplicates(strokes, false);
+        assert!(found.unknown > 0 && found.duplicates > 0);
+        assert_eq!(found.strokes.len(), 3000 - found.duplicates);
     }
 }

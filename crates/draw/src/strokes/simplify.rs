@@ -60,13 +60,13 @@ pub fn simplify_at(stroke: &Stroke, tolerance_mm: f64, estimator: &DurationEstim
 
 /// A candidate for the fastest approximation of a stroke.
 #[derive(Clone, Debug)]
-pub(crate) struct Way {
+pub(crate) struct Approximation {
     pub stroke: Stroke,
     /// Its corners; empty if it was not found in the stroke's corridor.
     path: Vec<Corner>,
 }
 
-impl Way {
+impl Approximation {
     fn of(stroke: &Stroke, path: Vec<Corner>) -> Self {
         Self {
             stroke: joined(stroke, places(&path)),
@@ -84,7 +84,7 @@ pub(crate) fn fewest_long_at(stroke: &Stroke, tolerance_mm: f64, least_mm: f64) 
 }
 
 /// Returns the approximation with the fewest vectors within `tolerance_mm`.
-pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Way {
+pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Approximation {
     let radius_mm = tolerance_mm - SLACK_MM;
     let path = if radius_mm > MIN_VECTOR_MM {
         fewest(&corridor(stroke, radius_mm))
@@ -95,7 +95,7 @@ pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Way {
         Some(path) => places(path),
         None => fewest_without_specks(stroke, radius_mm),
     };
-    Way {
+    Approximation {
         stroke: joined(stroke, points),
         path: path.unwrap_or_default(),
     }
@@ -106,15 +106,17 @@ pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Way {
 pub(crate) fn fast_ways_at(
     stroke: &Stroke,
     tolerance_mm: f64,
-    fewest: Way,
+    fewest: Approximation,
     estimator: &DurationEstimator,
-) -> Vec<Way> {
+) -> Vec<Approximation> {
     if fewest.path.is_empty() {
         return vec![fewest];
     }
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
     let ways = fast_ways(corridor, fewest.path, estimator);
-    ways.into_iter().map(|path| Way::of(stroke, path)).collect()
+    ways.into_iter()
+        .map(|path| Approximation::of(stroke, path))
+        .collect()
 }
 
 /// Returns the estimated fastest approximation within `tolerance_mm`, in a fraction of the time.
@@ -122,20 +124,20 @@ pub(crate) fn fast_ways_at(
 pub(crate) fn seemingly_fastest_at(
     stroke: &Stroke,
     tolerance_mm: f64,
-    fewest: Way,
+    fewest: Approximation,
     estimator: &DurationEstimator,
-) -> Way {
+) -> Approximation {
     if fewest.path.is_empty() {
         return fewest;
     }
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
-    Way::of(stroke, seemingly_fastest(corridor, fewest.path, estimator))
+    Approximation::of(stroke, seemingly_fastest(corridor, fewest.path, estimator))
 }
 
 /// An approximation that was planned.
 #[derive(Clone, Debug)]
-pub(crate) struct PlannedWay {
-    pub way: Way,
+pub(crate) struct PlannedApproximation {
+    pub way: Approximation,
     /// The duration of each of its vectors, in s.
     pub durations_s: Vec<f64>,
 }
@@ -146,9 +148,9 @@ pub(crate) fn spliced_at(
     stroke: &Stroke,
     tolerance_mm: f64,
     estimator: &DurationEstimator,
-    ways: &[PlannedWay],
+    ways: &[PlannedApproximation],
     change_s: f64,
-) -> Option<Way> {
+) -> Option<Approximation> {
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
     let ends = |path: &[Corner]| Some([path.first()?.at, path.last()?.at]);
     let wanted = ends(&ways.first()?.way.path)?;
@@ -158,7 +160,7 @@ pub(crate) fn spliced_at(
     });
     let paths = fit.map(|planned| (&planned.way.path[..], &planned.durations_s[..]));
     let way = spliced(&corridor, paths, change_s, estimator)?;
-    Some(Way::of(stroke, way))
+    Some(Approximation::of(stroke, way))
 }
 
 fn corridor(stroke: &Stroke, radius_mm: f64) -> Corridor<'_> {
@@ -319,7 +321,11 @@ mod tests {
         plan.duration_s()
     }
 
-    fn fast_ways(stroke: &Stroke, tolerance_mm: f64, estimator: &DurationEstimator) -> Vec<Way> {
+    fn fast_ways(
+        stroke: &Stroke,
+        tolerance_mm: f64,
+        estimator: &DurationEstimator,
+    ) -> Vec<Approximation> {
         fast_ways_at(
             stroke,
             tolerance_mm,
@@ -369,13 +375,15 @@ mod tests {
         // The first is fast at the start, the second at the end.
         let mut ways = fast_ways(&arc, 0.05, &estimator).into_iter();
         let two = [ways.next(), ways.next()].map(|way| way.expect("a way"));
-        let count = |way: &Way| way.stroke.points.len() - 1;
+        let count = |way: &Approximation| way.stroke.points.len() - 1;
         let (first, second) = (count(&two[0]), count(&two[1]));
-        let planned = |way: &Way, count: usize, is_fast: &dyn Fn(usize) -> bool| PlannedWay {
-            durations_s: (0..count)
-                .map(|i| if is_fast(i) { 0.2 } else { 0.4 })
-                .collect(),
-            way: way.clone(),
+        let planned = |way: &Approximation, count: usize, is_fast: &dyn Fn(usize) -> bool| {
+            PlannedApproximation {
+                durations_s: (0..count)
+                    .map(|i| if is_fast(i) { 0.2 } else { 0.4 })
+                    .collect(),
+                way: way.clone(),
+            }
         };
         let ways = [
             planned(&two[0], first, &|i| 2 * i < first),
@@ -384,7 +392,7 @@ mod tests {
         let both = spliced_at(&arc, 0.05, &estimator, &ways, 0.1).expect("a new way");
         let points = both.stroke.points;
         let third = points.len() / 3;
-        let are_of = |points: &[Point], way: &Way| {
+        let are_of = |points: &[Point], way: &Approximation| {
             let mut points = points.iter();
             points.all(|p| way.stroke.points.contains(p))
         };
@@ -493,13 +501,13 @@ mod tests {
             let estimator = estimator(100.0, speed_mm_s);
             let ways = fast_ways(&stroke, tolerance, &estimator);
             // Pretend that each approximation is the fastest one somewhere.
-            let planned: Vec<PlannedWay> = ways.iter().enumerate().map(|(n, way)| PlannedWay {
+            let planned: Vec<PlannedApproximation> = ways.iter().enumerate().map(|(n, way)| PlannedApproximation {
                 durations_s: (1..way.stroke.points.len()).map(|i| if (i + n) % 3 == 0 { 0.1 } else { 1.0 }).collect(),
                 way: way.clone(),
             }).collect();
             let spliced = spliced_at(&stroke, tolerance, &estimator, &planned, 0.0);
             let seems = seemingly_fastest_at(&stroke, tolerance, fewest_at(&stroke, tolerance), &estimator);
-            for Way { stroke: simple, .. } in ways.into_iter().chain(spliced).chain([seems]) {
+            for Approximation { stroke: simple, .. } in ways.into_iter().chain(spliced).chain([seems]) {
                 if simple.points.len() > 1 {
                     prop_assert!(closed || simple.points[0] == stroke.points[0]);
                     prop_assert!(closed || simple.last() == stroke.last());

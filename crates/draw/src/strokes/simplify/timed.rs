@@ -1,7 +1,7 @@
 //! A path whose vectors take whole ticks of the fastest motion.
 //!
 //! At each tick of that motion, there are places for corners at the tool position, on the stroke
-//! and to both sides of it. Places that one vector joins are connected by an edge, which takes as
+//! and to both sides of it. CornerPlaces that one vector joins are connected by an edge, which takes as
 //! many ticks as the motion between them, and at least as many as the link needs for the next
 //! vector. Excess acceleration at the corner at its start counts as additional time. The result is
 //! the shortest path in this graph.
@@ -89,7 +89,7 @@ impl<'a> Course<'a> {
         sides: &[f64],
         estimator: &DurationEstimator,
     ) -> Option<TimedPath> {
-        let places = Places::of(self, corridor, sides).all;
+        let places = CornerPlaces::of(self, corridor, sides).all;
         let rates = Rates::of(estimator);
         let quickly = labels(corridor, &places, &rates, MOST_LATE_S);
         let reached = |labels: &[Label]| labels[labels.len() - 1].time_s.is_finite();
@@ -115,7 +115,7 @@ pub(super) struct TimedPath {
 
 /// A possible place of a corner.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct CornerPlace {
     at: Point,
     /// The last point of the stroke that is passed here.
     passed: usize,
@@ -131,12 +131,12 @@ struct Place {
 }
 
 /// The possible places of corners in order; the start first, the end last.
-struct Places<'a> {
+struct CornerPlaces<'a> {
     course: &'a Course<'a>,
     corridor: &'a Corridor<'a>,
     sides: &'a [f64],
     step: usize,
-    all: Vec<Place>,
+    all: Vec<CornerPlace>,
     /// The number of ticks since the last point of the stroke.
     since_point: usize,
     /// The last ticks that are too far from that point; they are needed if the next point comes
@@ -155,7 +155,7 @@ struct TickPlace {
     gone_mm: f64,
 }
 
-impl<'a> Places<'a> {
+impl<'a> CornerPlaces<'a> {
     fn of(course: &'a Course<'a>, corridor: &'a Corridor<'a>, sides: &'a [f64]) -> Self {
         let mut places = Self {
             course,
@@ -188,13 +188,13 @@ impl<'a> Places<'a> {
                         break;
                     }
                     passed += 1;
-                    places.come_to_point();
+                    places.pass_point();
                     places.add_sharp(passed, begin_mm + along_mm.clamp(0.0, length_mm));
                 }
                 if ends {
                     break;
                 }
-                places.come_by(TickPlace {
+                places.pass_tick(TickPlace {
                     on_path: pair[0].at + unit * until_mm,
                     unit,
                     passed,
@@ -205,7 +205,7 @@ impl<'a> Places<'a> {
             }
             begin_mm += length_mm;
         }
-        places.come_to_point();
+        places.pass_point();
         places.add(
             [path[path.len() - 1].at],
             last,
@@ -216,7 +216,7 @@ impl<'a> Places<'a> {
     }
 
     /// Adds the places of a tick. A corner in the middle of a long straight line is useless.
-    fn come_by(&mut self, tick: TickPlace) {
+    fn pass_tick(&mut self, tick: TickPlace) {
         self.since_point += 1;
         if self.since_point <= NEAR_A_POINT {
             self.add_tick(tick);
@@ -229,7 +229,7 @@ impl<'a> Places<'a> {
     }
 
     /// Records that a point of the stroke is passed.
-    fn come_to_point(&mut self) {
+    fn pass_point(&mut self) {
         self.since_point = 0;
         while let Some(tick) = self.far.pop_front() {
             self.add_tick(tick);
@@ -272,7 +272,7 @@ impl<'a> Places<'a> {
             gone_mm - gone(time_s - window_s),
             gone(time_s + window_s) - gone_mm,
         );
-        let places = at.into_iter().map(|at| Place {
+        let places = at.into_iter().map(|at| CornerPlace {
             at,
             passed,
             step: self.step,
@@ -309,7 +309,7 @@ impl Label {
     };
 
     /// Returns how the next place is reached from this one.
-    fn next(&self, [from, to]: [&Place; 2], here: usize, rates: &Rates) -> Self {
+    fn next(&self, [from, to]: [&CornerPlace; 2], here: usize, rates: &Rates) -> Self {
         let took_s = rates.took_s(from, to);
         let (way, along_mm) = (to.at - from.at, to.gone_mm - from.gone_mm);
         let speed = ((to.time_s - from.time_s) / took_s).min(1.0);
@@ -347,7 +347,7 @@ impl Rates {
     }
 
     /// Returns the duration of a vector regardless of its predecessor, in s.
-    fn took_s(&self, from: &Place, to: &Place) -> f64 {
+    fn took_s(&self, from: &CornerPlace, to: &CornerPlace) -> f64 {
         whole_ticks_s(to.time_s - from.time_s).max(self.least_s)
     }
 }
@@ -369,11 +369,11 @@ fn whole_ticks_s(duration_s: f64) -> f64 {
     TICK_S * if below < ticks { below + 1.0 } else { below }
 }
 
-/// Computes the fastest way to reach each place. Places that are much later than the best of the
+/// Computes the fastest way to reach each place. CornerPlaces that are much later than the best of the
 /// last steps are not expanded.
 fn labels(
     corridor: &Corridor<'_>,
-    places: &[Place],
+    places: &[CornerPlace],
     rates: &Rates,
     most_late_s: f64,
 ) -> Vec<Label> {
@@ -404,7 +404,7 @@ fn labels(
 /// before the link delivers the next one is useful only if no longer one exists.
 fn go_on(
     corridor: &Corridor<'_>,
-    places: &[Place],
+    places: &[CornerPlace],
     labels: &mut [Label],
     here: usize,
     rates: &Rates,
@@ -425,7 +425,7 @@ fn go_on(
 /// whether it reaches any.
 fn go_to(
     corridor: &Corridor<'_>,
-    places: &[Place],
+    places: &[CornerPlace],
     labels: &mut [Label],
     here: usize,
     wanted: Range<usize>,
@@ -469,7 +469,7 @@ fn go_to(
     reaches_any
 }
 
-fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
+fn path(places: &[CornerPlace], labels: &[Label]) -> Vec<Corner> {
     let mut at = places.len() - 1;
     let corner = |at: usize| Corner {
         at: places[at].at,
@@ -485,7 +485,7 @@ fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
     path
 }
 
-/// Places reached later than the best of this many steps by [`MOST_LATE_S`] are not expanded.
+/// CornerPlaces reached later than the best of this many steps by [`MOST_LATE_S`] are not expanded.
 const STEPS_BACK: usize = 7;
 const MOST_LATE_S: f64 = 2.0 * TICK_S;
 /// The maximum number of steps that a vector spans.
