@@ -1,4 +1,4 @@
-//! What the arm in use makes of a drawing: its calibration, the slack of its joints, the point where it resumes.
+//! Adapts a drawing to the arm: calibration, backlash, and the resume point.
 
 pub(crate) mod backlash;
 pub(crate) mod calibrated;

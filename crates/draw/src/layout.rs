@@ -1,4 +1,4 @@
-//! Where the artwork goes: sheet, place, copies, and the border of the reach.
+//! Layout of the artwork: sheet, placement, copies, and clipping to the reach.
 
 pub(crate) mod clip;
 pub(crate) mod copies;

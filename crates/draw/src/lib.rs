@@ -1,5 +1,5 @@
-//! Strokes on the paper: what the readers of `dobot-import` give is placed, hatched, clipped, merged,
-//! ordered and simplified, and planned by `dobot-plan`; then it is estimated, or shown as a picture.
+//! From artwork to a drawing: artwork read by `dobot-import` is placed, hatched, clipped, merged,
+//! ordered and simplified, planned by `dobot-plan`, and then estimated or shown as a picture.
 //!
 //! ```text
 //!   source -> Artwork -> place -> hatch -> clip -> merge -> order -> simplify -> plan
@@ -7,7 +7,7 @@
 //!   wanted strokes + what the arm drew -> Trace, Picture
 //! ```
 //!
-//! Everything here is pure: no files, no clock, no arm. [`prepare()`] goes the whole way:
+//! All functions are pure: no files, no clock, no arm. [`prepare()`] runs all steps:
 //!
 //! ```
 //! use dobot_draw::{Settings, prepare};
@@ -26,9 +26,9 @@
 //!
 //! # Tolerance
 //!
-//! Of the tolerance asked for, a tenth goes into reading curves and the rest into merging vectors,
-//! so that together they keep it. Arcs come from the SVG reader as cubic curves, which lie within
-//! 0.03 % of their radius; that share is part of the path wanted, as it is in a browser.
+//! A tenth of the tolerance is used for reading curves and the rest for merging vectors, so that
+//! both together keep it. The SVG reader converts arcs to cubic curves within 0.03 % of their
+//! radius; that deviation is part of the wanted path, as in a browser.
 
 mod arm;
 mod layout;
@@ -64,7 +64,7 @@ pub use preparation::cancel::CancelToken;
 pub use preparation::program_files::ProgramFiles;
 pub use preparation::progress::{PrepareStep, Progress};
 pub use prepare::{
-    NamedSource, PrepareError, Prepared, Settings, prepare, prepare_passes, prepare_together,
+    NamedSource, PrepareError, Prepared, Settings, prepare, prepare_multi_file, prepare_passes,
 };
 pub use strokes::cutting::Cutting;
 pub use strokes::hatch::{Hatch, HatchError, HatchStyle, hatch};

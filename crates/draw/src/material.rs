@@ -1,4 +1,4 @@
-//! What is drawn or burned with, and how: named settings for pens and lasers.
+//! Materials: named settings for pens and lasers.
 
 mod error;
 mod read;
@@ -8,18 +8,18 @@ use std::collections::BTreeMap;
 pub use self::error::{MaterialError, UnknownMaterial};
 use dobot_plan::DrawingTool;
 
-/// How a pen or a laser is used on a material.
+/// The settings of a pen or a laser for a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Speeds, and for a pen how it is lifted, for a laser how often it burns.
+    /// The tool: speeds, lift of a pen, number of passes of a laser.
     pub tool: DrawingTool,
-    /// From one line of a hatched area to the next, in mm.
+    /// The line spacing of hatched areas, in mm.
     pub spacing_mm: f64,
 }
 
 /// Materials by name.
 ///
-/// A file of materials is TOML, in which each has a table of its own:
+/// A materials file is TOML with one table per material:
 ///
 /// ```
 /// use dobot_draw::Materials;
@@ -56,41 +56,40 @@ pub struct Materials {
 }
 
 impl Materials {
-    /// The built-in materials as a file, with what each key means.
+    /// The built-in materials as a file that explains each key.
     pub const BUILT_IN_TOML: &str = include_str!("../materials.toml");
 
-    /// What is known without a file: a few pens, and a few materials for a diode laser of about
-    /// 500 mW that is on or off. They are starting points; a [`Card`](crate::Card) finds the right
-    /// numbers.
+    /// Returns the built-in materials: a few pens, and a few materials for an on/off diode laser of
+    /// about 500 mW. They are starting points; a [`Card`](crate::Card) finds the right values.
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "the file is part of the program")]
     pub fn built_in() -> Self {
         Self::from_toml(Self::BUILT_IN_TOML).expect("a test reads the built-in file")
     }
 
-    /// Reads a file of materials.
+    /// Reads a materials file.
     ///
     /// # Errors
     ///
-    /// [`MaterialError`] with the line: no TOML, an unknown key, a value of another kind or outside
-    /// its range, or a key that is missing.
+    /// [`MaterialError`] with the line: invalid TOML, an unknown key, a value of the wrong type or
+    /// out of range, or a missing key.
     pub fn from_toml(text: &str) -> Result<Self, MaterialError> {
         let named = read::materials(text)?;
         Ok(Self { named })
     }
 
-    /// These and others; where both have a name, the other's.
+    /// Adds other materials; they take precedence over those of the same name.
     #[must_use]
     pub fn with(mut self, others: Self) -> Self {
         self.named.extend(others.named);
         self
     }
 
-    /// The material of that name.
+    /// Returns the material with this name.
     ///
     /// # Errors
     ///
-    /// [`UnknownMaterial`], which tells the names that there are.
+    /// [`UnknownMaterial`] with the known names.
     pub fn get(&self, name: &str) -> Result<&Material, UnknownMaterial> {
         self.named.get(name).ok_or_else(|| UnknownMaterial {
             name: name.to_owned(),
@@ -98,9 +97,11 @@ impl Materials {
         })
     }
 
-    /// All of them with their names, in the order of the alphabet.
+    /// Returns all materials with their names, in alphabetical order.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Material)> {
-        self.named.iter().map(|(name, it)| (name.as_str(), it))
+        self.named
+            .iter()
+            .map(|(name, material)| (name.as_str(), material))
     }
 }
 
@@ -115,7 +116,7 @@ mod tests {
         let materials = Materials::built_in();
         let lasers = materials
             .iter()
-            .filter(|(_, it)| matches!(it.tool, DrawingTool::Laser(_)));
+            .filter(|(_, material)| matches!(material.tool, DrawingTool::Laser(_)));
         assert!(lasers.count() >= 5);
         for pen in ["fineliner", "ballpoint", "pencil", "brush-pen", "marker"] {
             assert!(

@@ -1,5 +1,5 @@
-//! What a person asks for: the options of `dobot draw`, in JSON under the same names. The documentation of a field is its
-//! help on the command line and its description in the API.
+//! The options of `dobot draw`, also in JSON under the same names. The documentation of a field is
+//! its help on the command line and its description in the API.
 
 mod asked;
 mod check;
@@ -21,8 +21,9 @@ pub use self::path::PathOptions;
 pub use self::place::PlaceOptions;
 pub use self::tool::{PassesBy, ToolOptions};
 
-/// What a person asks for. [`DrawingRequest::new`] makes [`Settings`](crate::Settings) of it; `dobot draw` reads it from its
-/// arguments, any other client from JSON:
+/// The options of a drawing. [`DrawingRequest::new`] converts them to
+/// [`Settings`](crate::Settings); `dobot draw` reads them from its arguments, other clients from
+/// JSON:
 ///
 /// ```
 /// use dobot_draw::{DrawingRequest, Materials, Options, Subject};
@@ -38,33 +39,33 @@ pub use self::tool::{PassesBy, ToolOptions};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Options {
-    /// What is drawn.
+    /// What to draw
     pub what: ContentOptions,
-    /// Where it goes.
+    /// Where to draw it
     pub place: PlaceOptions,
-    /// With what it is drawn.
+    /// The tool to draw with
     pub tool: ToolOptions,
-    /// How it is drawn.
+    /// How to draw it
     pub way: PathOptions,
 }
 
 impl Options {
-    /// Whether each of them is allowed by itself and fits the others, whatever is drawn.
+    /// Checks each option and their combinations, independently of the content.
     ///
     /// # Errors
     ///
-    /// [`OptionsError`]: the first field that is out of its range, that another one excludes, or that does nothing
-    /// without another one.
+    /// [`OptionsError`]: the first field that is out of range, conflicts with another one, or has
+    /// no effect without another one.
     pub fn check_values(&self) -> Result<(), OptionsError> {
         check::check_values(self)
     }
 
-    /// Whether they fit what is drawn, and each other.
+    /// Checks the options against the content and each other.
     ///
     /// # Errors
     ///
-    /// [`OptionsError`]: the first option that is out of its range, that another one excludes, or that would do
-    /// nothing.
+    /// [`OptionsError`]: the first option that is out of range, conflicts with another one, or
+    /// would have no effect.
     pub fn check(&self, subject: &Subject) -> Result<(), OptionsError> {
         check::check(self, &subject.sources, &subject.title)
     }

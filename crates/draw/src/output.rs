@@ -1,4 +1,4 @@
-//! What comes of a drawing: trace, figures, pictures, previews and files for other programs.
+//! Results of a drawing: trace, statistics, pictures, previews and files for other programs.
 
 pub(crate) mod estimate;
 pub(crate) mod export;

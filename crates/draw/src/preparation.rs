@@ -1,4 +1,4 @@
-//! The control of a preparation from another thread, and the files that it reads.
+//! Cancellation and progress of a preparation, and the files it reads.
 
 pub(crate) mod cancel;
 pub(crate) mod program_files;

@@ -1,4 +1,4 @@
-//! The whole way from a source to a plan.
+//! All steps from a source to a plan.
 
 mod layers;
 mod passes;
@@ -26,46 +26,47 @@ use dobot_geometry::{Point, Stroke};
 use dobot_import::{Source, SourceError, Warning};
 use dobot_plan::{ArmLimits, DrawingTool, Pass, Plan, PlanError};
 
-/// A drawing, ready to be sent.
+/// A prepared drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prepared {
-    /// The path wanted, in the order in which it is drawn: the curves in the base frame, within a
-    /// tenth of the tolerance; of a calibrated arm in its own places, as the plan.
+    /// The wanted path in drawing order: the curves in the base frame, within a tenth of the
+    /// tolerance; for a calibrated arm in raw positions, like the plan.
     pub passes: Vec<Pass>,
-    /// What the arm is to do.
+    /// The plan of the arm.
     pub plan: Plan,
-    /// How much larger than the source says it becomes.
+    /// The scale relative to the source.
     pub scale: f64,
-    /// What the pen does not show.
+    /// Warnings about content that is not drawn as expected.
     pub warnings: Vec<Warning>,
-    /// How near and how far from its axis the arm reaches the paper, in mm, where it was asked.
+    /// The minimum and maximum distance from the axis at which the arm reaches the paper, in mm, if
+    /// determined.
     pub reach_mm: Option<[f64; 2]>,
 }
 
 impl Prepared {
-    /// The path wanted, of all passes.
+    /// Returns the wanted path of all passes.
     #[must_use]
     pub fn wanted(&self) -> Vec<Stroke> {
-        let strokes = self.passes.iter().flat_map(|it| &it.strokes);
+        let strokes = self.passes.iter().flat_map(|pass| &pass.strokes);
         strokes.cloned().collect()
     }
 }
 
-/// A source with what a person calls it, such as the name of its file.
+/// A source and its name, such as a file name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedSource {
-    /// What a person calls it.
+    /// The name.
     pub name: String,
-    /// What it holds.
+    /// The content.
     pub source: Source,
 }
 
-/// Reads a source, places it, puts its strokes in order, merges what the tolerance allows and
-/// plans the vectors. `reachable` tells which places the arm gets to.
+/// Reads a source, places it, orders its strokes, merges vectors within the tolerance and plans
+/// them. `reachable` checks whether the arm reaches a position.
 ///
 /// # Errors
 ///
-/// [`PrepareError`] with the step that failed.
+/// [`PrepareError`] with the failed step.
 pub fn prepare<E: fmt::Display>(
     source: &Source,
     settings: &Settings,
@@ -75,16 +76,16 @@ pub fn prepare<E: fmt::Display>(
         name: String::new(),
         source: source.clone(),
     };
-    prepare_together(&[alone], settings, reachable)
+    prepare_multi_file(&[alone], settings, reachable)
 }
 
-/// The same for several sources on one page: each where it is on its own page, or side by side
-/// ([`Settings::grid`]), and texts below all else.
+/// Prepares several sources on one page: each at its place on its own page, or side by side
+/// ([`Settings::grid`]), with texts below everything else.
 ///
 /// # Errors
 ///
-/// [`PrepareError`] with the step that failed.
-pub fn prepare_together<E: fmt::Display>(
+/// [`PrepareError`] with the failed step.
+pub fn prepare_multi_file<E: fmt::Display>(
     sources: &[NamedSource],
     settings: &Settings,
     reachable: impl Fn(Position) -> Result<(), E>,
@@ -115,11 +116,11 @@ pub fn prepare_together<E: fmt::Display>(
     })
 }
 
-/// Merges what the tolerance allows and plans the vectors of passes that are laid out already.
+/// Merges vectors within the tolerance and plans them, for passes with a complete layout.
 ///
 /// # Errors
 ///
-/// [`PrepareError`] with the step that failed.
+/// [`PrepareError`] with the failed step.
 pub fn prepare_passes<E: fmt::Display>(
     passes: Vec<Pass>,
     settings: &Settings,
@@ -129,7 +130,7 @@ pub fn prepare_passes<E: fmt::Display>(
     plan_passes(raw_passes(passes, settings)?, settings, reachable)
 }
 
-/// The same for passes in the arm's own places.
+/// Prepares passes in raw positions.
 fn plan_passes<E: fmt::Display>(
     passes: Vec<Pass>,
     settings: &Settings,
@@ -140,25 +141,25 @@ fn plan_passes<E: fmt::Display>(
         None => passes,
     };
     let progress = &settings.progress;
-    let strokes = passes.iter().flat_map(|it| &it.strokes);
+    let strokes = passes.iter().flat_map(|pass| &pass.strokes);
     progress.expect(&passes, &settings.arm_limits);
     progress.begin(
         PrepareStep::Vectors,
-        strokes.map(|it| it.points.len()).sum(),
+        strokes.map(|stroke| stroke.points.len()).sum(),
     );
     let mut trials = Trials::new(&passes);
     let simple = passes
         .iter()
-        .map(|it| simplified(it, settings, &mut trials));
+        .map(|pass| simplified(pass, settings, &mut trials));
     let simple: Result<Vec<Pass>, PrepareError> = simple.collect();
     let simple = match &settings.calibration {
         Some(known) => compensated(simple?, &settings.paper, &known.arm()),
         None => simple?,
     };
-    let lifts_mm = simple.iter().map(|it| it.tool.lift_mm());
+    let lifts_mm = simple.iter().map(|pass| pass.tool.lift_mm());
     let reach_mm = reach_mm(settings, lifts_mm.fold(0.0, f64::max), &reachable);
     let arm_limits = ArmLimits {
-        nearest_mm: reach_mm.map_or(0.0, |it| it[0]),
+        nearest_mm: reach_mm.map_or(0.0, |reach_mm| reach_mm[0]),
         ..settings.arm_limits
     };
     progress.begin(PrepareStep::Planning, 0);
@@ -173,14 +174,14 @@ fn plan_passes<E: fmt::Display>(
     })
 }
 
-/// Why a drawing cannot be prepared.
+/// The error returned when a drawing cannot be prepared.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PrepareError {
-    /// Nobody wants it any more.
-    #[error("the plan was cancelled before it was done")]
+    /// The preparation was cancelled.
+    #[error("the preparation was cancelled")]
     Cancelled,
-    /// Vectors this short would not be vectors any more.
+    /// The tolerance is out of range.
     #[error("the tolerance is {0:?} mm; it must be a number from 0.02 to 10 mm")]
     Tolerance(f64),
     /// The source cannot be drawn.
@@ -189,40 +190,40 @@ pub enum PrepareError {
     /// One of several sources cannot be drawn.
     #[error("{name}: {error}")]
     File {
-        /// What a person calls it.
+        /// The name of the source.
         name: String,
-        /// What is wrong with it.
+        /// The error in it.
         error: SourceError,
     },
-    /// No layer has this name.
-    #[error("there is no layer {name:?}; {}", if layers.is_empty() { "layers have no names here".to_owned() } else { format!("the layers are {layers}") })]
+    /// There is no layer with this name.
+    #[error("there is no layer {name:?}; {}", if layers.is_empty() { "the layers have no names".to_owned() } else { format!("the layers are {layers}") })]
     NoSuchLayer {
-        /// What was asked for.
+        /// The requested name.
         name: String,
-        /// What there is, with commas between the names.
+        /// The existing names, separated by commas.
         layers: String,
     },
-    /// It does not fit on the paper.
+    /// The drawing does not fit on the paper.
     #[error(transparent)]
     Place(#[from] PlaceError),
-    /// Nothing of it is on the sheet and within reach.
+    /// No part of the drawing is on the sheet and within reach.
     #[error(
-        "nothing is left of the drawing: all of it is beyond the sheet or out of the arm's reach; place it elsewhere, or make it smaller with place.fit"
+        "no part of the drawing is on the sheet and within the arm's reach; place it elsewhere, or make it smaller with place.fit"
     )]
     AllCutOff,
-    /// Its areas cannot be hatched like that.
+    /// The areas cannot be hatched with these settings.
     #[error(transparent)]
     Hatch(#[from] HatchError),
-    /// It cannot be begun there.
+    /// The resume point does not exist.
     #[error(transparent)]
     ResumePoint(#[from] ResumePointError),
-    /// It cannot be planned.
+    /// The drawing cannot be planned.
     #[error(transparent)]
     Plan(#[from] PlanError),
 }
 
-/// How near and how far from its axis the arm reaches the paper, with its tool down and lifted so high: whole
-/// millimetres without a gap around the middle of the area.
+/// Returns the minimum and maximum distance from the axis at which the arm reaches the paper, with
+/// its tool down and lifted: a contiguous range of whole millimetres around the middle of the area.
 fn reach_mm<E>(
     settings: &Settings,
     lift_mm: f64,
@@ -240,20 +241,24 @@ fn reach_mm<E>(
         let places = (0..MOST_REACH_MM).map(|i| middle + step * f64::from(i));
         places.take_while(|&x| x > 0.0 && reaches(x)).last()
     };
-    // The first of both is inside, and no vector ends on the very edge.
+    // The first of both is inside, and no vector ends exactly on the edge.
     Some([last(-1.0)? + 1.0, last(1.0)? - 1.0])
 }
 
-/// How far beside its strokes the arm is sent: within the tolerance, as a line that follows the border of the reach has
-/// corners beyond it, where a laser runs up and begins its cuts, and where slack joints are taken up.
+/// Returns the maximum distance of the arm from its strokes: the tolerance, because a line along
+/// the border of the reach has corners beyond it; run-ups, lead-ins and the kerf of a laser; and
+/// the compensation of backlash.
 fn beside_mm(tool: DrawingTool, settings: &Settings) -> f64 {
-    let slack_mm = settings.calibration.as_ref().map(|it| most_mm(&it.arm()));
+    let slack_mm = settings
+        .calibration
+        .as_ref()
+        .map(|file| most_mm(&file.arm()));
     let cutting_mm = settings.cutting.lead_in_mm + 0.5 * settings.cutting.kerf_mm.abs();
     let run_mm = tool.run_mm(&settings.arm_limits);
     settings.tolerance_mm + run_mm + cutting_mm + slack_mm.unwrap_or_default()
 }
 
-/// No arm reaches farther.
+/// Larger than the reach of any arm.
 const MOST_REACH_MM: u32 = 400;
 
 #[cfg(test)]

@@ -62,7 +62,10 @@ impl ArmLimits {
     pub(super) fn check_keeps(&self, tool: &DrawingTool) -> Result<(), PlanError> {
         let least = self.least_kept_mm_s();
         let speeds = tool.speeds_mm_s().into_iter();
-        match speeds.filter(|_| self.has_ticks).find(|it| it.1 < least) {
+        match speeds
+            .filter(|_| self.has_ticks)
+            .find(|speed| speed.1 < least)
+        {
             None => Ok(()),
             Some((name, found)) => Err(PlanError::TooSlow {
                 name,

@@ -38,19 +38,19 @@ pub enum PlanError {
         acceleration: f64,
     },
     /// The pen would not leave the paper: its lift, in mm.
-    #[error("the pen is lifted by {0} mm; it must be at least 0.1 mm")]
+    #[error("the pen lift is {0} mm; it must be at least 0.1 mm")]
     Lift(f64),
     /// The paper is invalid.
     #[error(transparent)]
     Paper(#[from] PaperError),
     /// A stock arm keeps its height in laser mode. Passes count from 1.
     #[error(
-        "pass {0} burns with the laser, and the paper slopes; a stock arm holds its height in laser mode (note N48): lay the material level"
+        "pass {0} uses the laser, but the paper slopes; a stock arm keeps its height in laser mode (note N48); lay the material level"
     )]
     SlopingLaser(usize),
     /// Pen and laser need different heights. Passes count from 1.
     #[error(
-        "pass {0} has another kind of tool than those before; a pen and a laser are drawn one after the other, each with its own height"
+        "pass {0} has a different kind of tool than those before; draw pen and laser passes separately, each at its own height"
     )]
     MixedTools(usize),
 }

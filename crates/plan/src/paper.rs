@@ -155,7 +155,10 @@ impl Paper {
 
     /// Returns the calibrated height at a calibrated place.
     fn calibrated_z(&self, place: Point) -> f64 {
-        let bent_mm = self.bent.as_ref().map_or(0.0, |it| it.z_at(place));
+        let bent_mm = self
+            .bent
+            .as_ref()
+            .map_or(0.0, |heights| heights.z_at(place));
         self.plane.z_at([place.x, place.y]) + bent_mm
     }
 
@@ -186,7 +189,7 @@ pub enum PaperError {
     Collinear(f64),
     /// The plane is too steep: its slope, in degrees.
     #[error(
-        "the paper through the touched points slopes by {0:.1} degrees; at most 10 are allowed: touch them again"
+        "the paper through the touched points slopes by {0:.1} degrees; at most 10 are allowed; touch them again"
     )]
     TooSteep(f64),
     /// The height, in mm, is not finite.
@@ -199,7 +202,7 @@ fn nearest(touched: &[[f64; 3]]) -> Plane {
     let [mut xx, mut xy, mut yy, mut xz, mut yz] = [0.0; 5];
     #[expect(clippy::cast_precision_loss, reason = "few points")]
     let count = touched.len() as f64;
-    let middle = [0, 1, 2].map(|axis| touched.iter().map(|it| it[axis]).sum::<f64>() / count);
+    let middle = [0, 1, 2].map(|axis| touched.iter().map(|place| place[axis]).sum::<f64>() / count);
     for point in touched {
         let [x, y, z] = [0, 1, 2].map(|axis| point[axis] - middle[axis]);
         xx += x * x;
@@ -266,7 +269,7 @@ mod tests {
         ];
         assert_eq!(
             Paper::through(&steep).unwrap_err().to_string(),
-            "the paper through the touched points slopes by 11.3 degrees; at most 10 are allowed: \
+            "the paper through the touched points slopes by 11.3 degrees; at most 10 are allowed; \
              touch them again"
         );
         assert!(Paper::through(&[[f64::NAN; 3]; 3]).is_err());

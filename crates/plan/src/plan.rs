@@ -70,7 +70,7 @@ impl Plan {
             breaks: Vec::new(),
             arm_limits: *arm_limits,
         };
-        for (number, pass) in (0..).zip(passes.iter().filter(|it| it.has_strokes())) {
+        for (number, pass) in (0..).zip(passes.iter().filter(|pass| pass.has_strokes())) {
             let before = planner.moves.len();
             planner.pass(number, pass);
             let message = pass.message.clone();
@@ -101,9 +101,9 @@ impl Plan {
             moves: begins[pass.moves.start]..begins[pass.moves.end],
             ..pass
         });
-        let breaks = self.breaks.into_iter().map(|it| Break {
-            before: begins[it.before],
-            ..it
+        let breaks = self.breaks.into_iter().map(|pause| Break {
+            before: begins[pause.before],
+            ..pause
         });
         Self {
             moves,
@@ -121,7 +121,7 @@ impl Plan {
     /// Returns the maximum height of the pen above the paper, in mm; 0 for a laser.
     #[must_use]
     pub fn lift_mm(&self) -> f64 {
-        let lifts_mm = self.passes.iter().map(|it| it.tool.lift_mm());
+        let lifts_mm = self.passes.iter().map(|pass| pass.tool.lift_mm());
         lifts_mm.fold(0.0, f64::max)
     }
 
@@ -175,7 +175,10 @@ impl Plan {
 /// Returns the start of the first stroke, pen up or laser off.
 fn start(passes: &[Pass], paper: &Paper) -> Result<[f64; 3], PlanError> {
     let mut firsts = passes.iter().flat_map(|pass| {
-        let points = pass.strokes.iter().filter_map(|it| it.points.first());
+        let points = pass
+            .strokes
+            .iter()
+            .filter_map(|stroke| stroke.points.first());
         points.map(|&first| (pass.tool, first))
     });
     let (tool, first) = firsts.next().ok_or(PlanError::NoStrokes)?;
@@ -279,8 +282,11 @@ mod tests {
         let points = (0..=8).map(|i| Point::new(200.0, 0.0) + at(i));
         let circle = Stroke::open(points.collect());
         let plan = plan(&[circle], LinkRate::default());
-        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
-        let drawn_s: f64 = draws.map(|it| f64::from(it.duration_s)).sum();
+        let draws = plan
+            .moves
+            .iter()
+            .filter(|vector| vector.kind == MoveKind::Draw);
+        let drawn_s: f64 = draws.map(|vector| f64::from(vector.duration_s)).sum();
         // At 100 mm/s2 the circle itself takes slightly more than 0.63 s.
         assert!((0.08 * 6.0..0.08 * 10.0).contains(&drawn_s), "{drawn_s} s");
     }
@@ -349,11 +355,11 @@ mod tests {
     fn a_laser_gets_to_its_speed_before_a_stroke_and_loses_it_behind() {
         use MoveKind::{Brake, Burn, RunOut, RunUp, Travel};
         let plan = burned(vec![line(&[(200.0, 0.0), (210.0, 0.0)])], 2);
-        let mut kinds: Vec<MoveKind> = plan.moves.iter().map(|it| it.kind).collect();
+        let mut kinds: Vec<MoveKind> = plan.moves.iter().map(|vector| vector.kind).collect();
         kinds.dedup();
         let once = [Travel, RunUp, Burn, RunOut, Brake];
         assert_eq!(kinds, [once, once].concat());
-        for vector in plan.moves.iter().filter(|it| it.kind == Burn) {
+        for vector in plan.moves.iter().filter(|vector| vector.kind == Burn) {
             let speeds = [
                 vector.start_speed_mm_s,
                 vector.end_speed_mm_s,
@@ -424,12 +430,12 @@ mod tests {
             refused(DrawingTool::Pen(pen), ArmLimits::default())
         };
         assert_eq!(
-            pen(|it| it.draw_speed_mm_s = 0.0),
+            pen(|pen| pen.draw_speed_mm_s = 0.0),
             "draw speed is 0 mm/s; it must be a number above 0"
         );
         assert_eq!(
-            pen(|it| it.lift_mm = -1.0),
-            "the pen is lifted by -1 mm; it must be at least 0.1 mm"
+            pen(|pen| pen.lift_mm = -1.0),
+            "the pen lift is -1 mm; it must be at least 0.1 mm"
         );
         let laser = Laser {
             times: 0,

@@ -22,11 +22,14 @@ impl Plan {
     #[must_use]
     pub fn summary(&self) -> Summary {
         let total = |which: fn(MoveKind) -> bool| {
-            let vectors = self.moves.iter().filter(|it| which(it.kind));
-            vectors.fold(0.0, |sum, it| sum + it.length_mm())
+            let vectors = self.moves.iter().filter(|vector| which(vector.kind));
+            vectors.fold(0.0, |sum, vector| sum + vector.length_mm())
         };
         Summary {
-            strokes: self.moves.last().map_or(0, |it| it.stroke as usize + 1),
+            strokes: self
+                .moves
+                .last()
+                .map_or(0, |vector| vector.stroke as usize + 1),
             vectors: self.moves.len(),
             drawn_mm: total(MoveKind::marks),
             travelled_mm: total(|kind| matches!(kind, MoveKind::Travel)),

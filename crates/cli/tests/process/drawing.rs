@@ -615,7 +615,7 @@ fn a_file_behind_an_option_that_takes_numbers_is_told_as_that() {
         ),
         (
             &["draw", "--hatch", &square],
-            &["expected a number of millimetres", "a file stands before"],
+            &["expected a number of millimetres", "put the file before"],
         ),
     ] {
         dobot(&[arguments, &laser].concat()).fails(2, parts);
@@ -634,15 +634,15 @@ fn what_does_nothing_is_told() {
     for (arguments, told) in [
         (
             &["draw", &square, "--gap", "9"][..],
-            "--gap does nothing without --grid or --text",
+            "--gap has no effect without --grid or --text",
         ),
         (
             &["draw", "--text", "arm", "--gap", "9"],
-            "--gap does nothing without --grid, or a file above the text",
+            "--gap has no effect without --grid, or a file above the text",
         ),
         (
             &["draw", &photo, "--shade", "stipple", "--levels", "3"],
-            "--levels does nothing without --shade hatch or outline",
+            "--levels has no effect without --shade hatch or outline",
         ),
     ] {
         dobot(arguments).fails(2, &[told]);

@@ -1,4 +1,4 @@
-//! How long a drawing takes on its way to vectors: `cargo bench -p dobot-draw`.
+//! Benchmarks of the steps from a drawing to vectors: `cargo bench -p dobot-draw`.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -10,7 +10,7 @@ use dobot_geometry::{Point, Stroke, Vec2, deviation};
 use dobot_import::{ReadOptions, Source, Text};
 use dobot_plan::{ArmLimits, ChainVector, Cornering, DrawingTool, Paper, Pass, Plan};
 
-/// Look-ahead alone: the aim is below 60 ns per vector.
+/// Look-ahead alone; the target is below 60 ns per vector.
 #[divan::bench]
 fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
     let chain: Vec<ChainVector> = (0..50_000)
@@ -44,7 +44,7 @@ fn plan_50_000_vectors(bencher: Bencher<'_, '_>) {
         .bench_local(|| Plan::new(&passes, &Paper::default(), &ArmLimits::default()));
 }
 
-/// Reading and flattening; before merging it has four times as many.
+/// Reading and flattening; before merging there are four times as many vectors.
 #[divan::bench]
 fn read_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
     let source = Source::from(waves().as_str());
@@ -57,7 +57,7 @@ fn read_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
         .bench_local(|| source.read(&options));
 }
 
-/// The aim is below a second, so that the plan is there in two.
+/// The target is below a second, so that the plan is ready in two.
 #[divan::bench(args = [1, 65_535], sample_count = 5)]
 fn read_a_million_segments_in_paths(bencher: Bencher<'_, '_>, paths: u32) {
     let source = Source::from(short_lines(1_000_000, paths).as_str());
@@ -74,7 +74,7 @@ fn read_10_000_dots(bencher: Bencher<'_, '_>) {
         .bench_local(|| source.read(&ReadOptions::default()));
 }
 
-/// Text as long as may be, in letters of single lines.
+/// The longest allowed text, in single-stroke letters.
 #[divan::bench]
 fn write_20_000_letters(bencher: Bencher<'_, '_>) {
     let source = Source::Text(Text::new("Hamburgefonts, 0123!\n".repeat(950)));
@@ -83,7 +83,7 @@ fn write_20_000_letters(bencher: Bencher<'_, '_>) {
         .bench_local(|| source.read(&ReadOptions::default()));
 }
 
-/// The whole way, from the text of the file to the plan.
+/// All steps, from the text of the file to the plan.
 #[divan::bench(sample_count = 20)]
 fn prepare_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
     let source = Source::from(waves().as_str());
@@ -138,7 +138,7 @@ fn spiral(points: u32) -> Stroke {
     Stroke::open((0..=points).map(at).collect())
 }
 
-/// Lines of waves that become some 50,000 vectors at the default tolerance.
+/// Wavy lines that become some 50,000 vectors at the default tolerance.
 fn waves() -> String {
     let mut svg =
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="120mm" viewBox="0 0 200 120" fill="none" stroke="black">"#
@@ -151,7 +151,7 @@ fn waves() -> String {
     svg + "</svg>"
 }
 
-/// So many segments shared out to paths; without any, the paths are dots.
+/// Distributes segments over paths; without segments, the paths are dots.
 fn short_lines(segments: u32, paths: u32) -> String {
     let mut svg =
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="120mm" viewBox="0 0 200 120" fill="none" stroke="black" stroke-linecap="round">"#
@@ -176,7 +176,7 @@ fn short_lines(segments: u32, paths: u32) -> String {
     svg + "</svg>"
 }
 
-/// Short strokes all over the place; the same ones every time.
+/// Short strokes at fixed pseudo-random places.
 fn scattered(count: u32) -> Vec<Stroke> {
     let mut state = 1_u64;
     let mut random = || {

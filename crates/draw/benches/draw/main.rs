@@ -1,4 +1,4 @@
-//! What drawings cost: `cargo bench -p dobot-draw`.
+//! Benchmarks of drawings: `cargo bench -p dobot-draw`.
 
 mod drawing;
 mod shape;

@@ -1,4 +1,4 @@
-//! What merging, hatching and clipping cost: `cargo bench -p dobot-draw -- shape`.
+//! Benchmarks of merging, hatching and clipping: `cargo bench -p dobot-draw -- shape`.
 
 use std::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use divan::counter::ItemsCount;
 use dobot_draw::{Hatch, hatch, merge, simplify};
 use dobot_geometry::{Area, FillRule, Point, Stroke, Vec2};
 
-/// The aim is below 300 ns per point, whatever the stroke looks like.
+/// The target is below 300 ns per point for any stroke.
 #[divan::bench(args = LONG, sample_count = 3, sample_size = 1)]
 fn simplify_1_000_000_points(bencher: Bencher<'_, '_>, name: &str) {
     let stroke = Stroke::open((0..1_000_000).map(|i| long(name, i)).collect());
@@ -16,7 +16,7 @@ fn simplify_1_000_000_points(bencher: Bencher<'_, '_>, name: &str) {
         .bench_local(|| simplify(&stroke, 0.05));
 }
 
-/// Letters: as short as strokes are, and all of them curved.
+/// Letters: short strokes, all of them curved.
 #[divan::bench(sample_count = 10)]
 fn simplify_10_000_strokes_of_60_points(bencher: Bencher<'_, '_>) {
     let letter = Stroke::open((0..60).map(|i| swirl(f64::from(i) / 12.0)).collect());
@@ -29,7 +29,7 @@ fn simplify_10_000_strokes_of_60_points(bencher: Bencher<'_, '_>) {
         });
 }
 
-/// The segments of a Hilbert curve in any order and direction become one stroke again.
+/// The segments of a Hilbert curve in any order and direction, which become one stroke again.
 #[divan::bench(sample_count = 10)]
 fn merge_65_535_segments(bencher: Bencher<'_, '_>) {
     let count = 65_535_u32;
@@ -42,7 +42,7 @@ fn merge_65_535_segments(bencher: Bencher<'_, '_>) {
         };
         Stroke::open(vec![a, b])
     };
-    // 7919 is prime to their number: each comes once.
+    // 7919 is coprime to their number, so each comes once.
     let shuffled = (0..count).map(|i| segment(i * 7919 % count));
     let segments: Vec<Stroke> = shuffled.collect();
     assert_eq!(merge(segments.clone(), 0.05).len(), 1);
@@ -52,7 +52,7 @@ fn merge_65_535_segments(bencher: Bencher<'_, '_>) {
         .bench_local_values(|segments| merge(segments, 0.05));
 }
 
-/// A star of 20,000 corners, crossed more than half a million times.
+/// A star of 20,000 corners with more than half a million crossings.
 #[divan::bench(sample_count = 10)]
 fn hatch_a_star_of_20_000_corners(bencher: Bencher<'_, '_>) {
     let corner = |i: u32| {
@@ -79,7 +79,7 @@ const LONG: [&str; 6] = [
     "wavering line",
 ];
 
-/// A point of a long stroke.
+/// Returns a point of a long stroke.
 fn long(name: &str, i: u32) -> Point {
     let t = f64::from(i);
     match name {
@@ -101,7 +101,7 @@ fn swirl(t: f64) -> Point {
     Point::new(t + 3.0 * t.sin(), 4.0 * (t * 0.7).cos())
 }
 
-/// A point of the curve that goes through 65,536 places, half a millimetre apart.
+/// Returns a point of the curve through 65,536 places, half a millimetre apart.
 fn hilbert(i: u32) -> Point {
     let (mut x, mut y) = (0, 0);
     for level in 0..8 {
@@ -121,7 +121,7 @@ fn hilbert(i: u32) -> Point {
     Point::new(0.5 * f64::from(x), 0.5 * f64::from(y))
 }
 
-/// From 0 to 1, the same every time.
+/// Returns a fixed pseudo-random number from 0 to 1.
 fn noise(i: u32) -> f64 {
     let mixed = (u64::from(i) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mixed = (mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

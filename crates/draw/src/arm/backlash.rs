@@ -1,17 +1,17 @@
-//! A drawing for an arm whose joints are slack: where one turns back, its motor turns through the gap first.
+//! Backlash compensation: where a joint reverses, its motor first turns through the gap.
 //!
 //! ```text
-//!   true    a -------- b -------- c        at b a joint turns back
-//!   told    a -------- b, b' ----- c'      b' takes up the slack: the tool stays where it is
+//!   calibrated    a -------- b -------- c        at b a joint reverses
+//!   raw           a -------- b, b' ----- c'      b' takes up the backlash: the tool stays in place
 //! ```
 //!
-//! The height is not changed: a pen gives by more.
+//! The height is not changed: the pen's spring absorbs more.
 
 use dobot_arm::{Calibration, Joints, Pose, Position, Tool, forward, inverse};
 use dobot_geometry::{Point, Stroke};
 use dobot_plan::{DrawingTool, Paper, Pass};
 
-/// The passes, in the order in which they are drawn, with the slack of the joints taken up.
+/// Compensates the backlash in passes, which must be in drawing order.
 pub(crate) fn compensated(passes: Vec<Pass>, paper: &Paper, arm: &Calibration) -> Vec<Pass> {
     if arm.backlash_deg == [0.0; 3] {
         return passes;
@@ -30,26 +30,30 @@ pub(crate) fn compensated(passes: Vec<Pass>, paper: &Paper, arm: &Calibration) -
             DrawingTool::Pen(pen) => pen.lift_mm,
             DrawingTool::Laser(_) => 0.0,
         };
-        let strokes = pass.strokes.into_iter().map(|it| walk.stroke(it)).collect();
+        let strokes = pass
+            .strokes
+            .into_iter()
+            .map(|stroke| walk.stroke(stroke))
+            .collect();
         Pass { strokes, ..pass }
     };
     passes.into_iter().map(pass).collect()
 }
 
-/// How far from where the tool is to be the arm may be told to go, in mm.
+/// Returns the maximum distance between commanded and actual position, in mm.
 pub(crate) fn most_mm(arm: &Calibration) -> f64 {
     let slack_deg: f64 = arm.backlash_deg.iter().sum();
     slack_deg.to_radians() * FARTHEST_MM
 }
 
-/// Goes along all strokes, and knows which way each joint turned last.
+/// Walks along all strokes and tracks the direction in which each joint turned last.
 struct Walk<'a> {
     paper: &'a Paper,
     arm: &'a Calibration,
     tool: Tool,
     lift_mm: f64,
     turned_deg: [f64; 3],
-    /// Where the last stroke ended.
+    /// The end of the last stroke.
     at: Option<Point>,
 }
 
@@ -75,7 +79,7 @@ impl Walk<'_> {
         Stroke { points, ..stroke }
     }
 
-    /// The way to a stroke: along, then down.
+    /// Moves to a stroke: across, then down.
     fn arrive(&mut self, first: Point) {
         if let Some(at) = self.at {
             let near = at.lerp(first, NEARLY_THERE);
@@ -85,7 +89,7 @@ impl Walk<'_> {
             );
         }
         if self.lift_mm > 0.0 {
-            let [above, below] = [self.lift_mm, 0.0].map(|it| self.joints(first, it));
+            let [above, below] = [self.lift_mm, 0.0].map(|above_mm| self.joints(first, above_mm));
             let base = self.turned_deg[0];
             self.turn(above, below);
             self.turned_deg[0] = base;
@@ -116,7 +120,7 @@ impl Walk<'_> {
         inverse(&pose, self.tool).ok()
     }
 
-    /// Where on the paper the arm has to be told to be, for the tool to be over that place.
+    /// Returns the commanded place on the paper for the tool to be over the wanted one.
     fn raw(&self, wanted: Point) -> Point {
         let mut raw = wanted;
         for _ in 0..ROUNDS {
@@ -131,7 +135,7 @@ impl Walk<'_> {
     }
 }
 
-/// A line in pieces on which no joint turns back.
+/// Splits a line where a joint reverses.
 fn even(from: Point, to: Point, joints: impl Fn(Point) -> Option<Joints>) -> Vec<(Point, Point)> {
     #[expect(
         clippy::cast_possible_truncation,
@@ -142,7 +146,7 @@ fn even(from: Point, to: Point, joints: impl Fn(Point) -> Option<Joints>) -> Vec
     let at = |part: u32| from.lerp(to, f64::from(part) / f64::from(parts));
     let signs = |part: u32| {
         let (a, b) = joints(at(part)).zip(joints(at(part + 1)))?;
-        Some([b.base - a.base, b.rear - a.rear, b.fore - a.fore].map(|it| it.0 > 0.0))
+        Some([b.base - a.base, b.rear - a.rear, b.fore - a.fore].map(|angle| angle.0 > 0.0))
     };
     let mut ends = vec![from];
     ends.extend(
@@ -154,17 +158,17 @@ fn even(from: Point, to: Point, joints: impl Fn(Point) -> Option<Joints>) -> Vec
     ends.windows(2).map(|pair| (pair[0], pair[1])).collect()
 }
 
-/// No tool is farther from a joint, in mm.
+/// The maximum distance of a tool from a joint, in mm.
 const FARTHEST_MM: f64 = 350.0;
-/// So often a place is looked for: each round leaves a hundredth.
+/// The number of iterations: each one reduces the error to a hundredth.
 const ROUNDS: usize = 4;
-/// What turns less than this does not turn.
+/// The angle below which a joint does not turn.
 const STILL_DEG: f64 = 1e-4;
-/// A line is looked at in pieces this long.
+/// The length of the pieces in which a line is examined.
 const LOOK_MM: f64 = 1.0;
-/// The end of a way tells how the joints turn there.
+/// The end of a path shows the direction of the joints there.
 const NEARLY_THERE: f64 = 0.99;
-/// Two points as near as this are one.
+/// The distance below which two points are equal.
 const SAME_MM: f64 = 1e-6;
 
 #[cfg(test)]
@@ -180,7 +184,7 @@ mod tests {
         ..Calibration::NONE
     };
 
-    /// Where the tool goes: each joint follows its motor through its gap.
+    /// Returns the path of the tool: each joint follows its motor through its gap.
     fn drawn(raw: &[Point], paper: &Paper, mut joints: Joints) -> Vec<Point> {
         let walk = Walk {
             paper,
@@ -226,7 +230,7 @@ mod tests {
             ..Pass::new(DrawingTool::Pen(Pen::default()), Vec::new())
         };
         let off_mm = |raw: &[Point]| {
-            // It came down on to the paper: rear arm and forearm were turned on, or back, by that.
+            // The pen came down on to the paper, which turned rear arm and forearm.
             let walk = Walk {
                 paper: &paper,
                 arm: &SLACK,
@@ -240,13 +244,13 @@ mod tests {
             let off = ink
                 .iter()
                 .skip(30)
-                .map(|it| (it.distance(middle) - 30.0).abs());
+                .map(|p| (p.distance(middle) - 30.0).abs());
             off.fold(0.0, f64::max)
         };
         let raw = compensated(vec![pass(&circle)], &paper, &SLACK);
         let (before, after) = (off_mm(&circle), off_mm(&raw[0].strokes[0].points));
         assert!(before > 0.8, "{before} mm without");
-        // While one joint's slack is taken up, the others turn a little too.
+        // While the backlash of one joint is taken up, the others turn slightly too.
         assert!(after < 0.3, "{after} mm with it, {before} without");
     }
 

@@ -1,4 +1,4 @@
-//! A drawing in the own places of an arm that is not as drawn.
+//! Conversion of a drawing to the raw positions of a calibrated arm.
 
 use dobot_api::PaperPlane;
 use dobot_arm::Position;
@@ -9,11 +9,11 @@ use crate::layout::place::PlaceError;
 use crate::options::OptionsError;
 use crate::prepare::Settings;
 
-/// The paper as a calibration knows it.
+/// Returns the paper of a calibration.
 ///
 /// # Errors
 ///
-/// [`OptionsError::NoSurface`] where its heights span none.
+/// [`OptionsError::NoSurface`] if its heights span no surface.
 pub fn known_paper(known: &PaperPlane) -> Result<Paper, OptionsError> {
     let paper = Paper::sloping(known.plane());
     if known.heights.is_empty() {
@@ -23,7 +23,7 @@ pub fn known_paper(known: &PaperPlane) -> Result<Paper, OptionsError> {
     Ok(paper.bent(heights))
 }
 
-/// The passes as the arm has to be told them.
+/// Converts passes to raw positions.
 pub(crate) fn raw_passes(passes: Vec<Pass>, settings: &Settings) -> Result<Vec<Pass>, PlaceError> {
     let raw = |pass: Pass| {
         let strokes = raw_strokes(pass.strokes, pass.tool, settings)?;
@@ -32,7 +32,7 @@ pub(crate) fn raw_passes(passes: Vec<Pass>, settings: &Settings) -> Result<Vec<P
     passes.into_iter().map(raw).collect()
 }
 
-/// The strokes as the arm has to be told them: what is straight on the paper is bent to it.
+/// Converts strokes to raw positions; straight lines on the paper become curved.
 pub(crate) fn raw_strokes(
     strokes: Vec<Stroke>,
     tool: DrawingTool,
@@ -42,9 +42,12 @@ pub(crate) fn raw_strokes(
         return Ok(strokes);
     };
     let arm = known.arm();
-    let paper = known.paper.as_ref().and_then(|it| known_paper(it).ok());
+    let paper = known
+        .paper
+        .as_ref()
+        .and_then(|paper| known_paper(paper).ok());
     let raw = |p: Point| {
-        let z_mm = paper.as_ref().map_or(0.0, |it| it.z_at(p));
+        let z_mm = paper.as_ref().map_or(0.0, |paper| paper.z_at(p));
         let there = Position::new(p.x, p.y, z_mm);
         let raw = arm.told_place(there, tool.end_effector());
         let raw = raw.map_err(|reason| PlaceError::OutOfReach {
@@ -55,17 +58,17 @@ pub(crate) fn raw_strokes(
         })?;
         Ok(Point::new(raw.x.0, raw.y.0))
     };
-    let stroke = |it: Stroke| {
-        let points = dense(&it.points).into_iter().map(raw);
+    let stroke = |stroke: Stroke| {
+        let points = dense(&stroke.points).into_iter().map(raw);
         Ok(Stroke {
             points: points.collect::<Result<_, _>>()?,
-            ..it
+            ..stroke
         })
     };
     strokes.into_iter().map(stroke).collect()
 }
 
-/// The same stroke with lines so short that they do not leave the paper where it is curved.
+/// Splits the lines of a stroke so that they stay on curved paper.
 pub(crate) fn shortened(stroke: Stroke, paper: &Paper) -> Stroke {
     if !paper.is_curved() {
         return stroke;
@@ -77,7 +80,7 @@ pub(crate) fn shortened(stroke: Stroke, paper: &Paper) -> Stroke {
     Stroke { points, ..stroke }
 }
 
-/// Adds the way from `a`, which is there already, to `b`.
+/// Appends the path from `a`, which is there already, to `b`.
 fn halved(a: Point, b: Point, paper: &Paper, points: &mut Vec<Point>) {
     let middle = a.midpoint(b);
     let ends = [paper.z_at(a), paper.z_at(b)];
@@ -85,7 +88,7 @@ fn halved(a: Point, b: Point, paper: &Paper, points: &mut Vec<Point>) {
         let straight_mm = ends[0] + (ends[1] - ends[0]) * share;
         (paper.z_at(a.lerp(b, share)) - straight_mm).abs() > OFF_PAPER_MM
     };
-    // Paper that is bent both ways may be met in the middle.
+    // Paper with an S-shaped bend may meet the line in the middle, so check three places.
     let is_off = [0.25, 0.5, 0.75].into_iter().any(is_off);
     if is_off && a.distance(b) > SHORTEST_MM {
         halved(a, middle, paper, points);
@@ -95,7 +98,7 @@ fn halved(a: Point, b: Point, paper: &Paper, points: &mut Vec<Point>) {
     }
 }
 
-/// The points, and more between those that are far apart.
+/// Returns the points with more points in between where they are far apart.
 fn dense(points: &[Point]) -> Vec<Point> {
     let mut all: Vec<Point> = points.first().copied().into_iter().collect();
     for pair in points.windows(2) {
@@ -104,8 +107,10 @@ fn dense(points: &[Point]) -> Vec<Point> {
     all
 }
 
-/// A line this long bends by less than a hundredth of a millimetre, with zeros of 25 degrees too.
+/// A line of this length bends by less than a hundredth of a millimetre, even with zero errors of
+/// 25 degrees.
 const STEP_MM: f64 = 4.0;
-/// How far a vector may leave the paper between its ends: less than a pen gives.
+/// The maximum distance of a vector from the paper between its ends: less than the travel of the
+/// pen's spring.
 const OFF_PAPER_MM: f64 = 0.02;
 const SHORTEST_MM: f64 = 1.0;

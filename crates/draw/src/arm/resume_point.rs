@@ -1,4 +1,4 @@
-//! Where to begin: what is left to draw of passes in their order.
+//! The resume point of an interrupted drawing.
 
 use std::str::FromStr;
 
@@ -8,27 +8,27 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Where to begin, so that a drawing can be finished that was broken off: `layer:NAME`, `stroke:NUMBER` or
-/// a share such as `40%`.
+/// The resume point of an interrupted drawing: `layer:NAME`, `stroke:NUMBER` or a share such as
+/// `40%`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
 pub enum ResumePoint {
-    /// At a pass: its name, or its number from 1.
+    /// A pass: its name, or its number from 1.
     Pass(String),
-    /// At a stroke, counted from 1 through all passes, those that a laser burns several times so often.
+    /// A stroke, counted from 1 through all passes including repeated burns of a laser.
     Stroke(usize),
-    /// Where that share of all the length is drawn, of a laser all its times, in percent, from 0 to below 100: in the middle
-    /// of a stroke, if it lies there.
+    /// The drawn share of the total length including repeated burns, in percent, from 0 to below
+    /// 100. It may lie within a stroke.
     Percent(f64),
 }
 
 impl ResumePoint {
-    /// What is left to draw. A pass that is left in part keeps its message: its pen has to be put
-    /// in all the same.
+    /// Returns the rest of the drawing. A partially drawn pass keeps its message, because its pen
+    /// must be inserted again.
     ///
     /// # Errors
     ///
-    /// [`ResumePointError`] with what is allowed.
+    /// [`ResumePointError`] with the allowed values.
     pub fn rest_of(&self, passes: Vec<Pass>) -> Result<Vec<Pass>, ResumePointError> {
         match self {
             Self::Pass(pass) => from_pass(passes, pass),
@@ -72,49 +72,49 @@ impl From<ResumePoint> for String {
     }
 }
 
-/// Why a drawing cannot begin there.
+/// The error returned when a drawing has no such resume point.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ResumePointError {
-    /// No such pass.
-    #[error("there is no pass '{found}' to start from; there are: {}", numbered(.names))]
+    /// There is no such pass.
+    #[error("there is no pass '{found}' to resume at; the passes are: {}", numbered(.names))]
     Pass {
-        /// What was asked for.
+        /// The requested pass.
         found: String,
         /// The names of the passes.
         names: Vec<String>,
     },
-    /// No such stroke.
-    #[error("there is no stroke {found} to start from; allowed is 1 to {strokes}")]
+    /// There is no such stroke.
+    #[error("there is no stroke {found} to resume at; allowed are 1 to {strokes}")]
     Stroke {
-        /// What was asked for.
+        /// The requested stroke.
         found: usize,
-        /// How many strokes there are.
+        /// The number of strokes.
         strokes: usize,
     },
-    /// No such share.
-    #[error("a drawing cannot start from {0} %; allowed is 0 to below 100")]
+    /// The share is out of range.
+    #[error("a drawing cannot resume at {0} %; allowed are 0 to below 100")]
     Percent(f64),
 }
 
-/// A name counts before a number: a pass may be called "2".
+/// A name takes precedence over a number: a pass may be called "2".
 fn from_pass(mut passes: Vec<Pass>, pass: &str) -> Result<Vec<Pass>, ResumePointError> {
     let by_number = || {
         let number: usize = pass.parse().ok()?;
-        number.checked_sub(1).filter(|&it| it < passes.len())
+        number.checked_sub(1).filter(|&index| index < passes.len())
     };
-    let by_name = passes.iter().position(|it| it.name == pass);
+    let by_name = passes.iter().position(|other| other.name == pass);
     let Some(first) = by_name.or_else(by_number) else {
         return Err(ResumePointError::Pass {
             found: pass.to_owned(),
-            names: passes.into_iter().map(|it| it.name).collect(),
+            names: passes.into_iter().map(|pass| pass.name).collect(),
         });
     };
     Ok(passes.split_off(first))
 }
 
 fn from_stroke(passes: Vec<Pass>, stroke: usize) -> Result<Vec<Pass>, ResumePointError> {
-    let strokes = passes.iter().map(|it| it.drawn().count()).sum();
+    let strokes = passes.iter().map(|pass| pass.drawn().count()).sum();
     if !(1..=strokes).contains(&stroke) {
         let found = stroke;
         return Err(ResumePointError::Stroke { found, strokes });
@@ -138,8 +138,8 @@ fn from_percent(passes: Vec<Pass>, percent: f64) -> Result<Vec<Pass>, ResumePoin
     Ok(after(passes, whole, drawn_mm))
 }
 
-/// The passes without so many strokes, and so much of the next one, as they are drawn, and without the passes of which
-/// nothing is left.
+/// Returns the passes without the first strokes and the first part of the next one, in drawing
+/// order. Empty passes are omitted.
 fn after(passes: Vec<Pass>, mut strokes: usize, mut drawn_mm: f64) -> Vec<Pass> {
     let mut rest = Vec::new();
     for pass in passes {
@@ -154,8 +154,9 @@ fn after(passes: Vec<Pass>, mut strokes: usize, mut drawn_mm: f64) -> Vec<Pass> 
     rest
 }
 
-/// What is left of a pass of which so many strokes, and so much of the next one, are drawn. What a laser burns several times
-/// becomes several passes: what is left of the time that was broken off, and the times to come.
+/// Returns the rest of a pass after some strokes and a part of the next one. Repeated burns of a
+/// laser become several passes: the rest of the interrupted repetition, and the remaining
+/// repetitions.
 fn rest_of_pass(pass: &Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
     let (count, times) = (pass.strokes.len(), pass.tool.times());
     let goes_on = matches!(pass.tool, DrawingTool::Laser(laser) if laser.by_stroke);
@@ -188,7 +189,9 @@ fn rest_of_pass(pass: &Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
             (all.to_vec(), left - u32::from(is_begun)),
         ]
     };
-    let parts = parts.into_iter().filter(|it| !it.0.is_empty() && it.1 > 0);
+    let parts = parts
+        .into_iter()
+        .filter(|part| !part.0.is_empty() && part.1 > 0);
     let part = |(number, (strokes, times)): (usize, (Vec<Stroke>, u32))| Pass {
         name: pass.name.clone(),
         tool: pass.tool.times_over(times),
@@ -199,7 +202,7 @@ fn rest_of_pass(pass: &Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
     parts.enumerate().map(part).collect()
 }
 
-/// What is left of a stroke of which so much is drawn.
+/// Returns the rest of a stroke after a drawn length.
 fn rest_of_stroke(stroke: &Stroke, mut drawn_mm: f64) -> Stroke {
     for (i, (a, b)) in stroke.segments().enumerate() {
         let length_mm = a.distance(b);
@@ -255,7 +258,9 @@ mod tests {
 
     fn rest(from: &ResumePoint) -> Vec<(String, Vec<Stroke>)> {
         let rest = from.rest_of(passes()).unwrap();
-        rest.into_iter().map(|it| (it.name, it.strokes)).collect()
+        rest.into_iter()
+            .map(|pass| (pass.name, pass.strokes))
+            .collect()
     }
 
     #[test]
@@ -290,7 +295,7 @@ mod tests {
         let left = |by_stroke, from: ResumePoint| -> Vec<(u32, Vec<Stroke>)> {
             let rest = from.rest_of(laser(by_stroke)).unwrap();
             rest.into_iter()
-                .map(|it| (it.tool.times(), it.strokes))
+                .map(|pass| (pass.tool.times(), pass.strokes))
                 .collect()
         };
         let (short, long) = (line(0.0, 10.0), line(20.0, 40.0));
@@ -343,7 +348,7 @@ mod tests {
     fn a_pass_without_a_name_is_reported_by_its_number() {
         let passes = vec![pass("", vec![Stroke::open(vec![Point::default()])])];
         let error = ResumePoint::Pass("red".to_owned()).rest_of(passes);
-        let expected = "there is no pass 'red' to start from; there are: 1";
+        let expected = "there is no pass 'red' to resume at; the passes are: 1";
         assert_eq!(error.unwrap_err().to_string(), expected);
     }
 
@@ -353,21 +358,23 @@ mod tests {
         for name in ["green", "0", "3"] {
             assert_eq!(
                 error(ResumePoint::Pass(name.to_owned())),
-                format!("there is no pass '{name}' to start from; there are: 1 (red), 2 (blue)")
+                format!(
+                    "there is no pass '{name}' to resume at; the passes are: 1 (red), 2 (blue)"
+                )
             );
         }
         assert_eq!(
             error(ResumePoint::Stroke(4)),
-            "there is no stroke 4 to start from; allowed is 1 to 3"
+            "there is no stroke 4 to resume at; allowed are 1 to 3"
         );
         assert_eq!(
             error(ResumePoint::Stroke(0)),
-            "there is no stroke 0 to start from; allowed is 1 to 3"
+            "there is no stroke 0 to resume at; allowed are 1 to 3"
         );
         for found in [-1.0, 100.0, f64::NAN] {
             assert_eq!(
                 error(ResumePoint::Percent(found)),
-                format!("a drawing cannot start from {found} %; allowed is 0 to below 100")
+                format!("a drawing cannot resume at {found} %; allowed are 0 to below 100")
             );
         }
     }
@@ -399,7 +406,7 @@ mod tests {
             let all_mm: f64 = all.iter().sum();
             let left_mm: f64 = rest.iter().sum();
             prop_assert!((left_mm - all_mm * (1.0 - percent / 100.0)).abs() < 1e-6);
-            // What is left goes on as it would have without a break.
+            // The rest continues as it would have without the interruption.
             if let Some(later) = rest.get(1..) {
                 prop_assert_eq!(later, &all[all.len() - later.len()..]);
             }

@@ -1,29 +1,29 @@
-//! Lines end where the arm's reach does.
+//! Clipping of lines to the arm's reach.
 
 use dobot_geometry::{Point, Rect, Stroke};
 
-/// What is left of strokes that were cut.
+/// The result of clipping.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Clipped {
-    /// The parts inside; a stroke that leaves and comes back becomes several.
+    /// The parts inside; a stroke that leaves and returns becomes several.
     pub strokes: Vec<Stroke>,
-    /// How much of the lines lay outside, in mm.
+    /// The length of the lines outside, in mm.
     pub cut_mm: f64,
-    /// How many dots lay outside.
+    /// The number of dots outside.
     pub cut_dots: usize,
 }
 
 impl Clipped {
-    /// Whether nothing lay outside.
+    /// Whether nothing was outside.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         self.cut_mm == 0.0 && self.cut_dots == 0
     }
 }
 
-/// Cuts strokes where `inside` says that a place cannot be reached: that is asked at least every
-/// millimetre `within` which all such places lie, and the border is found to a hundredth of one. No part outside is kept;
-/// one that is less than a millimetre long may be overlooked.
+/// Clips strokes to the places for which `inside` returns true. It is evaluated at least every
+/// millimetre in the area `within`, which contains all other places, and the border is located to a
+/// hundredth of a millimetre. No part outside is kept; one shorter than a millimetre may be missed.
 #[must_use]
 pub fn clip_to_reach(strokes: &[Stroke], within: Rect, inside: impl Fn(Point) -> bool) -> Clipped {
     let mut clipped = Clipped::default();
@@ -50,13 +50,13 @@ pub fn clip_to_reach(strokes: &[Stroke], within: Rect, inside: impl Fn(Point) ->
     clipped
 }
 
-/// What is left of one stroke.
+/// The remaining pieces of a stroke.
 #[derive(Debug)]
 struct StrokePieces {
     done: Vec<Vec<Point>>,
-    /// What goes on into the next segment, if anything.
+    /// The points of the piece that continues in the next segment.
     current: Vec<Point>,
-    /// The stroke begins inside.
+    /// Whether the stroke begins inside.
     begins: bool,
     whole: bool,
     cut_mm: f64,
@@ -105,7 +105,8 @@ impl StrokePieces {
         }
     }
 
-    /// The pieces; of a closed stroke the last goes on with the first where both are at its begin.
+    /// Returns the pieces. In a closed stroke, the last one continues with the first if both are
+    /// inside at its start.
     fn strokes(mut self, closed: bool) -> impl Iterator<Item = Stroke> {
         if closed && self.begins && !self.current.is_empty() && !self.done.is_empty() {
             let first = std::mem::take(&mut self.done[0]);
@@ -117,7 +118,7 @@ impl StrokePieces {
     }
 }
 
-/// The shares of a segment that can be reached, from 0 at its begin to 1 at its end.
+/// Returns the reachable shares of a segment, from 0 at its start to 1 at its end.
 fn reached(a: Point, b: Point, within: Rect, inside: &impl Fn(Point) -> bool) -> Vec<(f64, f64)> {
     let mut shares = Vec::new();
     let Some((first, last)) = overlap(a, b, within) else {
@@ -152,7 +153,7 @@ fn reached(a: Point, b: Point, within: Rect, inside: &impl Fn(Point) -> bool) ->
     shares
 }
 
-/// From which share of a segment to which it lies in a rectangle.
+/// Returns the share of a segment inside a rectangle.
 fn overlap(a: Point, b: Point, within: Rect) -> Option<(f64, f64)> {
     let way = b - a;
     if !(a.is_finite() && way.is_finite()) {
@@ -176,7 +177,7 @@ fn overlap(a: Point, b: Point, within: Rect) -> Option<(f64, f64)> {
     (first < last).then_some((first, last))
 }
 
-/// The last share inside before the border.
+/// Returns the last share inside before the border.
 fn border(mut out: f64, mut inn: f64, length_mm: f64, reaches: &impl Fn(f64) -> bool) -> f64 {
     while (out - inn).abs() * length_mm > BORDER_MM {
         let middle = f64::midpoint(out, inn);
@@ -210,7 +211,7 @@ mod tests {
         (0.0..=10.0).contains(&p.x) && (0.0..=10.0).contains(&p.y)
     }
 
-    /// Whether the points are the same but for a hundredth of a millimetre, to which borders are found.
+    /// Whether the points agree to the hundredth of a millimetre to which borders are located.
     fn is_near(found: &[Stroke], wanted: &[Stroke]) -> bool {
         let is_same = |(a, b): (&Stroke, &Stroke)| {
             let points = a.points.iter().zip(&b.points);
@@ -220,7 +221,7 @@ mod tests {
         found.len() == wanted.len() && found.iter().zip(wanted).all(is_same)
     }
 
-    /// A ring around the origin, as the arm's reach is one.
+    /// A ring around the origin, like the arm's reach.
     fn in_ring(p: Point) -> bool {
         (5.0..=20.0).contains(&p.to_vec2().length())
     }
@@ -276,7 +277,7 @@ mod tests {
         let clipped = clip_to_reach(&[through], AROUND, in_ring);
         assert_eq!(clipped.strokes.len(), 2);
         let wanted = [-20.0, -5.0, 5.0, 20.0];
-        let found = clipped.strokes.iter().flat_map(|it| &it.points);
+        let found = clipped.strokes.iter().flat_map(|stroke| &stroke.points);
         for (p, wanted) in found.zip(wanted) {
             assert!((p.x - wanted).abs() <= 0.01 && in_ring(*p), "{p:?}");
         }
@@ -341,7 +342,7 @@ mod tests {
             for (clipped, bounds) in clips {
                 let length = length_mm(&clipped.strokes) + clipped.cut_mm;
                 prop_assert!((length - length_mm(&strokes)).abs() < 1e-6);
-                for p in clipped.strokes.iter().flat_map(|it| &it.points) {
+                for p in clipped.strokes.iter().flat_map(|stroke| &stroke.points) {
                     prop_assert!(bounds.overlaps(Rect::from_points(*p, *p)), "{p:?}");
                 }
             }

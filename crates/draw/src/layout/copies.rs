@@ -1,4 +1,4 @@
-//! Copies of a drawing, or several drawings, side by side.
+//! Copies of a drawing, or several drawings, in a grid.
 
 use std::str::FromStr;
 
@@ -7,14 +7,14 @@ use dobot_import::Artwork;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Copies or files in columns and rows, as in `3x2`: three beside each other, two below each other.
+/// A grid of columns and rows for copies or files, as in `3x2`: three columns and two rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
 #[schemars(with = "String")]
 pub struct Grid {
-    /// How many stand beside each other.
+    /// The number of columns.
     pub columns: u32,
-    /// How many stand below each other.
+    /// The number of rows.
     pub rows: u32,
 }
 
@@ -23,7 +23,12 @@ impl FromStr for Grid {
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let counts = text.split_once(['x', 'X']);
-        let number = |it: &str| it.trim().parse().ok().filter(|it| (1..=100).contains(it));
+        let number = |text: &str| {
+            text.trim()
+                .parse()
+                .ok()
+                .filter(|number| (1..=100).contains(number))
+        };
         counts
             .and_then(|(columns, rows)| {
                 Some(Self {
@@ -49,10 +54,13 @@ impl TryFrom<String> for Grid {
     }
 }
 
-/// A page whose cells hold the ink of these pages, one after the other and then from the first again, so far
-/// apart. All cells are as large as the largest of them, and each holds its ink in its middle.
+/// Returns a page with the ink of these pages in cells, repeated from the first, with a gap in
+/// between. All cells have the size of the largest one, and the ink is centred in each.
 pub(crate) fn in_cells(artworks: &[Artwork], grid: Grid, gap_mm: f64) -> Artwork {
-    let inks: Vec<Rect> = artworks.iter().map(|it| bounds(it.points())).collect();
+    let inks: Vec<Rect> = artworks
+        .iter()
+        .map(|artwork| bounds(artwork.points()))
+        .collect();
     let largest = |side: fn(&Rect) -> f64| inks.iter().map(side).fold(0.0, f64::max);
     let cell = Vec2::new(largest(Rect::width), largest(Rect::height));
     let step = cell + Vec2::new(gap_mm, gap_mm);
@@ -96,7 +104,7 @@ mod tests {
         };
         let all = in_cells(&[page], "2x3".parse().unwrap(), 5.0);
         assert_eq!((all.width_mm, all.height_mm), (25.0, 70.0));
-        let places = all.layers[0].strokes.iter().map(|it| it.points[0]);
+        let places = all.layers[0].strokes.iter().map(|stroke| stroke.points[0]);
         let places: Vec<_> = places.map(|p| (p.x, p.y)).collect();
         assert_eq!(places[..3], [(0.0, 0.0), (15.0, 0.0), (0.0, 25.0)]);
         assert_eq!(places.len(), 6);

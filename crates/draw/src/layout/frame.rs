@@ -1,33 +1,34 @@
-//! Once around a drawing before it is made: does it lie where it should?
+//! The outline of a drawing, traced before drawing to check its position.
 
 use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_plan::{ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, Plan, PlanError, detour};
 
-/// What is gone around.
+/// The shape of the outline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FrameShape {
-    /// The upright rectangle around the ink.
+    /// The bounding rectangle of the ink.
     #[default]
     Rectangle,
-    /// The shortest line around the ink.
+    /// The convex hull of the ink.
     Hull,
 }
 
-/// A plan that goes once around what the passes draw, at their travel speed: the pen up, or the
-/// laser off at the height at which it burns. It ends where it begins. Around a single dot there is
-/// no way: the plan only goes there.
+/// Plans a closed path around the ink of the passes at travel speed, with the pen up, or with the
+/// laser off at its burning height. For a single dot, the plan only moves there.
 ///
 /// # Errors
 ///
-/// [`PlanError`] where there is nothing to go around or a setting makes no sense.
+/// [`PlanError`] if there is no ink or a setting is invalid.
 pub fn frame(
     passes: &[Pass],
     paper: &Paper,
     arm_limits: &ArmLimits,
     shape: FrameShape,
 ) -> Result<Plan, PlanError> {
-    let strokes = || passes.iter().flat_map(|it| &it.strokes);
-    let points: Vec<Point> = strokes().flat_map(|it| it.points.iter().copied()).collect();
+    let strokes = || passes.iter().flat_map(|pass| &pass.strokes);
+    let points: Vec<Point> = strokes()
+        .flat_map(|stroke| stroke.points.iter().copied())
+        .collect();
     let first = passes.first().filter(|_| !points.is_empty());
     let tool = first.ok_or(PlanError::NoStrokes)?.tool;
     let outline = match shape {
@@ -37,9 +38,9 @@ pub fn frame(
     let outline = around_arm(&outline, arm_limits.nearest_mm);
     let highest_mm = passes
         .iter()
-        .map(|it| it.tool.lift_mm())
+        .map(|pass| pass.tool.lift_mm())
         .fold(0.0, f64::max);
-    // A pen that is never lowered in the end.
+    // Plan with a pen; the lowering is removed below.
     let pen = Pen {
         lift_mm: LIFT_MM,
         draw_speed_mm_s: tool.travel_speed_mm_s(),
@@ -58,7 +59,7 @@ pub fn frame(
     Ok(without_ink(plan, tool))
 }
 
-/// The outline with the ways between its corners around the place where the arm stands.
+/// Returns the outline with detours around the arm's own position.
 fn around_arm(outline: &Stroke, nearest_mm: f64) -> Stroke {
     let legs = outline.segments();
     let points = legs.flat_map(|(a, b)| [vec![a], detour(a, b, nearest_mm)].concat());
@@ -68,7 +69,7 @@ fn around_arm(outline: &Stroke, nearest_mm: f64) -> Stroke {
     }
 }
 
-/// The plan without lowering and lifting: all of it is travel, with the tool it is made for.
+/// Removes lowering and lifting from a plan: the rest is travel with the original tool.
 fn without_ink(mut plan: Plan, tool: DrawingTool) -> Plan {
     plan.moves.retain(|vector| vector.kind.marks());
     for vector in &mut plan.moves {
@@ -86,7 +87,7 @@ fn rectangle(Rect { x0, y0, x1, y1 }: Rect) -> Stroke {
     closed(corners.map(|(x, y)| Point::new(x, y)).to_vec())
 }
 
-/// The convex hull: lower and upper chain of the points from left to right.
+/// Returns the convex hull: lower and upper chain of the points from left to right.
 fn hull(mut points: Vec<Point>) -> Stroke {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();
@@ -100,7 +101,7 @@ fn hull(mut points: Vec<Point>) -> Stroke {
     closed(around)
 }
 
-/// The points between which all others lie to the left.
+/// Returns the points of a chain with all others to the left.
 fn chain(points: impl Iterator<Item = Point>) -> Vec<Point> {
     let mut chain: Vec<Point> = Vec::new();
     for p in points {
@@ -122,7 +123,7 @@ fn closed(mut points: Vec<Point>) -> Stroke {
     }
 }
 
-/// The least that a pen may be lifted; taken out of the plan again.
+/// The minimum lift of a pen; removed from the plan again.
 const LIFT_MM: f64 = 0.1;
 
 #[cfg(test)]
@@ -149,17 +150,19 @@ mod tests {
         frame(&passes, &Paper::level(-40.0), &ArmLimits::default(), shape).unwrap()
     }
 
-    /// How often the way turns between its start and its end.
+    /// Returns the number of turns between start and end.
     fn turns(plan: &Plan) -> usize {
         let places: Vec<[f64; 3]> = std::iter::once(plan.start)
             .chain(plan.positions())
             .collect();
         let ways = places.windows(2);
         let angles: Vec<f64> = ways
-            .map(|it| (it[1][1] - it[0][1]).atan2(it[1][0] - it[0][0]))
+            .map(|pair| (pair[1][1] - pair[0][1]).atan2(pair[1][0] - pair[0][0]))
             .collect();
         let turns = angles.windows(2);
-        turns.filter(|it| (it[1] - it[0]).abs() > 0.01).count()
+        turns
+            .filter(|pair| (pair[1] - pair[0]).abs() > 0.01)
+            .count()
     }
 
     #[test]
@@ -172,10 +175,10 @@ mod tests {
         assert!((plan.start[2] + 33.0).abs() < 1e-9, "{:?}", plan.start);
         let places: Vec<[f64; 3]> = plan.positions().collect();
         assert!(
-            places.iter().all(|it| (it[2] + 33.0).abs() < 1e-5),
+            places.iter().all(|place| (place[2] + 33.0).abs() < 1e-5),
             "{places:?}"
         );
-        let seen = bounds(places.iter().map(|it| Point::new(it[0], it[1])));
+        let seen = bounds(places.iter().map(|place| Point::new(place[0], place[1])));
         assert_eq!(seen, Rect::new(200.0, -30.0, 220.0, 30.0));
         assert_eq!(turns(&plan), 3);
         assert_eq!(places.last().unwrap()[..2], plan.start[..2]);
@@ -233,7 +236,7 @@ mod tests {
                     prop_assert!((b - a).cross(p - a) >= 0.0, "{:?} {:?}", hull, p);
                 }
             }
-            prop_assert!(hull.points.iter().all(|it| points.contains(it)));
+            prop_assert!(hull.points.iter().all(|p| points.contains(p)));
         }
     }
 }

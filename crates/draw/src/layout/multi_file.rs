@@ -1,4 +1,4 @@
-//! Several files on one page, and a text below them.
+//! Several files on one page, with a text below.
 
 use dobot_geometry::{Rect, Vec2, bounds};
 use dobot_import::{Align, Artwork, Source};
@@ -7,23 +7,23 @@ use crate::layout::copies::in_cells;
 use crate::layout::place::PlaceError;
 use crate::prepare::Settings;
 
-/// All parts as one page: files each where it is on its own page, or side by side in the cells of a grid; texts
-/// below all files, at the side at which their lines meet.
+/// Combines all parts on one page: files at their places on their own pages or in the cells of a
+/// grid, and texts below all files, on the side to which their lines are aligned.
 ///
 /// # Errors
 ///
-/// [`PlaceError::Cells`] where the grid has fewer cells than there are files.
-pub(crate) fn together(
+/// [`PlaceError::Cells`] if the grid has fewer cells than there are files.
+pub(crate) fn combine(
     parts: Vec<(&Source, Artwork)>,
     settings: &Settings,
 ) -> Result<Artwork, PlaceError> {
-    let is_text = |it: &(&Source, Artwork)| matches!(it.0, Source::Text(_));
+    let is_text = |file: &(&Source, Artwork)| matches!(file.0, Source::Text(_));
     let (texts, files): (Vec<_>, Vec<_>) = if parts.iter().all(is_text) {
         (Vec::new(), parts)
     } else {
         parts.into_iter().partition(is_text)
     };
-    let mut page = side_by_side(files.into_iter().map(|it| it.1).collect(), settings)?;
+    let mut page = side_by_side(files.into_iter().map(|file| file.1).collect(), settings)?;
     for (source, text) in texts {
         let align = match source {
             Source::Text(text) => text.align,
@@ -54,9 +54,9 @@ fn side_by_side(files: Vec<Artwork>, settings: &Settings) -> Result<Artwork, Pla
     Ok(page)
 }
 
-/// A page with a text below its ink. The page grows where the text would go beyond its edge.
+/// Adds a text below the ink of a page. The page grows if the text exceeds it.
 fn captioned(mut page: Artwork, text: Artwork, align: Align, gap_mm: f64) -> Artwork {
-    let [ink, letters] = [&page, &text].map(|it| bounds(it.points()));
+    let [ink, letters] = [&page, &text].map(|artwork| bounds(artwork.points()));
     let x = match align {
         Align::Left => ink.x0 - letters.x0,
         Align::Center => ink.center().x - letters.center().x,
@@ -107,9 +107,9 @@ mod tests {
             (&file, page("blue", (30.0, 5.0), (40.0, 5.0))),
             (&file, page("red", (70.0, 5.0), (80.0, 5.0))),
         ];
-        let all = together(parts, &Settings::default()).expect("there is no grid");
+        let all = combine(parts, &Settings::default()).expect("there is no grid");
         assert_eq!((all.width_mm, all.height_mm), (100.0, 50.0));
-        let names: Vec<_> = all.layers.iter().map(|it| it.name.as_str()).collect();
+        let names: Vec<_> = all.layers.iter().map(|layer| layer.name.as_str()).collect();
         assert_eq!(names, ["red", "blue"]);
         assert_eq!(place(&all, 0, 1), (70.0, 5.0));
     }
@@ -129,9 +129,9 @@ mod tests {
                 grid,
                 ..Settings::default()
             };
-            together(parts(), &settings)
+            combine(parts(), &settings)
         };
-        // Cells of 20 x 10 mm, 5 mm apart; b is in the middle of the second and the fourth.
+        // Cells of 20 x 10 mm, 5 mm apart; b is centred in the second and the fourth.
         let all = in_grid("2x2").expect("there are enough cells");
         assert_eq!((all.width_mm, all.height_mm), (45.0, 25.0));
         assert_eq!(place(&all, 0, 1), (0.0, 15.0));
@@ -162,7 +162,7 @@ mod tests {
             let text = text(align);
             let drawing = page("red", (10.0, 5.0), (70.0, 42.0));
             let parts = vec![(&text, letters.clone()), (&file, drawing)];
-            let all = together(parts, &Settings::default()).expect("there is no grid");
+            let all = combine(parts, &Settings::default()).expect("there is no grid");
             assert_eq!(place(&all, 1, 0), (x, 47.0));
             assert_eq!((all.width_mm, all.height_mm), (100.0, 57.0));
         }

@@ -1,4 +1,4 @@
-//! Where on the paper: from the sheet into the base frame, and whether the arm gets there.
+//! Placement on the paper, and the check of the arm's reach.
 
 use std::{fmt, iter};
 
@@ -10,44 +10,43 @@ use thiserror::Error;
 
 use crate::layout::sheet::SheetPlace;
 
-/// Where drawings go unless told otherwise or larger: 120 mm deep and 200 mm wide, all of it inside reach.
+/// The default drawing area: 120 mm deep and 200 mm wide, entirely within reach.
 pub const AREA: Rect = Rect::new(150.0, -100.0, 270.0, 100.0);
 
-/// Where on the paper a drawing goes, and how large.
+/// The position and size of a drawing on the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// The part of the base frame that is for drawing, in mm.
+    /// The drawing area in the base frame, in mm.
     pub area: Rect,
-    /// How much of the area stays empty along its edges, in mm, from 0 up.
+    /// The margin along its edges, in mm, at least 0.
     pub margin_mm: f64,
-    /// How large the drawing becomes.
+    /// The size of the drawing.
     pub size: Size,
-    /// Turns the drawing on the paper, counterclockwise, in degrees.
+    /// The rotation of the drawing on the paper, counterclockwise, in degrees.
     pub rotate_deg: f64,
-    /// Where its middle goes, in the base frame; the middle of the area if not given. A sheet has its
-    /// own place.
+    /// The centre in the base frame; by default that of the area. A sheet has its own position.
     pub center: Option<Point>,
-    /// How near and how far from its axis the arm reaches the paper, in mm: what is larger than the area
-    /// may go anywhere between.
+    /// The minimum and maximum distance from the axis at which the arm reaches the paper, in mm: a
+    /// drawing larger than the area may be placed anywhere in between.
     pub reach: Option<[f64; 2]>,
-    /// Whether left and right change sides.
+    /// Whether left and right are swapped.
     pub mirrors: bool,
-    /// The sheet that it goes on, instead of the area.
+    /// The sheet to draw on, instead of the area.
     pub sheet: Option<SheetPlace>,
-    /// Whether what lies beyond the sheet, or the arm does not reach, is cut off, instead of refused.
+    /// Whether parts beyond the sheet or out of reach are cut off instead of refused.
     pub clips: bool,
 }
 
 impl Placement {
-    /// Places what is on a page in the base frame.
+    /// Places a page in the base frame.
     ///
-    /// To a person behind the arm, looking forward, the drawing lies upright: its right is -Y and
-    /// its down is -X. What counts is the ink, not the page around it.
+    /// For a person behind the arm, looking forward, the drawing is upright: its right is -Y and
+    /// its down is -X. The ink is placed, not the page around it.
     ///
     /// # Errors
     ///
-    /// [`PlaceError`] where a setting is not a number or out of range, or the drawing is larger than
-    /// the area and neither fitted into it nor sent to a place of its own.
+    /// [`PlaceError`] if a setting is not a number or out of range, or the drawing is larger than
+    /// the area and neither fitted nor centred explicitly.
     pub fn place(&self, artwork: Artwork) -> Result<Placed, PlaceError> {
         let turn = self.turn()?;
         let side = if self.mirrors { -1.0 } else { 1.0 };
@@ -60,7 +59,7 @@ impl Placement {
                 ..
             } = artwork;
             let corners = [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)];
-            let page = bounds(corners.map(|it| turned(it.into())));
+            let page = bounds(corners.map(|corner| turned(corner.into())));
             return self.place_on(sheet, artwork, page, ink, turned);
         }
         let scale = self.scale(ink)?;
@@ -77,8 +76,8 @@ impl Placement {
         Ok(Placed { layers, scale })
     }
 
-    /// On a sheet the page of a file keeps its upper left corner, unless it is to be as large as fits; what
-    /// knows no page, and so has its ink as one, goes to the middle.
+    /// Places a page on a sheet: the page of a file keeps its upper left corner, unless it is
+    /// fitted; content without a page is centred.
     fn place_on(
         &self,
         sheet: &SheetPlace,
@@ -96,7 +95,7 @@ impl Placement {
             Size::Scaled(factor) if factor > 0.0 && factor.is_finite() => factor,
             Size::Scaled(factor) => return Err(PlaceError::Scale(factor)),
             Size::Fit if fitting.is_finite() => fitting,
-            // Inches are rounded.
+            // Page sizes in inches are rounded.
             Size::Within if fitting < 1.0 - SAME_SCALE => fitting,
             Size::Fit | Size::Within | Size::True => 1.0,
         };
@@ -121,8 +120,8 @@ impl Placement {
         Ok(sheet.room(margin_mm))
     }
 
-    /// Where the middle goes: that of the area, or for what is larger the middle of where the arm
-    /// reaches all of it.
+    /// Returns the centre: that of the area, or for a larger drawing the middle of the reachable
+    /// positions.
     fn middle(&self, ink: Rect, scale: f64) -> Point {
         let size = ink.size().to_vec2() * scale;
         let is_larger = size.x > self.area.height() || size.y > self.area.width();
@@ -130,8 +129,9 @@ impl Placement {
         self.center.or(reached).unwrap_or(self.area.center())
     }
 
-    /// The middle of where the arm reaches all of something so large, margins included. Its base may not turn
-    /// by more than a quarter of a circle, for the servo keeps the tool's direction.
+    /// Returns the middle of the positions in which the arm reaches a drawing of this size,
+    /// including margins. The base may turn by at most a quarter of a circle, because the servo
+    /// keeps the tool's direction.
     ///
     /// ```text
     ///        far       .-----.
@@ -148,7 +148,7 @@ impl Placement {
         (first <= last).then(|| Point::new(f64::midpoint(first, last) + deep / 2.0, 0.0))
     }
 
-    /// The largest scale at which the arm reaches all of it.
+    /// Returns the largest scale at which the arm reaches everything.
     fn reaching(&self, ink: Rect) -> f64 {
         let longer = ink.width().max(ink.height());
         let Some([_, far]) = self.reach.filter(|_| longer > 0.0) else {
@@ -165,7 +165,7 @@ impl Placement {
         fits
     }
 
-    /// Where the drawing's right points on the page, where y points down.
+    /// Returns the direction of the drawing's right on the page, where y points down.
     fn turn(&self) -> Result<Vec2, PlaceError> {
         if !self.rotate_deg.is_finite() {
             return Err(PlaceError::Rotate(self.rotate_deg));
@@ -186,7 +186,7 @@ impl Placement {
             Size::Scaled(factor) => return Err(PlaceError::Scale(factor)),
             Size::Fit if fitting.is_finite() => fitting,
             Size::Within => fitting.min(1.0),
-            // A dot fits as it is.
+            // A dot fits at any scale.
             Size::Fit | Size::True => 1.0,
         };
         let may_exceed = self.center.is_some() || self.clips;
@@ -201,10 +201,10 @@ impl Placement {
         Ok(scale)
     }
 
-    /// Width and depth of the area without its margins.
+    /// Returns width and depth of the area without margins.
     fn room(&self) -> Result<[f64; 2], PlaceError> {
         let margin_mm = self.margin_mm;
-        let [wide, deep] = [self.area.height(), self.area.width()].map(|it| it - 2.0 * margin_mm);
+        let [wide, deep] = [self.area.height(), self.area.width()].map(|mm| mm - 2.0 * margin_mm);
         if margin_mm >= 0.0 && wide > 0.0 && deep > 0.0 {
             return Ok([wide, deep]);
         }
@@ -214,7 +214,7 @@ impl Placement {
 }
 
 impl Default for Placement {
-    /// True size, upright in the middle of [`AREA`], without margins.
+    /// Returns true size, upright, centred in [`AREA`], without margins.
     fn default() -> Self {
         Self {
             area: AREA,
@@ -230,55 +230,55 @@ impl Default for Placement {
     }
 }
 
-/// How large a drawing becomes.
+/// The size of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Size {
-    /// As the file says: a millimetre is a millimetre.
+    /// True size: a millimetre in the file is a millimetre.
     True,
-    /// The true size times a factor above 0.
+    /// True size times a factor above 0.
     Scaled(f64),
-    /// As the file says, or as large as the area allows where that is less.
+    /// True size, or smaller if the area requires it.
     Within,
-    /// As large as the area allows, aspect kept.
+    /// As large as the area allows, with the aspect ratio kept.
     Fit,
 }
 
-/// Layers in the base frame.
+/// Placed layers in the base frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
-    /// What to draw, in mm.
+    /// The layers, in mm.
     pub layers: Vec<Layer>,
-    /// How much larger than on the page they are.
+    /// Their scale relative to the page.
     pub scale: f64,
 }
 
-/// Why a drawing cannot be placed.
+/// The error returned when a drawing cannot be placed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PlaceError {
     /// The scale is not a number above 0.
     #[error("the scale is {0}; it must be a number above 0")]
     Scale(f64),
-    /// The turn, in degrees, is not a number.
-    #[error("the drawing is turned by {0} degrees; it must be a number")]
+    /// The rotation, in degrees, is not a number.
+    #[error("the rotation is {0} degrees; it must be a finite number")]
     Rotate(f64),
-    /// The margin leaves no room.
+    /// The margin leaves no space.
     #[error("the margin is {margin_mm} mm; it must be from 0 to below {most_mm} mm")]
     Margin {
-        /// What it is.
+        /// The margin.
         margin_mm: f64,
-        /// What leaves no room at all.
+        /// The margin at which no space is left.
         most_mm: f64,
     },
-    /// There are more files than a grid has room for.
+    /// There are more files than cells in the grid.
     #[error(
-        "a grid of {cells} cell{} has no room for {files} files; give it a cell for each, as in place.grid {files}x1",
+        "a grid of {cells} cell{} has no room for {files} files; use a cell for each, as in place.grid {files}x1",
         if *cells == 1 { "" } else { "s" }
     )]
     Cells {
-        /// How many the grid has.
+        /// The number of cells.
         cells: u32,
-        /// How many files there are.
+        /// The number of files.
         files: usize,
     },
     /// The drawing is larger than the area.
@@ -286,33 +286,33 @@ pub enum PlaceError {
         "the drawing is {width_mm:.1} x {height_mm:.1} mm, and the arm reaches all of {area_width_mm:.1} x {area_height_mm:.1} mm; make it smaller"
     )]
     TooLarge {
-        /// The drawing, left to right.
+        /// The width of the drawing.
         width_mm: f64,
-        /// The drawing, top to bottom.
+        /// The height of the drawing.
         height_mm: f64,
-        /// As wide as it may be.
+        /// The maximum width.
         area_width_mm: f64,
-        /// As high as it may be.
+        /// The maximum height.
         area_height_mm: f64,
     },
     /// The drawing does not fit on the sheet.
     #[error(
-        "the drawing goes {by_mm:.1} mm beyond the {} of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or cut it there with place.clip",
+        "the drawing extends {by_mm:.1} mm beyond the {} of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or clip it with place.clip",
         if *margin_mm > 0.0 { "margin" } else { "edge" }
     )]
     BeyondSheet {
-        /// How far beyond.
+        /// The distance beyond the edge.
         by_mm: f64,
-        /// How wide the margin of the sheet is.
+        /// The margin of the sheet.
         margin_mm: f64,
         /// Forward, in the base frame.
         x_mm: f64,
         /// To the left.
         y_mm: f64,
     },
-    /// A point where the arm does not get.
+    /// A point is out of the arm's reach.
     #[error(
-        "the pen would have to go to x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; make the drawing smaller, or place it elsewhere"
+        "the pen cannot reach x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; make the drawing smaller, or place it elsewhere"
     )]
     OutOfReach {
         /// Forward, in the base frame.
@@ -321,12 +321,12 @@ pub enum PlaceError {
         y_mm: f64,
         /// Up.
         z_mm: f64,
-        /// Which limit of the arm says so.
+        /// The limit of the arm.
         reason: String,
     },
-    /// A place that the laser passes, switched off, before a line or behind it.
+    /// A point on the run-up or run-out of the laser is out of reach.
     #[error(
-        "the laser would have to run up to its line, or run out behind it, at x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; burn slower, which takes a shorter way, or place the drawing elsewhere"
+        "the run-up or run-out of the laser cannot reach x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; burn slower, which shortens it, or place the drawing elsewhere"
     )]
     RunOutOfReach {
         /// Forward, in the base frame.
@@ -335,12 +335,12 @@ pub enum PlaceError {
         y_mm: f64,
         /// Up.
         z_mm: f64,
-        /// Which limit of the arm says so.
+        /// The limit of the arm.
         reason: String,
     },
-    /// A way between two strokes that leads where the arm does not get; each stroke may be within reach.
+    /// A travel between two strokes leads out of reach, although each stroke may be within reach.
     #[error(
-        "the way from one stroke to the next leads through x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; place the drawing farther from the arm, or draw what lies on either side of it one after the other"
+        "the travel between two strokes passes through x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; place the drawing farther from the arm, or draw the parts on either side of it separately"
     )]
     WayOutOfReach {
         /// Forward, in the base frame.
@@ -349,18 +349,18 @@ pub enum PlaceError {
         y_mm: f64,
         /// Up.
         z_mm: f64,
-        /// Which limit of the arm says so.
+        /// The limit of the arm.
         reason: String,
     },
 }
 
-/// Checks every place of a plan, at most 2 mm apart, with the pen down and with the pen up: a
-/// drawing that is broken off anywhere must be able to lift it there.
+/// Checks every position of a plan, at most 2 mm apart, with the pen down and up: an interrupted
+/// drawing must be able to lift the pen anywhere.
 ///
 /// # Errors
 ///
-/// [`PlaceError::OutOfReach`], [`PlaceError::RunOutOfReach`] or [`PlaceError::WayOutOfReach`] with the first place that
-/// `reachable` refuses, and its reason.
+/// [`PlaceError::OutOfReach`], [`PlaceError::RunOutOfReach`] or [`PlaceError::WayOutOfReach`] with
+/// the first position that `reachable` refuses, and its reason.
 pub fn check_reach<E: fmt::Display>(
     plan: &Plan,
     paper: &Paper,
@@ -377,7 +377,7 @@ pub fn check_reach<E: fmt::Display>(
     };
     let mut refused = plan.positions().enumerate().filter_map(|(i, [x, y, _])| {
         let there = Point::new(x, y);
-        // Its end first: the way to what is out of reach is so, too.
+        // Check the end first: the way to an unreachable place is unreachable too.
         let mut places = iter::once(there).chain(steps(here, there, STEP_MM));
         here = there;
         let (p, refused) = places.find_map(|p| Some((p, refused_at(p)?)))?;
@@ -392,21 +392,21 @@ pub fn check_reach<E: fmt::Display>(
         return Ok(());
     };
     let line = match &first {
-        // Where the line itself is out of reach, to burn slower does not help.
+        // If the line itself is out of reach, burning slower does not help.
         PlaceError::RunOutOfReach { .. } => {
-            refused.find(|it| matches!(it, PlaceError::OutOfReach { .. }))
+            refused.find(|error| matches!(error, PlaceError::OutOfReach { .. }))
         }
         _ => None,
     };
     Err(line.unwrap_or(first))
 }
 
-/// What to say of a place that a vector leads to, or on the way of what leaves a trace.
+/// Returns the error for a position on a vector, or at its end if it leaves no trace.
 fn out_of_reach(plan: &Plan, vector: usize, (place, reason): (Position, String)) -> PlaceError {
-    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|it| it.0);
-    let mut kinds = plan.moves[vector..].iter().map(|it| it.kind);
-    // Where a travel ends, the next vector begins.
-    match kinds.find(|it| *it != MoveKind::Travel) {
+    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|mm| mm.0);
+    let mut kinds = plan.moves[vector..].iter().map(|vector| vector.kind);
+    // The next vector begins where a travel ends.
+    match kinds.find(|kind| *kind != MoveKind::Travel) {
         Some(MoveKind::RunUp | MoveKind::RunOut | MoveKind::Brake) => PlaceError::RunOutOfReach {
             x_mm,
             y_mm,
@@ -423,7 +423,7 @@ fn out_of_reach(plan: &Plan, vector: usize, (place, reason): (Position, String))
 }
 
 fn way_out_of_reach((place, reason): (Position, String)) -> PlaceError {
-    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|it| it.0);
+    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|mm| mm.0);
     PlaceError::WayOutOfReach {
         x_mm,
         y_mm,
@@ -433,10 +433,10 @@ fn way_out_of_reach((place, reason): (Position, String)) -> PlaceError {
 }
 
 const STEP_MM: f64 = 2.0;
-/// A little more than a quarter: places are rounded.
+/// Slightly more than a quarter, because positions are rounded.
 const QUARTER: f64 = 1.01;
 const HALVINGS: u32 = 60;
-/// How much larger than the sheet a page may be for its true size.
+/// The share by which a page may exceed the sheet at true size.
 const SAME_SCALE: f64 = 0.002;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The sheet of paper that a drawing goes on: how large it is and where it lies.
+//! The sheet of paper to draw on: its size and position.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,19 +7,19 @@ use dobot_geometry::{Point, Rect, Vec2};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How large a sheet is: `a6` to `a3`, `letter`, `legal`, or width and height in mm as in `210x148`.
+/// The size of a sheet: `a6` to `a3`, `letter`, `legal`, or width and height in mm as in `210x148`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
 #[schemars(with = "String")]
 pub struct PaperSize {
-    /// Left to right, in mm.
+    /// The width, in mm.
     pub width_mm: f64,
-    /// Top to bottom, in mm.
+    /// The height, in mm.
     pub height_mm: f64,
 }
 
 impl PaperSize {
-    /// The same sheet with its longer side left to right.
+    /// Returns the sheet with its longer side from left to right.
     #[must_use]
     pub fn landscape(self) -> Self {
         Self {
@@ -38,11 +38,11 @@ impl FromStr for PaperSize {
             height_mm,
         };
         let name = text.to_ascii_lowercase();
-        if let Some(known) = NAMED.iter().find(|it| it.0 == name) {
+        if let Some(known) = NAMED.iter().find(|named| named.0 == name) {
             return Ok(size(known.1, known.2));
         }
         let sides = name.split_once('x');
-        let number = |it: &str| it.trim().parse().ok().filter(|it| SIDE_MM.contains(it));
+        let number = |text: &str| text.trim().parse().ok().filter(|mm| SIDE_MM.contains(mm));
         sides
             .and_then(|(width, height)| Some(size(number(width)?, number(height)?)))
             .ok_or("allowed are a3, a4, a5, a6, letter, legal, and WIDTHxHEIGHT from 10 to 2000 mm")
@@ -78,16 +78,16 @@ impl TryFrom<String> for PaperSize {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SheetPlace {
-    /// How large it is.
+    /// The size.
     pub size: PaperSize,
-    /// Its upper left corner, in mm.
+    /// The upper left corner, in mm.
     pub corner: Point,
-    /// Where its right is, of length 1.
+    /// The unit vector to the right.
     right: Vec2,
 }
 
 impl SheetPlace {
-    /// A sheet that lies straight before the arm, its middle there.
+    /// Places a sheet straight in front of the arm, centred at a point.
     #[must_use]
     pub fn centered(size: PaperSize, middle: Point) -> Self {
         let half = Vec2::new(size.height_mm, size.width_mm) / 2.0;
@@ -98,15 +98,15 @@ impl SheetPlace {
         }
     }
 
-    /// A sheet that lies straight before the arm, its lower left corner there: the one that is nearest to a
-    /// person behind the arm, on the left.
+    /// Places a sheet straight in front of the arm with its lower left corner at a point: the left
+    /// one of the corners closest to a person behind the arm.
     #[must_use]
     pub fn from_lower_left(size: PaperSize, lower_left: Point) -> Self {
         Self::along(size, lower_left, Vec2::new(0.0, -1.0))
     }
 
-    /// A sheet of which the lower left corner and another place on its lower edge were touched.
-    /// `None` where both are the same.
+    /// Places a sheet by touched points: its lower left corner and another point on its lower edge.
+    /// `None` if both are equal.
     #[must_use]
     pub fn through(size: PaperSize, lower_left: Point, on_lower_edge: Point) -> Option<Self> {
         let way = on_lower_edge - lower_left;
@@ -123,20 +123,21 @@ impl SheetPlace {
         }
     }
 
-    /// From the sheet, from its upper left corner to the right and down, to the base frame.
+    /// Converts a point on the sheet, right and down from its upper left corner, to the base frame.
     #[must_use]
     pub fn place(&self, on_sheet: Point) -> Point {
         self.corner + self.right * on_sheet.x + down(self.right) * on_sheet.y
     }
 
-    /// From the base frame to the sheet.
+    /// Converts a point in the base frame to the sheet.
     #[must_use]
     pub fn on_sheet(&self, place: Point) -> Point {
         let way = place - self.corner;
         Point::new(way.dot(self.right), way.dot(down(self.right)))
     }
 
-    /// How far a place of the base frame lies beyond the edge, in mm; below 0 on the sheet.
+    /// Returns the distance of a point in the base frame beyond the edge, in mm; below 0 on the
+    /// sheet.
     #[must_use]
     pub fn beyond_mm(&self, place: Point) -> f64 {
         let Point { x, y } = self.on_sheet(place);
@@ -149,17 +150,17 @@ impl SheetPlace {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Its corners in the base frame, all around from the upper left one.
+    /// Returns the corners in the base frame, in order from the upper left one.
     #[must_use]
     pub fn corners(&self) -> [Point; 4] {
         let PaperSize {
             width_mm: w,
             height_mm: h,
         } = self.size;
-        [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|it| self.place(it.into()))
+        [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|corner| self.place(corner.into()))
     }
 
-    /// What is left of it without a margin.
+    /// Returns the sheet reduced by a margin.
     pub(crate) fn without_margin(&self, margin_mm: f64) -> Self {
         let room = self.room(margin_mm);
         Self {
@@ -172,7 +173,7 @@ impl SheetPlace {
         }
     }
 
-    /// Its sides without a margin, on the sheet.
+    /// Returns its sides reduced by a margin, on the sheet.
     pub(crate) fn room(&self, margin_mm: f64) -> Rect {
         let PaperSize {
             width_mm,
@@ -182,12 +183,12 @@ impl SheetPlace {
     }
 }
 
-/// A quarter turn clockwise, seen from above.
+/// Turns a direction by a quarter clockwise, seen from above.
 const fn down(right: Vec2) -> Vec2 {
     Vec2::new(right.y, -right.x)
 }
 
-/// Names with width and height.
+/// Named sizes with width and height.
 const NAMED: [(&str, f64, f64); 6] = [
     ("a3", 297.0, 420.0),
     ("a4", 210.0, 297.0),
@@ -238,7 +239,7 @@ mod tests {
     #[test]
     fn a_sheet_that_was_touched_lies_as_it_was_touched() {
         let size: PaperSize = "200x100".parse().unwrap();
-        // Its lower edge leads away from the arm: up is to the left.
+        // Its lower edge points away from the arm: up is to the left.
         let [a, b] = [Point::new(100.0, 50.0), Point::new(150.0, 50.0)];
         let sheet = SheetPlace::through(size, a, b).unwrap();
         assert!(near(sheet.place(Point::ORIGIN), (100.0, 150.0)));

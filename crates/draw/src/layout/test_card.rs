@@ -1,4 +1,4 @@
-//! The laser's test card: which speed and how many passes does this material want?
+//! The laser test card, which shows the right speed and number of passes for a material.
 
 use std::fmt::Display;
 use std::ops::RangeInclusive;
@@ -8,8 +8,8 @@ use dobot_lettering::{Anchor, strokes, width};
 use dobot_plan::{DrawingTool, Laser, Pass};
 use thiserror::Error;
 
-/// A grid of small hatched squares, each burned with another speed and number of passes. Below each
-/// square is a line, which shows where the material is cut through.
+/// A grid of small hatched squares, each burned with a different speed and number of passes. A line
+/// below each square shows whether the material is cut through.
 ///
 /// ```text
 ///            3    5    8   12      mm/s, to the right
@@ -20,40 +20,40 @@ use thiserror::Error;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Card {
-    /// A column for each speed, in mm/s; from 0.1 to 100, each above the one before, at most 20.
+    /// The speed of each column, in mm/s: 0.1 to 100, ascending, at most 20.
     pub speeds_mm_s: Vec<f64>,
-    /// A row for each number of passes, from 1 to this; at most 20.
+    /// The maximum number of passes: there is a row for each number from 1; at most 20.
     pub most_passes: u32,
-    /// How wide and how high a square is, in mm; from 3 to 50.
+    /// The width and height of a square, in mm; 3 to 50.
     pub cell_mm: f64,
-    /// From square to square, in mm; from 1 to 50.
+    /// The gap between squares, in mm; 1 to 50.
     pub gap_mm: f64,
-    /// From line to line in a square, in mm; from 0.05 to 5.
+    /// The line spacing in a square, in mm; 0.05 to 5.
     pub spacing_mm: f64,
-    /// Between the strokes, in mm/s; from 0.1 to 500.
+    /// The travel speed, in mm/s; 0.1 to 500.
     pub travel_speed_mm_s: f64,
-    /// At which speed the labels are burned, once, in mm/s; from 0.1 to 100.
+    /// The speed for burning the labels, once, in mm/s; 0.1 to 100.
     pub label_speed_mm_s: f64,
-    /// What stands below the squares: the material, the day.
+    /// The caption below the squares: the material and the day.
     pub caption: String,
-    /// Where its middle goes, in the base frame.
+    /// The centre, in the base frame.
     pub center: Point,
 }
 
 impl Card {
-    /// How many passes the lowest row may have.
+    /// The range of the number of passes.
     pub(crate) const PASSES: [f64; 2] = [1.0, 20.0];
-    /// How wide and high a square may be, in mm.
+    /// The range of the size of a square, in mm.
     pub(crate) const CELL_MM: [f64; 2] = [3.0, 50.0];
-    /// How far squares may lie apart, in mm.
+    /// The range of the gap between squares, in mm.
     pub(crate) const GAP_MM: [f64; 2] = [1.0, 50.0];
 
-    /// The labels and then each square, the one that burns least first: whoever sees it burn too
-    /// much can stop.
+    /// Returns the labels followed by the squares, starting with the one that burns least, so that
+    /// a person can stop in time.
     ///
     /// # Errors
     ///
-    /// [`CardError`] where a setting is outside what its field says.
+    /// [`CardError`] if a setting is outside the range of its field.
     pub fn to_passes(&self) -> Result<Vec<Pass>, CardError> {
         self.check()?;
         let mut cells: Vec<(u32, usize)> = (1..=self.most_passes)
@@ -82,7 +82,10 @@ impl Card {
             times,
             ..Laser::default()
         };
-        let strokes = strokes.into_iter().map(|it| self.placed(it)).collect();
+        let strokes = strokes
+            .into_iter()
+            .map(|stroke| self.placed(stroke))
+            .collect();
         Pass {
             name,
             ..Pass::new(DrawingTool::Laser(laser), strokes)
@@ -101,7 +104,7 @@ impl Card {
         for &speed in speeds {
             within("speed", speed, BURN_SPEED, " mm/s")?;
         }
-        if let Some([a, b]) = speeds.windows(2).find(|it| it[0] >= it[1]) {
+        if let Some([a, b]) = speeds.windows(2).find(|pair| pair[0] >= pair[1]) {
             return Err(CardError {
                 name: "order of speeds",
                 found: format!("{a} mm/s before {b} mm/s"),
@@ -115,7 +118,7 @@ impl Card {
         within("label speed", self.label_speed_mm_s, BURN_SPEED, " mm/s")
     }
 
-    /// A square of lines back and forth, and the line below it, on the page.
+    /// Returns a square of lines back and forth and the line below it, on the page.
     fn cell(&self, column: usize, times: u32) -> Vec<Stroke> {
         let corner = self.corner(column, times);
         let (right, size) = (corner.x + self.cell_mm, self.cell_mm);
@@ -139,7 +142,7 @@ impl Card {
             .collect()
     }
 
-    /// The upper left corner of a square on the page.
+    /// Returns the upper left corner of a square on the page.
     fn corner(&self, column: usize, times: u32) -> Point {
         #[expect(clippy::cast_precision_loss, reason = "at most 20")]
         let column = column as f64;
@@ -149,11 +152,11 @@ impl Card {
         )
     }
 
-    /// Speeds above the columns, numbers of passes beside the rows.
+    /// Returns speeds above the columns and numbers of passes beside the rows.
     fn labels(&self) -> Vec<Stroke> {
         let speeds: Vec<String> = self.speeds_mm_s.iter().map(f64::to_string).collect();
         let room_mm = self.cell_mm + self.gap_mm - 1.0;
-        let widths_mm = speeds.iter().map(|it| width(it, LABEL_MM));
+        let widths_mm = speeds.iter().map(|speed| width(speed, LABEL_MM));
         let widest_mm = widths_mm.fold(0.0, f64::max);
         let height_mm = LABEL_MM * (room_mm / widest_mm).min(1.0);
         let half = Vec2::splat(self.cell_mm / 2.0);
@@ -177,13 +180,13 @@ impl Card {
         words.into_iter().map(Stroke::open).collect()
     }
 
-    /// Where the last square ends on the page.
+    /// Returns the lower right corner of the last square on the page.
     fn page(&self) -> Point {
         let last = self.corner(self.speeds_mm_s.len() - 1, self.most_passes);
         last + Vec2::new(self.cell_mm, self.cell_mm + BELOW_MM)
     }
 
-    /// From the page into the base frame.
+    /// Converts a stroke from the page to the base frame.
     fn placed(&self, mut stroke: Stroke) -> Stroke {
         let middle = Point::ORIGIN.midpoint(self.page());
         for p in &mut stroke.points {
@@ -195,7 +198,8 @@ impl Card {
 }
 
 impl Default for Card {
-    /// Six speeds from 3 to 30 mm/s, one to three passes: 57 x 34 mm, about a quarter of an hour.
+    /// Returns six speeds from 3 to 30 mm/s and one to three passes: 57 x 34 mm, about a quarter of
+    /// an hour.
     fn default() -> Self {
         Self {
             speeds_mm_s: vec![3.0, 5.0, 8.0, 12.0, 20.0, 30.0],
@@ -211,7 +215,7 @@ impl Default for Card {
     }
 }
 
-/// The colour of a square in pictures: from blue, which is burned least, over green to red.
+/// Returns the colour of a square in pictures: from blue, burned least, through green to red.
 fn shade(number: usize, count: usize) -> [u8; 3] {
     #[expect(clippy::cast_precision_loss, reason = "at most 400")]
     let share = number as f64 / (count - 1).max(1) as f64;
@@ -225,15 +229,15 @@ fn shade(number: usize, count: usize) -> [u8; 3] {
     [level(hue), level(hue - 2.0), level(hue - 4.0)]
 }
 
-/// A setting that a test card cannot have.
+/// The error returned for an invalid setting of a test card.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("the {name} of the test card is {found}; allowed is {allowed}")]
 pub struct CardError {
-    /// Which setting.
+    /// The setting.
     pub name: &'static str,
-    /// What it is.
+    /// The value.
     pub found: String,
-    /// What it may be.
+    /// The allowed values.
     pub allowed: String,
 }
 
@@ -258,12 +262,12 @@ fn within<T: Copy + PartialOrd + Display>(
     })
 }
 
-/// A faster laser gets to its speed outside of the arm's reach.
+/// A faster laser would need a run-up beyond the arm's reach.
 const BURN_SPEED: RangeInclusive<f64> = 0.1..=100.0;
 const SPEED: RangeInclusive<f64> = 0.1..=500.0;
-/// From a square to the line below it.
+/// The distance from a square to the line below it.
 const BELOW_MM: f64 = 1.5;
-/// Room for the labels.
+/// Space for the labels.
 const LEFT_MM: f64 = 11.0;
 const ABOVE_MM: f64 = 5.0;
 const LABEL_MM: f64 = 2.5;
@@ -282,7 +286,7 @@ mod tests {
         }
     }
 
-    /// The square of a pass: the bounds of all its lines but the one below.
+    /// Returns the square of a pass: the bounds of all its lines except the one below.
     fn square(pass: &Pass) -> Rect {
         bounds_of_strokes(&pass.strokes[..pass.strokes.len() - 1])
     }
@@ -295,7 +299,7 @@ mod tests {
             ..Card::default()
         };
         let passes = card.to_passes().unwrap();
-        let names: Vec<&str> = passes.iter().map(|it| it.name.as_str()).collect();
+        let names: Vec<&str> = passes.iter().map(|pass| pass.name.as_str()).collect();
         assert_eq!(
             names,
             [
@@ -308,7 +312,7 @@ mod tests {
         );
         let burned: Vec<(f64, u32)> = passes
             .iter()
-            .map(|it| (laser(it).burn_speed_mm_s, laser(it).times))
+            .map(|pass| (laser(pass).burn_speed_mm_s, laser(pass).times))
             .collect();
         assert_eq!(burned[1..], [(10.0, 1), (10.0, 2), (4.0, 1), (4.0, 2)]);
     }
@@ -316,7 +320,7 @@ mod tests {
     #[test]
     fn speeds_go_to_the_right_and_passes_down_as_seen_from_behind_the_arm() {
         let passes = Card::default().to_passes().unwrap();
-        let square_of = |name: &str| square(passes.iter().find(|it| it.name == name).unwrap());
+        let square_of = |name: &str| square(passes.iter().find(|pass| pass.name == name).unwrap());
         let [first, right, below] = ["3 mm/s, 1 times", "5 mm/s, 1 times", "3 mm/s, 2 times"]
             .map(|name| square_of(name).center());
         // Right is -Y and down is -X; columns are 6 + 2 mm apart, rows another 1.5 for the line.
@@ -338,7 +342,7 @@ mod tests {
         assert!(
             cell.strokes
                 .iter()
-                .all(|it| (it.length_mm() - 8.0).abs() < 1e-9)
+                .all(|stroke| (stroke.length_mm() - 8.0).abs() < 1e-9)
         );
         assert!((square(cell).width() - 8.0).abs() < 1e-9);
         assert!((square(cell).height() - 8.0).abs() < 1e-9);
@@ -355,7 +359,7 @@ mod tests {
             .to_passes()
             .unwrap()
             .into_iter()
-            .flat_map(|it| it.strokes)
+            .flat_map(|pass| pass.strokes)
             .collect();
         let bounds = bounds_of_strokes(&strokes);
         assert!((bounds.center() - center).length() < 3.0, "{bounds:?}");

@@ -1,32 +1,32 @@
-//! What is wrong with a file of materials, or with a name.
+//! Errors of materials.
 
 use thiserror::Error;
 
 use super::read::nearest;
 
-/// Why a file of materials cannot be read.
+/// The error returned when a materials file is invalid.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("line {line}: {reason}")]
 pub struct MaterialError {
     /// The line, counted from 1.
     pub line: usize,
-    /// The key with what was found and what is allowed, or what the TOML reader says.
+    /// The key with the value found and the allowed ones, or the message of the TOML reader.
     pub reason: String,
 }
 
-/// There is no material of that name.
+/// The error returned when there is no material with this name.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("there is no material '{name}'; {}there are{}", meant(.name, .known), listed(.known))]
 pub struct UnknownMaterial {
     /// The name.
     pub name: String,
-    /// The names that there are.
+    /// The known names.
     pub known: Vec<String>,
 }
 
 fn meant(name: &str, known: &[String]) -> String {
     let nearest = nearest(name, known.iter().map(String::as_str));
-    nearest.map_or_else(String::new, |it| format!("did you mean '{it}'? "))
+    nearest.map_or_else(String::new, |name| format!("did you mean '{name}'? "))
 }
 
 fn listed(known: &[String]) -> String {

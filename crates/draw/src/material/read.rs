@@ -1,4 +1,4 @@
-//! Reading a file of materials.
+//! Reading of materials files.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::{Material, MaterialError};
 
-/// The materials of a file.
+/// Reads the materials of a file.
 pub(super) fn materials(text: &str) -> Result<BTreeMap<String, Material>, MaterialError> {
     let document = DeTable::parse(text).map_err(|error| MaterialError {
         line: line_at(text, error.span().map_or(0, |span| span.start)),
@@ -93,10 +93,10 @@ fn laser(table: &Table<'_>) -> Result<DrawingTool, MaterialError> {
     }))
 }
 
-/// A table of the file, and where it stands.
+/// A table of the file and its position.
 struct Table<'a> {
     text: &'a str,
-    /// Its name with dots.
+    /// Its dotted name.
     name: String,
     keys: &'a DeTable<'a>,
     line: usize,
@@ -111,7 +111,7 @@ impl<'a> Table<'a> {
         };
         let key = unknown.get_ref();
         let meant = nearest(key, allowed.iter().copied());
-        let meant = meant.map_or_else(String::new, |it| format!("did you mean {it}? "));
+        let meant = meant.map_or_else(String::new, |name| format!("did you mean {name}? "));
         let (path, allowed) = (self.path(key), allowed.join(", "));
         Err(MaterialError {
             line: line_at(self.text, unknown.span().start),
@@ -143,10 +143,10 @@ impl<'a> Table<'a> {
     fn number(&self, key: &str, range: Range) -> Result<Option<f64>, MaterialError> {
         let number = match self.value(key).map(Spanned::get_ref) {
             None => return Ok(None),
-            Some(DeValue::Float(it)) => it.as_str().parse().ok(),
-            Some(DeValue::Integer(it)) => {
-                i64::from_str_radix(it.as_str(), it.radix()).ok().map(lossy)
-            }
+            Some(DeValue::Float(number)) => number.as_str().parse().ok(),
+            Some(DeValue::Integer(number)) => i64::from_str_radix(number.as_str(), number.radix())
+                .ok()
+                .map(lossy),
             Some(_) => None,
         };
         match number {
@@ -163,7 +163,9 @@ impl<'a> Table<'a> {
     fn passes(&self) -> Result<Option<u32>, MaterialError> {
         let passes = match self.value("passes").map(Spanned::get_ref) {
             None => return Ok(None),
-            Some(DeValue::Integer(it)) => u32::from_str_radix(it.as_str(), it.radix()).ok(),
+            Some(DeValue::Integer(number)) => {
+                u32::from_str_radix(number.as_str(), number.radix()).ok()
+            }
             Some(_) => None,
         };
         match passes {
@@ -185,8 +187,8 @@ impl<'a> Table<'a> {
     }
 
     fn line_of(&self, key: &str) -> usize {
-        let found = self.keys.keys().find(|it| *it.get_ref() == key);
-        found.map_or(self.line, |it| line_at(self.text, it.span().start))
+        let found = self.keys.keys().find(|other| *other.get_ref() == key);
+        found.map_or(self.line, |key| line_at(self.text, key.span().start))
     }
 
     fn path(&self, key: &str) -> String {
@@ -196,7 +198,7 @@ impl<'a> Table<'a> {
         format!("{}.{key}", self.name)
     }
 
-    /// The value is of another kind or outside its range: it is told as the file writes it.
+    /// Returns the error for a value of the wrong type or out of range, quoted as in the file.
     fn kind(&self, key: &str, allowed: &str) -> MaterialError {
         let span = self.value(key).map_or(0..0, Spanned::span);
         let found = self.text.get(span).unwrap_or_default();
@@ -219,7 +221,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The least and the most of a number, and its unit.
+/// The range of a number and its unit.
 #[derive(Clone, Copy)]
 struct Range(f64, f64, &'static str);
 
@@ -230,14 +232,14 @@ impl Range {
     }
 }
 
-/// The one of these names that is written most like `name`, if one is.
+/// Returns the name most similar to `name`, if one is similar enough.
 pub(super) fn nearest<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let least = names.map(|it| (edits(name, it), it)).min()?;
-    // A word of which half the letters are wrong was not mistyped.
+    let least = names.map(|other| (edits(name, other), other)).min()?;
+    // If half of the letters are wrong it is not a typing error.
     (least.0 * 2 < name.chars().count()).then_some(least.1)
 }
 
-/// How many letters have to be put in, taken out or changed to make one word of another.
+/// Returns the number of letters to insert, remove or change to turn one word into the other.
 fn edits(from: &str, to: &str) -> usize {
     let to: Vec<char> = to.chars().collect();
     let mut row: Vec<usize> = (0..=to.len()).collect();
@@ -252,7 +254,7 @@ fn edits(from: &str, to: &str) -> usize {
     row[to.len()]
 }
 
-/// The line of a place in a text, counted from 1.
+/// Returns the line of an offset in a text, counted from 1.
 fn line_at(text: &str, offset: usize) -> usize {
     let before = text.get(..offset);
     before.map_or(1, |before| before.split('\n').count())

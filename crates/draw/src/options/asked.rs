@@ -1,4 +1,4 @@
-//! What was asked for, checked: what is drawn, and with which settings.
+//! A drawing request: the checked options and their content.
 
 use std::sync::Arc;
 
@@ -18,54 +18,54 @@ use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
 use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
-use crate::prepare::{NamedSource, Prepared, Settings, prepare_passes, prepare_together};
+use crate::prepare::{NamedSource, Prepared, Settings, prepare_multi_file, prepare_passes};
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::Hatch;
 
-/// A drawing that was asked for: what it is, and how it is to be drawn apart from what depends on the
-/// arm.
+/// A drawing request: its content and settings, except those that depend on the arm.
 #[derive(Clone, Debug)]
 pub struct DrawingRequest {
-    /// What a person calls it.
+    /// The title.
     pub title: String,
     options: Options,
     what: Drawable,
     settings: Settings,
 }
 
-/// What is to be drawn, with what a person calls it.
+/// The content of a drawing and its title.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Subject {
-    /// The name of a file, the first line of a text.
+    /// The name of a file, or the first line of a text.
     pub title: String,
-    /// Files, pictures and a text, on one page; none for the test card, which the options tell whole.
+    /// Files, pictures and a text, on one page; none for the test card, which the options define.
     pub sources: Vec<NamedSource>,
 }
 
 #[derive(Clone, Debug)]
 enum Drawable {
     Sources(Vec<NamedSource>),
-    /// Laid out already: the test card.
+    /// A complete layout: the test card.
     Passes(Vec<Pass>),
 }
 
 impl Subject {
-    /// A file of this name, whose ending or first bytes tell its kind.
+    /// Creates the content of a file; its extension or first bytes determine the format.
     ///
     /// # Errors
     ///
-    /// [`SourceError`] where it is none that can be drawn.
+    /// [`SourceError`] if the file cannot be drawn.
     pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
         Ok(Self::of(name, Source::of_file(name, bytes)?))
     }
 
-    /// Lines of points that a program has calculated: x to the right, y down, in mm; `name` is what a person calls them.
+    /// Creates the content of lines computed by a program: x to the right, y down, in mm; `name` is
+    /// the title.
     #[must_use]
     pub fn of_lines(name: &str, lines: Vec<Vec<Point>>) -> Self {
         Self::of(name, Source::Lines(lines))
     }
 
-    /// The text or the test card that the options tell; none where a file is to be drawn.
+    /// Returns the text or the test card in the options; `None` if a file is to be drawn.
     #[must_use]
     pub fn of_text(what: &ContentOptions) -> Option<Self> {
         if what.card.is_some() {
@@ -76,7 +76,7 @@ impl Subject {
         }
         let text = what.text.as_ref()?.replace("\\n", "\n");
         let mut lines = text.lines();
-        let first = lines.find(|it| !it.trim().is_empty());
+        let first = lines.find(|line| !line.trim().is_empty());
         let title = shortened(first.unwrap_or("text"));
         let text = Text {
             font: Font::of(what.font.as_deref().unwrap_or("sans")),
@@ -87,13 +87,13 @@ impl Subject {
         Some(Self::of(&title, Source::Text(text)))
     }
 
-    /// This and another one on the same page; what a person calls them names the first, and how many more files
-    /// there are.
+    /// Adds other content to the page; the title consists of the first name and the number of
+    /// further files.
     #[must_use]
     pub fn and(mut self, mut other: Self) -> Self {
-        let first = self.sources.first().map(|it| it.name.clone());
+        let first = self.sources.first().map(|source| source.name.clone());
         self.sources.append(&mut other.sources);
-        let is_file = |it: &&NamedSource| !matches!(it.source, Source::Text(_));
+        let is_file = |source: &&NamedSource| !matches!(source.source, Source::Text(_));
         let more = self
             .sources
             .iter()
@@ -116,13 +116,13 @@ impl Subject {
 }
 
 impl DrawingRequest {
-    /// Makes settings of the options, for a drawing with these pens and materials. The fonts of this
-    /// machine are read where the drawing has letters that need them.
+    /// Converts the options to settings, with these pens and materials. Installed fonts are read if
+    /// the drawing contains text that needs them.
     ///
     /// # Errors
     ///
-    /// [`OptionsError`]: a pen or a material that nobody knows, options that exclude each other or
-    /// that would do nothing for this source, a test card that cannot be laid out.
+    /// [`OptionsError`]: an unknown pen or material, options that conflict with each other or would
+    /// have no effect for this source, or a test card that cannot be laid out.
     pub fn new(
         options: Options,
         subject: Subject,
@@ -132,7 +132,7 @@ impl DrawingRequest {
         let material = material(&options.tool, materials)?;
         let tool = with_options(material.tool, &options.tool)?;
         check(&options, &sources, &title)?;
-        let needs_fonts = sources.iter().any(|it| it.source.needs_fonts());
+        let needs_fonts = sources.iter().any(|source| source.source.needs_fonts());
         let settings = Settings {
             tolerance_mm: options.way.tolerance,
             placement: placement(&options, &sources)?,
@@ -148,7 +148,7 @@ impl DrawingRequest {
             crops: !options.what.no_crop,
             hides: options.what.hide,
             join_mm: options.way.join,
-            drops_doubles: options.way.drop_doubles,
+            drops_duplicates: options.way.drop_doubles,
             pen_passes: options.tool.passes.unwrap_or(1),
             cutting: Cutting {
                 kerf_mm: options.tool.kerf,
@@ -176,32 +176,32 @@ impl DrawingRequest {
         })
     }
 
-    /// The same for an arm of which is known what is wrong with it.
+    /// Sets the calibration of the arm.
     #[must_use]
     pub fn calibrated(mut self, calibration: Option<CalibrationFile>) -> Self {
         self.settings.calibration = calibration;
         self
     }
 
-    /// The same, until somebody gives it up.
+    /// Sets the cancel token.
     #[must_use]
     pub fn until(mut self, cancel: CancelToken) -> Self {
         self.settings.cancel = cancel;
         self
     }
 
-    /// How far its planning is, also for others than who plans it.
+    /// Returns the progress, which other threads may read.
     #[must_use]
     pub const fn progress(&self) -> &Progress {
         &self.settings.progress
     }
 
-    /// Plans it for an arm that speaks this dialect, if that is known, and stands at this height
-    /// with its pen on the paper, in mm.
+    /// Prepares the drawing for an arm with this dialect, if known, that touches the paper at this
+    /// height, in mm.
     ///
     /// # Errors
     ///
-    /// [`OptionsError`] where the paper lies as none can, or the drawing cannot be made so.
+    /// [`OptionsError`] if the paper is invalid or the drawing cannot be prepared.
     pub fn prepare(
         &self,
         dialect: Option<Dialect>,
@@ -220,13 +220,13 @@ impl DrawingRequest {
         let tool = settings.tool.end_effector();
         let reachable = |position| reachable(position, tool);
         let prepared = match &self.what {
-            Drawable::Sources(all) => prepare_together(all, &settings, reachable),
+            Drawable::Sources(all) => prepare_multi_file(all, &settings, reachable),
             Drawable::Passes(passes) => prepare_passes(passes.clone(), &settings, reachable),
         };
         Ok((prepared?, settings))
     }
 
-    /// Where the paper lies: through the touched points, at the height told, or where the arm stands.
+    /// Returns the paper: through the touched points, at the given height, or at the arm's height.
     fn paper(&self, standing_z_mm: f64) -> Result<Paper, OptionsError> {
         let place = &self.options.place;
         let paper = match place.paper.as_deref() {
@@ -243,19 +243,19 @@ impl DrawingRequest {
         })
     }
 
-    /// The paper of which no points are told: at the height told, as calibrated, or where the arm
-    /// stands.
+    /// Returns the paper without touched points: at the given height, as calibrated, or at the
+    /// arm's height.
     fn height(&self, standing_z_mm: f64) -> Result<Paper, OptionsError> {
         let known = self.settings.calibration.as_ref();
-        let calibrated = known.and_then(|it| it.paper.as_ref());
+        let calibrated = known.and_then(|file| file.paper.as_ref());
         match (self.options.place.pen_down, calibrated) {
-            (None, Some(it)) => known_paper(it),
+            (None, Some(paper)) => known_paper(paper),
             (given, _) => Ok(Paper::level(given.unwrap_or(standing_z_mm))),
         }
     }
 }
 
-/// A text as a title: in a message it stands before what is wrong with it.
+/// Shortens a text to a title, which precedes error messages.
 fn shortened(text: &str) -> String {
     match text.char_indices().nth(LONGEST_TITLE) {
         Some((end, _)) => format!("{}..", &text[..end]),
@@ -263,11 +263,11 @@ fn shortened(text: &str) -> String {
     }
 }
 
-/// The pen or the material that was named; where it is unknown, the others of its kind are told.
+/// Returns the selected pen or material; if it is unknown, the error lists the others of its kind.
 fn material(options: &ToolOptions, materials: &Materials) -> Result<Material, UnknownMaterial> {
     let burns = options.laser.is_some();
     let name = options.laser.as_ref().unwrap_or(&options.pen);
-    let burns_too = |it: &Material| it.tool.burns() == burns;
+    let burns_too = |material: &Material| material.tool.burns() == burns;
     let is_of_kind = |name: &String| materials.get(name).is_ok_and(burns_too);
     materials.get(name).copied().map_err(|mut unknown| {
         unknown.known.retain(is_of_kind);
@@ -305,9 +305,9 @@ fn layer_tools(
     what: &ContentOptions,
     materials: &Materials,
 ) -> Result<Vec<(String, DrawingTool)>, UnknownMaterial> {
-    let named = what.layer.iter().map(|it| {
-        let material = materials.get(&it.pen)?;
-        Ok((it.name.clone(), material.tool))
+    let named = what.layer.iter().map(|layer| {
+        let material = materials.get(&layer.pen)?;
+        Ok((layer.name.clone(), material.tool))
     });
     named.collect()
 }
@@ -333,8 +333,8 @@ fn card(options: &Options, tool: DrawingTool, spacing_mm: f64) -> Result<Vec<Pas
 }
 
 fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, OptionsError> {
-    // A picture beside other files is as large as its resolution says.
-    let fills = !sources.is_empty() && sources.iter().all(|it| !it.source.has_size());
+    // A picture beside other files has the size given by its resolution.
+    let fills = !sources.is_empty() && sources.iter().all(|source| !source.source.has_size());
     let sheet = sheet(&options.place)?;
     Ok(Placement {
         size: match (options.place.fit || fills, options.place.scale) {
@@ -352,17 +352,19 @@ fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, Op
     })
 }
 
-/// Where the paper of a virtual arm lies, and where a drawing is planned while no arm tells its height: Z, in mm.
+/// The height of a virtual arm's paper, also used for planning while no arm reports its height: Z,
+/// in mm.
 pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
-/// How near before the arm the lower edge of a sheet lies.
+/// The minimum distance of a sheet's lower edge in front of the arm.
 const NEAREST_MM: f64 = 140.0;
-/// So far below the lower edge of the sheet the pen may have touched the paper: nobody meets an edge.
+/// The distance below the sheet's lower edge at which the touches may be, because nobody hits the
+/// edge exactly.
 const TOUCHED_BELOW_MM: f64 = 5.0;
 /// In characters.
 const LONGEST_TITLE: usize = 60;
 
-/// Where the sheet lies: through the touched points, at its corner or its middle, or as near before the
-/// arm as all of its lower edge can be reached.
+/// Returns the sheet: through the touched points, at its corner or centre, or as close in front of
+/// the arm as its whole lower edge can be reached.
 fn sheet(place: &PlaceOptions) -> Result<Option<SheetPlace>, OptionsError> {
     let Some(size) = place.paper_size else {
         return Ok(None);
@@ -409,7 +411,7 @@ fn hatch(what: &ContentOptions, material: &Material) -> Option<Hatch> {
     };
     Some(Hatch {
         spacing_mm,
-        // As a person behind the arm sees it: left to right is -Y.
+        // From behind the arm, left to right is -Y.
         angle_deg: what.hatch_angle - 90.0,
         cross: what.cross,
         style: what.hatch_style,

@@ -1,4 +1,4 @@
-//! Checks that the options fit the source and each other. An option that would do nothing is refused.
+//! Checks the options against the source and each other. An option without effect is refused.
 
 use std::fmt;
 
@@ -8,8 +8,8 @@ use super::fields::OPTION_RANGES;
 use super::{Options, OptionsError, PlaceOptions};
 use crate::prepare::NamedSource;
 
-/// Refuses the first option that would do nothing for any of these sources, which have this title together.
-/// Without a source the test card is drawn.
+/// Refuses the first option without effect for these sources with a common title. Without a source
+/// the test card is drawn.
 pub(super) fn check(
     options: &Options,
     sources: &[NamedSource],
@@ -18,7 +18,10 @@ pub(super) fn check(
     check_values(options)?;
     let kinds: Vec<SourceKind> = match sources {
         [] => vec![SourceKind::Card],
-        all => all.iter().map(|it| SourceKind::of(&it.source)).collect(),
+        all => all
+            .iter()
+            .map(|source| SourceKind::of(&source.source))
+            .collect(),
     };
     if options.what.card.is_some() && !sources.is_empty() {
         return Err(OptionsError::Both {
@@ -35,7 +38,7 @@ pub(super) fn check(
     }
     let misfit = given(options)
         .into_iter()
-        .find(|(_, given, purpose)| *given && !kinds.iter().any(|it| purpose.fits(*it)));
+        .find(|(_, given, purpose)| *given && !kinds.iter().any(|kind| purpose.fits(*kind)));
     let Some((field, _, purpose)) = misfit else {
         return Ok(());
     };
@@ -53,14 +56,14 @@ pub(super) fn check(
     })
 }
 
-/// Refuses the first option that no drawing can have, or that does not fit the others.
+/// Refuses the first option that is invalid for every drawing or conflicts with the others.
 pub(super) fn check_values(options: &Options) -> Result<(), OptionsError> {
     counts(options)?;
     ranges(options)?;
-    together(options)
+    combinations(options)
 }
 
-/// Places have as many numbers as they need, and all are numbers.
+/// Checks that coordinates are finite and complete.
 fn counts(options: &Options) -> Result<(), OptionsError> {
     let places = [
         ("place.at", &options.place.at, 2),
@@ -77,14 +80,14 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
             });
         }
         let mut numbers = numbers.iter().flatten();
-        if let Some(&found) = numbers.find(|it| it.abs() > FARTHEST_MM || it.is_nan()) {
+        if let Some(&found) = numbers.find(|number| number.abs() > FARTHEST_MM || number.is_nan()) {
             return Err(OptionsError::NoPlace { field, found });
         }
     }
     Ok(())
 }
 
-/// Numbers that no arm and no paper has.
+/// Checks numbers against the ranges of arms and paper.
 fn ranges(options: &Options) -> Result<(), OptionsError> {
     for range in &OPTION_RANGES {
         let is_refused = |found: &f64| !(range.least..=range.most).contains(found);
@@ -95,34 +98,39 @@ fn ranges(options: &Options) -> Result<(), OptionsError> {
     Ok(())
 }
 
-/// No table is larger.
+/// Larger than any table.
 const FARTHEST_MM: f64 = 10_000.0;
 
 /// Two options and whether each is given.
 type Pair = (&'static str, bool, &'static str, bool);
 
-/// Refuses options that exclude each other, a layer that is named twice, and options that need another one.
-fn together(options: &Options) -> Result<(), OptionsError> {
-    if let Some((field, _, other, _)) = exclusive(options).into_iter().find(|it| it.1 && it.3) {
+/// Refuses options that exclude each other, a layer named twice, and options that require another
+/// one.
+fn combinations(options: &Options) -> Result<(), OptionsError> {
+    if let Some((field, _, other, _)) = exclusive(options).into_iter().find(|pair| pair.1 && pair.3)
+    {
         return Err(OptionsError::Both { field, other });
     }
     let mut names: Vec<&str> = options
         .what
         .layer
         .iter()
-        .map(|it| it.name.as_str())
+        .map(|layer| layer.name.as_str())
         .collect();
     names.sort_unstable();
-    if let Some(twice) = names.windows(2).find(|it| it[0] == it[1]) {
+    if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
         return Err(OptionsError::Twice(twice[0].to_owned()));
     }
-    match dependent(options).into_iter().find(|it| it.1 && !it.3) {
+    match dependent(options)
+        .into_iter()
+        .find(|pair| pair.1 && !pair.3)
+    {
         Some((field, _, needs, _)) => Err(OptionsError::Alone { field, needs }),
         None => Ok(()),
     }
 }
 
-/// A table of options that exclude each other.
+/// Returns the options that exclude each other.
 fn exclusive(options: &Options) -> [Pair; 12] {
     let Options {
         what,
@@ -179,7 +187,7 @@ fn exclusive(options: &Options) -> [Pair; 12] {
     ]
 }
 
-/// A table of options that need another one.
+/// Returns the options that require another one.
 fn dependent(options: &Options) -> [Pair; 16] {
     let Options {
         what, place, tool, ..
@@ -247,11 +255,11 @@ fn dependent(options: &Options) -> [Pair; 16] {
     ]
 }
 
-/// What kind of thing is drawn.
+/// The kind of content.
 #[derive(Clone, Copy, Debug)]
 enum SourceKind {
     File(&'static Format),
-    /// Lines that a program has calculated.
+    /// Lines computed by a program.
     Lines,
     Text,
     Card,
@@ -275,7 +283,7 @@ impl SourceKind {
     }
 }
 
-/// What an option is for.
+/// The content for which an option has an effect.
 #[derive(Clone, Copy, Debug)]
 enum Purpose {
     Pictures,
@@ -285,12 +293,12 @@ enum Purpose {
     Cards,
     /// The areas of drawings and texts.
     Areas,
-    /// Shapes that are painted over each other.
+    /// Shapes painted over each other.
     Painted,
     Pages,
     /// The layers of drawings.
     Layers,
-    /// All but the test card.
+    /// Everything except the test card.
     Drawings,
 }
 
@@ -313,7 +321,7 @@ impl Purpose {
         }
     }
 
-    /// Whether it is for files of this format, for what only some formats have.
+    /// Whether an option applies to files of this format, for properties of only some formats.
     const fn fits_format(self, format: &Format) -> bool {
         match self {
             Self::Painted => matches!(format.contents, Contents::Page | Contents::Shapes),
@@ -340,7 +348,7 @@ impl fmt::Display for Purpose {
     }
 }
 
-/// Each field, whether it was given, and what it is for. What a material sets does not count.
+/// Returns each field, whether it is given, and its purpose. Values set by a material do not count.
 fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
     let Options {
         what, place, tool, ..
@@ -417,23 +425,23 @@ mod tests {
             ),
             (
                 r#"{"place": {"fit": true, "scale": 2}}"#,
-                "place.fit and place.scale exclude each other: give one of them",
+                "place.fit and place.scale exclude each other; use only one",
             ),
             (
                 r#"{"tool": {"pen": "marker", "laser": "plywood-engrave"}}"#,
-                "tool.pen and tool.laser exclude each other: give one of them",
+                "tool.pen and tool.laser exclude each other; use only one",
             ),
             (
                 r#"{"what": {"cross": true}}"#,
-                "what.cross does nothing without what.hatch",
+                "what.cross has no effect without what.hatch",
             ),
             (
                 r#"{"place": {"gap": 9}}"#,
-                "place.gap does nothing without place.grid or what.text",
+                "place.gap has no effect without place.grid or what.text",
             ),
             (
                 r#"{"what": {"shade": "stipple", "levels": 3}}"#,
-                "what.levels does nothing without what.shade hatch or outline",
+                "what.levels has no effect without what.shade hatch or outline",
             ),
             (
                 r#"{"place": {"at": [200]}}"#,
@@ -453,11 +461,11 @@ mod tests {
             ),
             (
                 r#"{"what": {"shade": "tsp"}, "way": {"keep_order": true}}"#,
-                "way.keep_order and what.shade tsp exclude each other: give one of them",
+                "way.keep_order and what.shade tsp exclude each other; use only one",
             ),
             (
                 r#"{"what": {"layers": "color", "layer": [{"name": "red", "pen": "marker"}, {"name": "red", "pen": "pencil"}]}}"#,
-                "what.layer \"red\" is given twice: give one of them",
+                "what.layer \"red\" is given twice; use only one",
             ),
             (
                 r#"{"tool": {"passes": 0}}"#,

@@ -1,4 +1,4 @@
-//! The options that say what is drawn.
+//! The options for the content.
 
 use std::str::FromStr;
 
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::fields::Ranges;
 use crate::strokes::hatch::HatchStyle;
 
-/// What is drawn.
+/// What to draw
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[expect(
     clippy::struct_excessive_bools,
@@ -18,67 +18,70 @@ use crate::strokes::hatch::HatchStyle;
 #[serde(default, deny_unknown_fields)]
 #[schemars(transform = Ranges("what"))]
 pub struct ContentOptions {
-    /// A text, alone or below the files; \n begins a new line
+    /// Text to draw, alone or below the files; \n starts a new line
     pub text: Option<String>,
-    /// The letters of `what.text`: a single-line font (sans, script, serif, gothic), or any installed font
-    /// (default: sans)
+    /// Font of `what.text`: a single-stroke font (sans, script, serif, gothic), or any installed
+    /// font (default: sans)
     pub font: Option<String>,
-    /// How tall the capitals of `what.text` are, in mm (default: 10)
+    /// Capital height of `what.text`, in mm (default: 10)
     pub height: Option<f64>,
-    /// Where the lines of `what.text` meet: left, center or right (default: left)
+    /// Alignment of `what.text`: left, center or right (default: left)
     pub align: Option<Align>,
-    /// A test card for the laser: fields burned at these speeds in mm/s, once, twice and so on
+    /// Burn a laser test card with a column for each of these speeds, in mm/s
     pub card: Option<Vec<f64>>,
-    /// How often the lowest row of the test card is burned (default: 3)
+    /// Number of rows of the test card: row n is burned n times (default: 3)
     pub card_passes: Option<u32>,
-    /// How wide and high the fields of the test card are, in mm (default: 6)
+    /// Size of the fields of the test card, in mm (default: 6)
     pub card_size: Option<f64>,
-    /// How far the fields of the test card lie apart, in mm (default: 2)
+    /// Gap between the fields of the test card, in mm (default: 2)
     pub card_gap: Option<f64>,
-    /// What is burned below the test card (default: the name of the material, and the day)
+    /// Label below the test card (default: the name of the material and the date)
     pub card_label: Option<String>,
-    /// Make layers of the colours or outermost groups of an SVG file, or of the layers of others: each is drawn
-    /// for itself, and the arm waits for its pen
+    /// Split an SVG file into layers by colour or outermost group, other files by their layers;
+    /// each is drawn separately, and the arm waits for its pen
     pub layers: Option<LayersBy>,
-    /// Draw a layer with a pen or material of its own
+    /// Draw a layer with its own pen or material
     pub layer: Vec<LayerTool>,
-    /// Draw these layers only, by name: several with commas between them, or one for each `what.only`
+    /// Draw only these layers, by name; separate several by commas, or repeat `what.only`
     pub only: Vec<String>,
-    /// Draw what lies beyond the page of an SVG file too, instead of cutting it at the page's edge
+    /// Also draw content beyond the page of an SVG file, instead of cropping it
     pub no_crop: bool,
-    /// Leave out what lies under filled shapes that are painted over it, white ones too, as in a picture
+    /// Remove what is covered by filled shapes painted over it, including white ones
     pub hide: bool,
-    /// Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
+    /// Hatch filled areas with this line spacing, in mm (default: as suits the pen or material)
     pub hatch: Option<Spacing>,
-    /// The direction of the hatching, in degrees from left to right counterclockwise
+    /// Hatch angle, in degrees counterclockwise from left to right
     pub hatch_angle: f64,
-    /// What areas are hatched with: lines, concentric (the outline again and again, farther inside) or
-    /// spiral (the same in one line)
+    /// Hatch style: lines, concentric (the outline repeated inwards) or spiral (concentric in a
+    /// single line)
     pub hatch_style: HatchStyle,
-    /// How far the hatching stays away from the edge, in mm: half the width of the pen keeps the ink inside
+    /// Distance of the hatching from the edge, in mm; half the width of the pen keeps the ink
+    /// inside
     pub hatch_inset: f64,
-    /// Hatch crosswise
+    /// Cross-hatch
     pub cross: bool,
-    /// How a picture becomes ink: hatch, lines, spiral, flow, stipple, tsp (one line from dot to dot) or outline
+    /// Rendering of a picture: hatch, lines, spiral, flow, stipple, tsp (a single line through
+    /// dots) or outline
     pub shade: Option<ShadingStyle>,
-    /// How far the lines or dots of a picture lie apart, or the lines of the test card, in mm on the paper
+    /// Spacing of the lines or dots of a picture, or of the lines of the test card, in mm on the
+    /// paper
     pub spacing: Option<f64>,
-    /// Make a picture lighter, or darker below 0: from -100 to 100 percent
+    /// Picture brightness, -100 to 100 percent
     pub brightness: f64,
-    /// Set the tones of a picture farther apart, or nearer below 0: from -100 to 100 percent
+    /// Picture contrast, -100 to 100 percent
     pub contrast: f64,
-    /// Make the middle tones of a picture lighter above 1, darker below
+    /// Picture gamma: above 1 makes the midtones lighter, below 1 darker
     pub gamma: f64,
-    /// Make a picture black where it is darker than so much, and white elsewhere: between 0 (white) and 1
+    /// Convert a picture to black and white at this darkness, between 0 (white) and 1
     pub threshold: Option<f64>,
-    /// How many tones beside white the styles outline and hatch tell apart, from 1 to 8 (default: 4)
+    /// Number of tones besides white in the styles outline and hatch, 1 to 8 (default: 4)
     pub levels: Option<u8>,
     /// Draw the light parts of a picture instead of the dark ones
     pub invert: bool,
 }
 
 impl Default for ContentOptions {
-    /// A file, all of it, its areas empty.
+    /// Returns the options for a whole file with unfilled areas.
     fn default() -> Self {
         Self {
             text: None,
@@ -112,11 +115,11 @@ impl Default for ContentOptions {
     }
 }
 
-/// A layer that has a pen or a material of its own: `NAME=PEN`.
+/// A layer with its own pen or material: `NAME=PEN`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LayerTool {
-    /// The layer's name.
+    /// The name of the layer.
     pub name: String,
     /// The name of its pen or material.
     pub pen: String,
@@ -136,11 +139,11 @@ impl FromStr for LayerTool {
     }
 }
 
-/// How far apart the lines of a hatching are: `auto` or millimetres.
+/// The line spacing of a hatching: `auto` or millimetres.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "expected \"auto\" or a number of millimetres")]
 pub enum Spacing {
-    /// So many millimetres.
+    /// A spacing in millimetres.
     Millimeters(f64),
     /// As suits the pen or material.
     OfTool(Auto),
@@ -163,7 +166,7 @@ impl FromStr for Spacing {
         }
         let spacing_mm = text.parse().map(Self::Millimeters);
         spacing_mm.map_err(|_| {
-            "expected a number of millimetres; a file stands before the option, or the option has `=auto` behind it"
+            "expected a number of millimetres; put the file before the option, or append `=auto` to the option"
         })
     }
 }

@@ -1,4 +1,4 @@
-//! What is wrong with what was asked for.
+//! Errors of drawing options.
 
 use dobot_plan::PaperError;
 use thiserror::Error;
@@ -9,67 +9,67 @@ use crate::layout::test_card::CardError;
 use crate::material::UnknownMaterial;
 use crate::prepare::PrepareError;
 
-/// What is wrong with what was asked for.
+/// The error returned for invalid options.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum OptionsError {
-    /// A pen or a material that nobody knows.
+    /// The pen or material is unknown.
     #[error(transparent)]
     Unknown(#[from] UnknownMaterial),
-    /// A material for a pen, or the other way round.
+    /// A material is used with a pen, or a pen with the laser.
     #[error("{name} is {is}")]
     OtherKind {
-        /// The name that was given.
+        /// The given name.
         name: String,
-        /// What it is.
+        /// Its kind.
         is: &'static str,
-        /// The field that it belongs to.
+        /// The field.
         field: &'static str,
     },
-    /// A test card without a laser.
-    #[error("a test card is burned, and the tool is a pen")]
+    /// A test card requires a laser.
+    #[error("a test card needs a laser, but the tool is a pen")]
     CardByPen,
-    /// A test card that cannot be laid out.
+    /// The test card cannot be laid out.
     #[error(transparent)]
     Card(#[from] CardError),
-    /// An option that would do nothing.
+    /// An option has no effect.
     #[error("{field} is for {fits}, and {is}")]
     Misfit {
         /// The field, as in `tool.kerf`.
         field: &'static str,
-        /// What it is for.
+        /// What the option applies to.
         fits: String,
-        /// What there is.
+        /// The actual content.
         is: String,
     },
-    /// Options that exclude each other.
-    #[error("{field} and {other} exclude each other: give one of them")]
+    /// Two options exclude each other.
+    #[error("{field} and {other} exclude each other; use only one")]
     Both {
-        /// The one, as in `place.fit`.
+        /// The first field, as in `place.fit`.
         field: &'static str,
-        /// The other.
+        /// The second field.
         other: &'static str,
     },
-    /// An option that does nothing without another one.
-    #[error("{field} does nothing without {needs}")]
+    /// An option has no effect without another one.
+    #[error("{field} has no effect without {needs}")]
     Alone {
-        /// The one that was given.
+        /// The given field.
         field: &'static str,
-        /// The one that is missing.
+        /// The missing field.
         needs: &'static str,
     },
-    /// A layer that is to be drawn in two ways.
-    #[error("what.layer {0:?} is given twice: give one of them")]
+    /// A layer is given twice.
+    #[error("what.layer {0:?} is given twice; use only one")]
     Twice(String),
-    /// A coordinate that is none.
+    /// A coordinate is not finite or too large.
     #[error("{field} has {found:?}; it takes numbers of millimetres from -10000 to 10000")]
     NoPlace {
         /// The field, as in `tool.kerf`.
         field: &'static str,
-        /// What it has.
+        /// The value.
         found: f64,
     },
-    /// A number that no arm and no paper has.
+    /// A number is outside the range of arms and paper.
     #[error(
         "{} is {}; it takes {} to {}",
         range.field,
@@ -78,27 +78,27 @@ pub enum OptionsError {
         with_unit(range.most, range.unit)
     )]
     Range {
-        /// What it is.
+        /// The value.
         found: f64,
-        /// The field, and what it takes.
+        /// The field and its range.
         range: &'static OptionRange,
     },
-    /// Coordinates that are too few or too many.
+    /// There are too few or too many coordinates.
     #[error("{field} has {found} numbers; it takes {allowed}")]
     Count {
         /// The field, as in `tool.kerf`.
         field: &'static str,
-        /// How many there are.
+        /// The number found.
         found: usize,
-        /// How many it takes.
+        /// The number allowed.
         allowed: usize,
     },
-    /// A sheet of which one place was touched twice.
+    /// Two touches of a sheet are at the same place.
     #[error(
         "place.paper has the same place for the lower left corner of the sheet and for its lower edge; touch two places"
     )]
     SamePoint,
-    /// A place on the paper that lies where none is.
+    /// A place on the paper is out of range.
     #[error(
         "the third place of place.paper lies {0:.1} mm below the lower edge of the sheet, seen from the first two; touch first the lower left corner, then another place on the lower edge, to the right of it"
     )]
@@ -108,16 +108,16 @@ pub enum OptionsError {
         "the places at which the paper of the calibration was touched lie on one line, or two are the same; touch the paper again"
     )]
     NoSurface,
-    /// Paper that does not lie so.
+    /// The paper is invalid.
     #[error(transparent)]
     Paper(#[from] PaperError),
-    /// A drawing that cannot be made so.
+    /// The drawing cannot be prepared.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
 }
 
 impl OptionsError {
-    /// The field that is wrong, as in `tool.kerf`, where one is.
+    /// Returns the invalid field, if any, as in `tool.kerf`.
     #[must_use]
     pub const fn field(&self) -> Option<&'static str> {
         match self {
@@ -131,7 +131,7 @@ impl OptionsError {
         }
     }
 
-    /// What to do about it, where something helps.
+    /// Returns a hint, if there is one.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
@@ -142,26 +142,26 @@ impl OptionsError {
                 Some("add `tool.laser MATERIAL`; `dobot materials` lists them".to_owned())
             }
             Self::Prepare(PrepareError::Place(PlaceError::TooLarge { .. })) => {
-                Some("`place.fit`, instead of `place.scale`, makes it as large as the drawing area allows; `place.clip` draws what of it is within reach; `place.at X Y` says where its middle lies".into())
+                Some("use `place.fit` instead of `place.scale` to fit the drawing area, `place.clip` to draw only the part within reach, or `place.at X Y` to move its centre".into())
             }
             Self::Prepare(PrepareError::Place(PlaceError::BeyondSheet { .. })) => Some(
-                "`place.landscape` or `place.rotate 90` where the page lies the other way round; `place.fit` instead of `place.scale`; `place.clip`".into(),
+                "use `place.landscape` or `place.rotate 90` if the page has the other orientation, `place.fit` instead of `place.scale`, or `place.clip`".into(),
             ),
             Self::Prepare(PrepareError::Place(PlaceError::OutOfReach { .. })) => Some(
-                "`place.clip` draws what is within reach; `place.fit` without `place.at` and `place.paper_size` makes all of it fit; on a sheet, a smaller one or one that lies nearer (`place.corner`); `place.pen_down` and `tool.lift` set the heights".into(),
+                "use `place.clip` to draw only the part within reach, `place.fit` without `place.at` and `place.paper_size` to fit the drawing, a smaller or closer sheet (`place.corner`), or other heights (`place.pen_down`, `tool.lift`)".into(),
             ),
             Self::Prepare(PrepareError::Place(PlaceError::RunOutOfReach { .. })) => {
-                Some("a lower `tool.speed`; `place.clip` leaves room for the ways of the laser".into())
+                Some("use a lower `tool.speed`, or `place.clip`, which leaves room for the run-ups of the laser".into())
             }
             Self::Prepare(PrepareError::AllCutOff) => Some(
-                "without `place.clip` the place is told; `place.at` or `place.corner` say where the sheet lies".into(),
+                "remove `place.clip` to see the position that is out of reach; `place.at` or `place.corner` move the sheet".into(),
             ),
             _ => None,
         }
     }
 }
 
-/// A number without `.0`, and no longer than need be.
+/// Formats a number as short as possible, without `.0`.
 fn with_unit(value: f64, unit: &str) -> String {
     let text = format!("{value:?}");
     let text = text.strip_suffix(".0").unwrap_or(&text);

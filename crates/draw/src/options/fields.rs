@@ -1,4 +1,4 @@
-//! The fields of [`Options`]: their names, and the ranges of those that are numbers.
+//! The fields of [`Options`]: their names and numeric ranges.
 
 use std::sync::LazyLock;
 
@@ -11,53 +11,53 @@ use super::Options;
 use crate::layout::test_card::Card;
 use crate::prepare::TOLERANCE_MM;
 
-/// The range of a number among the options. It is checked, and it is in the JSON Schema.
+/// The range of a numeric option. It is checked and part of the JSON Schema.
 #[derive(Clone, Copy, Debug)]
 pub struct OptionRange {
     /// The field, as in `tool.kerf`.
     pub field: &'static str,
-    /// The least that it takes.
+    /// The minimum.
     pub least: f64,
-    /// The most.
+    /// The maximum.
     pub most: f64,
-    /// The unit; nothing for plain numbers.
+    /// The unit; empty for plain numbers.
     pub unit: &'static str,
-    /// What it is; nothing where it is not given.
+    /// Returns the value; `None` if it is not given.
     pub(super) value: fn(&Options) -> Option<f64>,
 }
 
-/// The ranges of all numbers that have one whatever is drawn.
+/// The ranges of all numbers that are independent of the content.
 #[rustfmt::skip]
 pub static OPTION_RANGES: [OptionRange; 25] = [
-    range("what.height", Text::HEIGHT_MM, "mm", |it| it.what.height),
-    range("what.card_passes", Card::PASSES, "times", |it| it.what.card_passes.map(f64::from)),
-    range("what.card_size", Card::CELL_MM, "mm", |it| it.what.card_size),
-    range("what.card_gap", Card::GAP_MM, "mm", |it| it.what.card_gap),
-    range("what.hatch_inset", [0.0, 20.0], "mm", |it| Some(it.what.hatch_inset)),
-    range("what.brightness", [-100.0, 100.0], "percent", |it| Some(it.what.brightness)),
-    range("what.contrast", [-100.0, 100.0], "percent", |it| Some(it.what.contrast)),
-    range("what.gamma", [0.1, 10.0], "", |it| Some(it.what.gamma)),
-    range("what.threshold", [0.01, 0.99], "", |it| it.what.threshold),
-    range("what.levels", Shading::LEVELS, "", |it| it.what.levels.map(f64::from)),
-    range("place.gap", [0.0, 1000.0], "mm", |it| Some(it.place.gap)),
-    range("place.pen_down", [-500.0, 500.0], "mm", |it| it.place.pen_down),
-    range("place.offset", [-100.0, 100.0], "mm", |it| Some(it.place.offset)),
-    range("tool.lift", [0.0, 200.0], "mm", |it| it.tool.lift),
-    range("tool.speed", [0.0, 1000.0], "mm/s", |it| it.tool.speed),
-    range("tool.travel_speed", [0.0, 1000.0], "mm/s", |it| it.tool.travel_speed),
-    range("tool.passes", [1.0, 100.0], "times", |it| it.tool.passes.map(f64::from)),
-    range("tool.kerf", [-5.0, 5.0], "mm", |it| Some(it.tool.kerf)),
-    range("tool.lead_in", [0.0, 20.0], "mm", |it| Some(it.tool.lead_in)),
-    range("tool.overcut", [0.0, 20.0], "mm", |it| Some(it.tool.overcut)),
-    range("tool.tabs", [0.0, 100.0], "tabs", |it| Some(it.tool.tabs.into())),
-    range("tool.tab_width", [0.1, 20.0], "mm", |it| Some(it.tool.tab_width)),
-    range("tool.acceleration", [0.0, 10_000.0], "mm/s2", |it| Some(it.tool.acceleration)),
-    range("way.tolerance", TOLERANCE_MM, "mm", |it| Some(it.way.tolerance)),
-    range("way.join", [0.0, 20.0], "mm", |it| it.way.join),
+    range("what.height", Text::HEIGHT_MM, "mm", |options| options.what.height),
+    range("what.card_passes", Card::PASSES, "times", |options| options.what.card_passes.map(f64::from)),
+    range("what.card_size", Card::CELL_MM, "mm", |options| options.what.card_size),
+    range("what.card_gap", Card::GAP_MM, "mm", |options| options.what.card_gap),
+    range("what.hatch_inset", [0.0, 20.0], "mm", |options| Some(options.what.hatch_inset)),
+    range("what.brightness", [-100.0, 100.0], "percent", |options| Some(options.what.brightness)),
+    range("what.contrast", [-100.0, 100.0], "percent", |options| Some(options.what.contrast)),
+    range("what.gamma", [0.1, 10.0], "", |options| Some(options.what.gamma)),
+    range("what.threshold", [0.01, 0.99], "", |options| options.what.threshold),
+    range("what.levels", Shading::LEVELS, "", |options| options.what.levels.map(f64::from)),
+    range("place.gap", [0.0, 1000.0], "mm", |options| Some(options.place.gap)),
+    range("place.pen_down", [-500.0, 500.0], "mm", |options| options.place.pen_down),
+    range("place.offset", [-100.0, 100.0], "mm", |options| Some(options.place.offset)),
+    range("tool.lift", [0.0, 200.0], "mm", |options| options.tool.lift),
+    range("tool.speed", [0.0, 1000.0], "mm/s", |options| options.tool.speed),
+    range("tool.travel_speed", [0.0, 1000.0], "mm/s", |options| options.tool.travel_speed),
+    range("tool.passes", [1.0, 100.0], "times", |options| options.tool.passes.map(f64::from)),
+    range("tool.kerf", [-5.0, 5.0], "mm", |options| Some(options.tool.kerf)),
+    range("tool.lead_in", [0.0, 20.0], "mm", |options| Some(options.tool.lead_in)),
+    range("tool.overcut", [0.0, 20.0], "mm", |options| Some(options.tool.overcut)),
+    range("tool.tabs", [0.0, 100.0], "tabs", |options| Some(options.tool.tabs.into())),
+    range("tool.tab_width", [0.1, 20.0], "mm", |options| Some(options.tool.tab_width)),
+    range("tool.acceleration", [0.0, 10_000.0], "mm/s2", |options| Some(options.tool.acceleration)),
+    range("way.tolerance", TOLERANCE_MM, "mm", |options| Some(options.way.tolerance)),
+    range("way.join", [0.0, 20.0], "mm", |options| options.way.join),
 ];
 
 impl PartialEq for OptionRange {
-    /// A field has one range.
+    /// Each field has one range.
     fn eq(&self, other: &Self) -> bool {
         self.field == other.field
     }
@@ -78,7 +78,7 @@ const fn range(
     }
 }
 
-/// Puts the ranges of a group of options into its schema.
+/// Adds the ranges of a group of options to its schema.
 pub(super) struct Ranges(pub(super) &'static str);
 
 impl Transform for Ranges {
@@ -100,7 +100,7 @@ impl Transform for Ranges {
 }
 
 impl Options {
-    /// The fields by group: an object for each group, with the value that each field has where it is not given.
+    /// Returns the fields by group: an object per group with the default value of each field.
     #[must_use]
     pub fn fields() -> &'static Map<String, Value> {
         static FIELDS: LazyLock<Map<String, Value>> = LazyLock::new(|| {
@@ -113,7 +113,7 @@ impl Options {
         &FIELDS
     }
 
-    /// What a field of any group means, for a person.
+    /// Returns the description of a field of any group.
     #[must_use]
     pub fn description(field: &str) -> Option<&'static str> {
         static SCHEMA: LazyLock<Schema> = LazyLock::new(|| schema_for!(Options));
@@ -125,8 +125,9 @@ impl Options {
         groups.find_map(|group| group.get("properties")?.get(field)?["description"].as_str())
     }
 
-    /// A text in which fields such as `tool.kerf` have other names: what `name` makes of `kerf`. Errors, warnings and
-    /// descriptions of this crate name fields; the command line has options for them, and Python has arguments.
+    /// Replaces the fields in a text, such as `tool.kerf`, by the result of `name` for `kerf`.
+    /// Errors, warnings and descriptions of this crate name fields; the command line shows options
+    /// instead, and Python arguments.
     ///
     /// ```
     /// use dobot_draw::Options;
@@ -145,7 +146,7 @@ impl Options {
             rest = &rest[start..];
             let end = rest.find(|letter| !is_part(letter));
             let (word, behind) = rest.split_at(end.unwrap_or(rest.len()));
-            // A full stop behind it ends the sentence.
+            // A full stop after the field ends the sentence.
             let bare = word.trim_end_matches('.');
             match field(bare) {
                 Some(field) => {
@@ -161,7 +162,7 @@ impl Options {
     }
 }
 
-/// The name of a field in its group, where the word is one, as in `tool.kerf`.
+/// Returns the name of a field in its group if the word is a field, as in `tool.kerf`.
 fn field(word: &str) -> Option<&str> {
     let (group, field) = word.split_once('.')?;
     Options::fields().get(group)?.get(field).map(|_| field)

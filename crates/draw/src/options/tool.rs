@@ -1,4 +1,4 @@
-//! The options that say with what it is drawn.
+//! The options for the tool.
 
 use std::str::FromStr;
 
@@ -8,45 +8,45 @@ use serde::{Deserialize, Serialize};
 
 use super::fields::Ranges;
 
-/// With what it is drawn.
+/// The tool to draw with
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 #[schemars(transform = Ranges("tool"))]
 pub struct ToolOptions {
-    /// Draw with this pen
+    /// Pen to draw with
     pub pen: String,
-    /// Burn this material with the laser
+    /// Material to burn with the laser
     pub laser: Option<String>,
-    /// How far the pen is lifted to travel, in mm
+    /// Lift of the pen while travelling, in mm
     pub lift: Option<f64>,
     /// Speed while drawing or burning, in mm/s
     pub speed: Option<f64>,
-    /// Speed between the strokes, in mm/s
+    /// Travel speed between strokes, in mm/s
     pub travel_speed: Option<f64>,
-    /// Draw or burn everything so often; a pen goes over each line so often before it is lifted
+    /// Number of passes; a pen repeats each line before it is lifted
     pub passes: Option<u32>,
-    /// What the laser burns so often before it goes on: a shape, or all of the layer
+    /// What the laser repeats before continuing: each shape, or the whole layer
     pub passes_by: PassesBy,
-    /// How wide the laser burns, in mm: closed shapes are cut larger by half of it, and holes in them smaller;
-    /// below 0 the other way round
+    /// Width of the laser's cut, in mm: closed shapes are cut larger by half of it, and holes in
+    /// them smaller; a negative width does the opposite
     pub kerf: f64,
-    /// Begin each cut so far beside the shape, in mm
+    /// Length of the lead-in to each cut, in mm
     pub lead_in: f64,
-    /// Go on so far behind where a cut began, in mm
+    /// Distance to cut past the start point, in mm
     pub overcut: f64,
-    /// Leave so many places of each shape uncut, so that it does not fall out
+    /// Number of tabs that hold each shape in place
     pub tabs: u32,
-    /// How wide these places are, in mm
+    /// Width of a tab, in mm
     pub tab_width: f64,
     /// Acceleration, in mm/s²
     pub acceleration: f64,
 }
 
-/// What a laser burns several times before it goes on.
+/// What a laser repeats before it continues.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum PassesBy {
-    /// Each shape for itself.
+    /// Each shape.
     Shape,
     /// All shapes of a layer.
     #[default]
@@ -66,7 +66,7 @@ impl FromStr for PassesBy {
 }
 
 impl Default for ToolOptions {
-    /// A fineliner.
+    /// Returns a fineliner.
     fn default() -> Self {
         Self {
             pen: "fineliner".to_owned(),

@@ -1,4 +1,4 @@
-//! The figures of a plan as a virtual arm carried it out.
+//! Statistics of a plan executed by a virtual arm.
 
 use dobot_arm::Tool;
 use dobot_plan::PlannedPass;
@@ -8,50 +8,50 @@ use serde::Serialize;
 use crate::output::ink::point;
 use crate::output::trace::{Ink, Trace};
 
-/// The figures of a drawing: the estimate of a later run is the run of a virtual arm.
+/// The statistics of a drawing. The estimate of a later run is the run of a virtual arm.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Estimate {
-    /// From when the arm sets out for the first stroke to the end, in seconds.
+    /// The time from the start of the move to the first stroke to the end, in seconds.
     pub time_s: f64,
-    /// How long the lines on the paper are, in mm.
+    /// The length of the lines on the paper, in mm.
     pub ink_mm: f64,
-    /// How far the tool goes without leaving ink, seen from above, in mm.
+    /// The length of the tool's path without ink, seen from above, in mm.
     pub travel_mm: f64,
-    /// How many strokes, each as often as it is drawn.
+    /// The number of strokes, counting repetitions.
     pub strokes: usize,
-    /// How many vectors, and so packets.
+    /// The number of vectors, which is the number of packets.
     pub vectors: usize,
-    /// How far the ink lies from the wanted path at most, in mm.
+    /// The maximum distance of the ink from the wanted path, in mm.
     pub error_mm: f64,
-    /// The same for each pass.
+    /// The statistics of each pass.
     pub passes: Vec<PassFigures>,
 }
 
-/// The figures of a pass.
+/// The statistics of a pass.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PassFigures {
-    /// What it is called.
+    /// The name.
     pub name: String,
-    /// Red, green and blue, where the file tells a colour.
+    /// Red, green and blue, if the file specifies a colour.
     pub color: Option<[u8; 3]>,
-    /// What draws: `pen` or `laser`.
+    /// The tool: `pen` or `laser`.
     pub tool: Tool,
-    /// How many strokes, each as often as it is drawn.
+    /// The number of strokes, counting repetitions.
     pub strokes: usize,
-    /// How many vectors, and so packets.
+    /// The number of vectors, which is the number of packets.
     pub vectors: usize,
-    /// How long its lines on the paper are, in mm.
+    /// The length of its lines on the paper, in mm.
     pub ink_mm: f64,
-    /// How far the tool goes without leaving ink, the way to its first stroke included, in mm.
+    /// The length of the tool's path without ink, including the way to its first stroke, in mm.
     pub travel_mm: f64,
-    /// From the end of the pass before to its own, in seconds.
+    /// The time from the end of the pass before to its own end, in seconds.
     pub time_s: f64,
-    /// How far its ink lies from the wanted path at most, in mm.
+    /// The maximum distance of its ink from the wanted path, in mm.
     pub error_mm: f64,
 }
 
 impl Trace<'_> {
-    /// The figures of what was carried out.
+    /// Returns the statistics of the execution.
     #[must_use]
     pub fn estimate(&self) -> Estimate {
         let mut passes: Vec<PassFigures> = self.plan.passes.iter().map(PassFigures::of).collect();
@@ -59,12 +59,12 @@ impl Trace<'_> {
         self.measure(&mut passes);
         let sum = |of: fn(&PassFigures) -> f64| passes.iter().map(of).fold(0.0, |a, b| a + b);
         Estimate {
-            time_s: self.moments.last().map_or(0.0, |it| it.t_s),
-            ink_mm: sum(|it| it.ink_mm),
-            travel_mm: sum(|it| it.travel_mm),
-            strokes: passes.iter().map(|it| it.strokes).sum(),
+            time_s: self.moments.last().map_or(0.0, |moment| moment.t_s),
+            ink_mm: sum(|pass| pass.ink_mm),
+            travel_mm: sum(|pass| pass.travel_mm),
+            strokes: passes.iter().map(|pass| pass.strokes).sum(),
             vectors: self.ends.len(),
-            error_mm: passes.iter().map(|it| it.error_mm).fold(0.0, f64::max),
+            error_mm: passes.iter().map(|pass| pass.error_mm).fold(0.0, f64::max),
             passes,
         }
     }

@@ -1,4 +1,4 @@
-//! What will be drawn as a file for other programs: the strokes in their order, in true millimetres.
+//! Export of a drawing to files for other programs: the strokes in order, in true millimetres.
 
 use std::fmt::Write as _;
 use std::str::FromStr;
@@ -8,23 +8,23 @@ use dobot_plan::{DOT_MM, DrawingTool, Pass};
 
 use crate::layout::sheet::SheetPlace;
 
-/// The kinds of files that a drawing can be written as.
+/// The export formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ExportFormat {
-    /// A path for each stroke, a layer for each pass, as Inkscape and vpype read them.
+    /// SVG with a path per stroke and a layer per pass, as Inkscape and vpype read them.
     Svg,
-    /// Moves of a pen by Z, or of a laser by M4.
+    /// G-code: moves of a pen by Z, or of a laser by M4.
     Gcode,
-    /// HP-GL: a pen for each pass.
+    /// HP-GL with a pen per pass.
     Hpgl,
-    /// Points, as `dobot draw` reads them.
+    /// JSON points, as `dobot draw` reads them.
     Json,
 }
 
 impl FromStr for ExportFormat {
     type Err = &'static str;
 
-    /// By the ending of a file's name.
+    /// Parses the extension of a file name.
     fn from_str(ending: &str) -> Result<Self, Self::Err> {
         match ending.to_ascii_lowercase().as_str() {
             "svg" => Ok(Self::Svg),
@@ -36,8 +36,8 @@ impl FromStr for ExportFormat {
     }
 }
 
-/// Writes passes as a file. The page is the sheet, or the ink where there is none; seen from behind the arm
-/// the picture lies upright.
+/// Exports passes to a file. The page is the sheet, or the bounds of the ink without one; the
+/// picture is upright as seen from behind the arm.
 #[must_use]
 pub fn export(passes: &[Pass], sheet: Option<&SheetPlace>, format: ExportFormat) -> String {
     let page = Page::of(passes, sheet);
@@ -49,10 +49,10 @@ pub fn export(passes: &[Pass], sheet: Option<&SheetPlace>, format: ExportFormat)
     }
 }
 
-/// A page, x to the right and y down from its upper left corner, in mm.
+/// A page with x to the right and y down from its upper left corner, in mm.
 struct Page<'a> {
     sheet: Option<&'a SheetPlace>,
-    /// The ink in the base frame.
+    /// The bounds of the ink in the base frame.
     ink: Rect,
     width_mm: f64,
     height_mm: f64,
@@ -60,11 +60,11 @@ struct Page<'a> {
 
 impl<'a> Page<'a> {
     fn of(passes: &[Pass], sheet: Option<&'a SheetPlace>) -> Self {
-        let strokes = passes.iter().flat_map(|it| &it.strokes);
-        let ink = bounds(strokes.flat_map(|it| it.points.iter().copied()));
+        let strokes = passes.iter().flat_map(|pass| &pass.strokes);
+        let ink = bounds(strokes.flat_map(|stroke| stroke.points.iter().copied()));
         let [width_mm, height_mm] = match sheet {
             Some(sheet) => [sheet.size.width_mm, sheet.size.height_mm],
-            // Of a page without a height nothing is shown.
+            // A page without height would not be displayed.
             None => [ink.height(), ink.width()].map(|mm| mm.max(LEAST_PAGE_MM)),
         };
         Self {
@@ -83,7 +83,7 @@ impl<'a> Page<'a> {
         [p.x, p.y].map(Thousandths)
     }
 
-    /// The same with y up from the lower edge.
+    /// Converts a point to the page with y up from the lower edge.
     fn upright(&self, p: Point) -> [Thousandths; 2] {
         let [x, Thousandths(y)] = self.place(p);
         [x, Thousandths(self.height_mm - y)]
@@ -93,14 +93,14 @@ impl<'a> Page<'a> {
 const LEAST_PAGE_MM: f64 = 1.0;
 const ALMOST_WHITE: u8 = 230;
 
-/// A number of millimetres with three decimals at most.
+/// Millimetres with at most three decimals.
 #[derive(Clone, Copy)]
 struct Thousandths(f64);
 
 impl std::fmt::Display for Thousandths {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let rounded = (self.0 * 1000.0).round() / 1000.0;
-        // Without a minus before nothing.
+        // Avoid a negative zero.
         write!(f, "{}", rounded + 0.0)
     }
 }
@@ -124,7 +124,7 @@ fn svg(passes: &[Pass], page: &Page<'_>) -> String {
     text + "</svg>\n"
 }
 
-/// A dot is a line without length.
+/// Returns a path; a dot is a line without length.
 fn path(stroke: &Stroke, page: &Page<'_>) -> String {
     let places = stroke.points.iter().map(|&p| page.place(p));
     let corners = places.map(|[x, y]| format!("{x} {y}"));
@@ -133,9 +133,9 @@ fn path(stroke: &Stroke, page: &Page<'_>) -> String {
     format!("M{}{end}", corners.join("L"))
 }
 
-/// What is almost white, or has no colour, is black: nobody would see it on the page.
+/// Replaces almost white and missing colours by black, which is visible on the page.
 fn seen(color: Option<[u8; 3]>) -> [u8; 3] {
-    let is_seen = |it: &[u8; 3]| it.iter().any(|shade| *shade < ALMOST_WHITE);
+    let is_seen = |rgb: &[u8; 3]| rgb.iter().any(|shade| *shade < ALMOST_WHITE);
     color.filter(is_seen).unwrap_or_default()
 }
 
@@ -151,7 +151,11 @@ fn escaped(text: &str) -> String {
 fn gcode(passes: &[Pass], page: &Page<'_>) -> String {
     let mut text = "G21\nG90\n".to_owned();
     for pass in passes {
-        let name: String = pass.name.chars().filter(|it| !it.is_control()).collect();
+        let name: String = pass
+            .name
+            .chars()
+            .filter(|letter| !letter.is_control())
+            .collect();
         let _ = writeln!(text, "; {name}");
         let (on, off) = match pass.tool {
             DrawingTool::Pen(pen) => ("G1 Z-0.1 F600", format!("G0 Z{}", Thousandths(pen.lift_mm))),
@@ -162,9 +166,9 @@ fn gcode(passes: &[Pass], page: &Page<'_>) -> String {
         for stroke in pass.drawn() {
             let mut places: Vec<_> = stroke.points.iter().map(|&p| page.upright(p)).collect();
             if let ([[Thousandths(x), y]], true) = (&places[..], pass.tool.burns()) {
-                // A laser that does not move burns nothing with M4.
+                // With M4, a laser that does not move does not burn.
                 places = [-0.5, 0.5]
-                    .map(|it| [Thousandths(x + it * DOT_MM), *y])
+                    .map(|side| [Thousandths(x + side * DOT_MM), *y])
                     .to_vec();
             }
             let Some(([x, y], rest)) = places.split_first() else {
@@ -182,7 +186,7 @@ fn gcode(passes: &[Pass], page: &Page<'_>) -> String {
 
 fn hpgl(passes: &[Pass], page: &Page<'_>) -> String {
     let units = |p: Point| {
-        let [x, y] = page.upright(p).map(|it| (it.0 * UNITS_A_MM).round() + 0.0);
+        let [x, y] = page.upright(p).map(|mm| (mm.0 * UNITS_A_MM).round() + 0.0);
         format!("{x},{y}")
     };
     let mut text = "IN;\n".to_owned();
@@ -203,7 +207,9 @@ fn json(passes: &[Pass], page: &Page<'_>) -> String {
     let mut strokes = Vec::new();
     for pass in passes {
         let name = serde_json::Value::from(pass.name.as_str());
-        let color = pass.color.map(|it| format!("\"color\":\"{}\",", color(it)));
+        let color = pass
+            .color
+            .map(|rgb| format!("\"color\":\"{}\",", color(rgb)));
         let color = color.unwrap_or_default();
         for stroke in &pass.strokes {
             let points = stroke.points.iter().map(|&p| {
@@ -230,9 +236,8 @@ mod tests {
 
     /// A corner, a line and a dot, 60 mm wide and 40 mm high.
     fn passes() -> Vec<Pass> {
-        let line = |points: &[(f64, f64)]| {
-            Stroke::open(points.iter().map(|&it| Point::from(it)).collect())
-        };
+        let line =
+            |points: &[(f64, f64)]| Stroke::open(points.iter().map(|&p| Point::from(p)).collect());
         let corner = line(&[(200.0, 30.0), (240.0, 30.0), (240.0, -30.0)]);
         let others = vec![line(&[(210.0, 0.0), (220.0, 0.0)]), line(&[(205.0, -10.0)])];
         let mut red = Pass::new(DrawingTool::default(), vec![corner]);
@@ -244,7 +249,7 @@ mod tests {
         vec![red, blue]
     }
 
-    /// The strokes of a file, from the corner of their ink.
+    /// Returns the strokes of a file, relative to the corner of their ink.
     fn read(name: &str, text: String) -> Vec<Vec<(f64, f64)>> {
         let options = ReadOptions {
             burns: text.contains("M4"),
@@ -254,8 +259,14 @@ mod tests {
         let (artwork, warnings) = source.read(&options).unwrap();
         assert!(warnings.is_empty(), "{name}: {warnings:?}");
         let round = |mm: f64| (mm * 1e3).round() / 1e3 + 0.0;
-        let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
-        let points = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+        let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
+        let points = |stroke: &Stroke| {
+            stroke
+                .points
+                .iter()
+                .map(|p| (round(p.x), round(p.y)))
+                .collect()
+        };
         strokes.map(points).collect()
     }
 
@@ -344,14 +355,16 @@ mod tests {
             let strokes = read("a.gcode", export(&[frame, pass], None, ExportFormat::Gcode));
             let middles = strokes
                 .iter()
-                .map(|it| f64::midpoint(it[0].0, it[it.len() - 1].0));
+                .map(|line| f64::midpoint(line[0].0, line[line.len() - 1].0));
             assert_eq!(middles.skip(1).collect::<Vec<_>>(), order);
-            let dots = strokes.iter().filter(|it| (it[0].1 - 35.0).abs() < 1e-9);
+            let dots = strokes
+                .iter()
+                .filter(|line| (line[0].1 - 35.0).abs() < 1e-9);
             assert!(
                 dots.clone().count() == 2
                     && dots
                         .clone()
-                        .all(|it| ((it[1].0 - it[0].0).abs() - 0.2).abs() < 1e-9),
+                        .all(|line| ((line[1].0 - line[0].0).abs() - 0.2).abs() < 1e-9),
                 "{strokes:?}"
             );
         }

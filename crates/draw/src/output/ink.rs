@@ -1,32 +1,28 @@
-//! What the tool left on the paper.
+//! The ink on the paper.
 
 use dobot_arm::Position;
 use dobot_geometry::{PathDistance, Point, Stroke};
 use dobot_plan::{Paper, Plan};
 
-/// A line on the paper, and how far it lies from what was wanted.
+/// A line on the paper and its deviation from the wanted path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InkLine {
     /// The line, or a dot.
     pub stroke: Stroke,
-    /// For each of its points how far it lies from the wanted path, in mm.
+    /// The distance of each point from the wanted path, in mm.
     pub errors_mm: Vec<f64>,
-    /// Which pass left it, from 0.
+    /// The pass that drew it, from 0.
     pub pass: u32,
 }
 
 impl InkLine {
-    /// What was seen of a drawing, compared with what was wanted; all of it in pass 0, since nobody
-    /// saw which it was.
+    /// Compares observed ink with the wanted path. Everything is assigned to pass 0, because passes
+    /// are not observable.
     #[must_use]
     pub fn measured(seen: Vec<Stroke>, wanted: &[Stroke]) -> Vec<Self> {
         let mut near = PathDistance::new(wanted);
         let mut measure = |stroke: Stroke| Self {
-            errors_mm: stroke
-                .points
-                .iter()
-                .map(|&it| near.distance_mm(it))
-                .collect(),
+            errors_mm: stroke.points.iter().map(|&p| near.distance_mm(p)).collect(),
             stroke,
             pass: 0,
         };
@@ -34,12 +30,12 @@ impl InkLine {
     }
 }
 
-/// The places where a pen was seen writing, of a path that is known there only: between two
-/// statuses nobody knows where the pen went.
+/// Returns the positions at which a pen was observed writing, from statuses; between two statuses
+/// its path is unknown.
 ///
-/// What counts begins where the pen is first seen up, at half its lift: an arm that stands on the
-/// paper before it is told to draw has drawn nothing. A laser is not seen in a status: of it there
-/// is nothing.
+/// Writing counts from the first position with the pen up, at half its lift: an arm that stands on
+/// the paper before it draws has drawn nothing. A laser is not visible in a status, so it has no
+/// ink.
 #[must_use]
 pub fn ink_seen(
     path: impl IntoIterator<Item = Position>,
@@ -57,7 +53,7 @@ pub fn ink_seen(
         .collect()
 }
 
-/// A pen writes where it is no higher than 0.05 mm above the paper.
+/// Whether a pen writes: at most 0.05 mm above the paper.
 pub(crate) fn writes(at: Position, paper: &Paper) -> bool {
     paper.height_mm(at) <= TOUCHING_MM
 }

@@ -1,4 +1,4 @@
-//! The picture of a drawing: what was drawn, how well, and where it lies.
+//! The picture of a drawing: ink, accuracy and position.
 
 mod colors;
 mod lines;
@@ -18,53 +18,53 @@ use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_lettering::{ShapeStyle, Sheet};
 use dobot_plan::{MoveKind, Plan};
 
-/// A picture as a person behind the arm sees the paper from above: X up, Y to the left.
+/// A picture of the paper from above as seen from behind the arm: X up, Y to the left.
 #[derive(Clone, Debug)]
 pub struct Picture<'a> {
-    /// Above the picture, left.
+    /// The title above the picture, on the left.
     pub title: &'a str,
-    /// Below the picture: what each figure is, and the figure.
+    /// The names and values below the picture.
     pub figures: &'a [(String, String)],
-    /// Below the figures, if there are several: the figures of each pass.
+    /// The statistics of each pass, shown below if there are several.
     pub passes: &'a [PassFigures],
     /// The drawing area, in the base frame.
     pub area: Rect,
-    /// The sheet that is drawn on, instead of the area.
+    /// The sheet, instead of the area.
     pub sheet: Option<SheetPlace>,
-    /// The plan, for what was to be drawn and the travel moves.
+    /// The plan: the wanted lines and the travel moves.
     pub plan: &'a Plan,
-    /// The ink: what was to be drawn shows through where it is missing.
+    /// The ink; the wanted lines show through where it is missing.
     pub drawn: &'a [InkLine],
-    /// What the colours of the ink mean.
+    /// The meaning of the ink's colours.
     pub colors: Colors,
-    /// How much of the workspace to show.
+    /// The visible part of the workspace.
     pub view: View,
 }
 
-/// How much of the workspace a picture shows.
+/// The visible part of the workspace.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum View {
     /// The paper around the drawing area.
     #[default]
     Paper,
-    /// All that the arm reaches.
+    /// The whole reach of the arm.
     Reach,
 }
 
-/// Why a picture cannot be made into a PNG.
+/// The error returned when a picture cannot be converted to PNG.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum PictureError {
-    /// No such size.
-    #[error("a picture {0} pixels wide cannot be made; from 16 to 16384 are allowed")]
+    /// The size is out of range.
+    #[error("the picture width is {0} pixels; allowed are 16 to 16384")]
     Width(u32),
-    /// The picture could not be turned into pixels.
-    #[error("the picture could not be turned into pixels: {0}")]
+    /// The picture could not be rendered.
+    #[error("the picture could not be rendered: {0}")]
     Render(String),
 }
 
 impl Picture<'_> {
-    /// The picture as the text of an SVG file, in true millimetres. It needs no fonts.
+    /// Returns the picture as SVG, in true millimetres. It needs no fonts.
     #[must_use]
     pub fn to_svg(&self) -> String {
         let paper = self.paper();
@@ -87,12 +87,11 @@ impl Picture<'_> {
         sheet.finish()
     }
 
-    /// The picture as the bytes of a PNG file.
+    /// Returns the picture as PNG.
     ///
     /// # Errors
     ///
-    /// [`PictureError`] where the width is not from 16 to 16384 pixels or the memory does not
-    /// suffice.
+    /// [`PictureError`] if the width is not 16 to 16384 pixels or there is not enough memory.
     pub fn to_png(&self, width_px: u32) -> Result<Vec<u8>, PictureError> {
         if !(16..=16_384).contains(&width_px) {
             return Err(PictureError::Width(width_px));
@@ -120,19 +119,25 @@ impl Picture<'_> {
             .map_err(|error| render(error.to_string()))
     }
 
-    /// The sheet or the area, on the picture.
+    /// Returns the sheet or the area, on the picture.
     fn ground(&self) -> Rect {
-        let corners = self.sheet.map(|it| bounds(it.corners().map(on_picture)));
+        let corners = self
+            .sheet
+            .map(|sheet| bounds(sheet.corners().map(on_picture)));
         corners.unwrap_or(area_on_picture(self.area))
     }
 
-    /// What is shown, on the picture.
+    /// Returns the visible part, on the picture.
     fn paper(&self) -> Rect {
-        let lines = self.drawn.iter().flat_map(|it| &it.stroke.points).copied();
+        let lines = self
+            .drawn
+            .iter()
+            .flat_map(|line| &line.stroke.points)
+            .copied();
         let shown = bounds(lines.map(on_picture)).union(self.ground());
         match self.view {
             View::Paper => {
-                // Both arcs of reach, straight ahead.
+                // Both arcs of the reach, straight ahead.
                 let [near, far] = REACH_MM.map(|x| on_picture(Point::new(x, 0.0)));
                 let shown = shown.inflate(12.0, 12.0);
                 shown.union_pt(near).union_pt(far).inflate(4.0, 4.0)
@@ -146,21 +151,21 @@ impl Picture<'_> {
         }
     }
 
-    /// Travel moves below, what was to be drawn above them, the ink on top.
+    /// Draws travel moves, wanted lines and ink, from bottom to top.
     fn lines(&self, sheet: &mut Sheet) {
         let planned = [MoveKind::Draw, MoveKind::Burn].map(|kind| self.plan.paths(kind));
         for (strokes, look) in [(self.travel(), TRAVEL), (planned.concat(), PLANNED)] {
-            sheet.curves(strokes.iter().map(|it| seen(&it.points)), &look);
+            sheet.curves(strokes.iter().map(|stroke| seen(&stroke.points)), &look);
         }
         let class = |line: &InkLine, i: usize| self.colors.class(line, i);
         for (class, pieces) in by_class(self.drawn, class) {
             let (color, width) = self.colors.style(class, self.plan);
-            let pieces = pieces.iter().map(|it| seen(it));
+            let pieces = pieces.iter().map(|piece| seen(piece));
             sheet.curves(pieces, &ShapeStyle::line(&color, width));
         }
     }
 
-    /// The ways without ink: of a laser with all that it needs to get fast and slow again.
+    /// Returns the paths without ink, including the run-up and run-out of a laser.
     fn travel(&self) -> Vec<Stroke> {
         use MoveKind::{Brake, RunOut, RunUp, Travel};
         let kinds = [Travel, RunUp, RunOut, Brake];
@@ -168,12 +173,12 @@ impl Picture<'_> {
     }
 }
 
-/// How large words are: they grow with the paper.
+/// Returns the text size, which grows with the paper.
 fn unit(paper: Rect) -> f64 {
     paper.width() / 230.0
 }
 
-/// How near and how far the tool of a stock arm gets from the base axis.
+/// The minimum and maximum reach of a stock arm's tool from the base axis.
 const REACH_MM: [f64; 2] = [129.0, 321.0];
 const TRAVEL: ShapeStyle<'_> = ShapeStyle::line("#5b9bc8", 0.16).dashed("1.3 1.3");
 const PLANNED: ShapeStyle<'_> = ShapeStyle::line("#cfc8b8", 0.3);
@@ -232,8 +237,8 @@ mod tests {
         let png = picture(View::Paper, |p| p.to_png(800).unwrap());
         let image = Pixmap::decode_png(&png).unwrap();
         assert_eq!(image.width(), 800);
-        // The paper is 200 + 2 * 16 mm wide and ends 4 mm above the far arc; around it a margin of
-        // 8 and a head of 14 units of 232 / 230 mm.
+        // The paper is 200 + 2 * 16 mm wide and ends 4 mm above the far arc; around it are a margin
+        // of 8 and a head of 14 units of 232 / 230 mm.
         let unit = 232.0 / 230.0;
         let per_mm = 800.0 / (232.0 + 16.0 * unit);
         let at = |x: f64, y: f64| {
@@ -255,7 +260,7 @@ mod tests {
         let error = picture(View::Paper, |p| p.to_png(0).unwrap_err());
         assert_eq!(
             error.to_string(),
-            "a picture 0 pixels wide cannot be made; from 16 to 16384 are allowed"
+            "the picture width is 0 pixels; allowed are 16 to 16384"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! A drawing in time as it is planned, before any arm has carried it out.
+//! The timeline of a drawing from its plan, before an arm executes it.
 
 use dobot_arm::{Position, TICK_S};
 use dobot_geometry::{PathDistance, Point, Stroke};
@@ -11,9 +11,9 @@ use crate::output::trace::{Ink, TracePoint, lines};
 use crate::prepare::Prepared;
 
 impl Prepared {
-    /// The drawing in time by the plan alone, one row for each vector: at once, where a
-    /// [`Trace`](crate::Trace) takes a run of a virtual arm. How far the ink lies from the wanted path is
-    /// told where vectors end.
+    /// Returns the timeline computed from the plan alone, with one row per vector. It is available
+    /// immediately, whereas a [`Trace`](crate::Trace) needs a run of a virtual arm. The ink's
+    /// deviation is given at the ends of vectors.
     #[must_use]
     pub fn timeline(&self) -> Timeline {
         let moments = self.measured();
@@ -25,40 +25,41 @@ impl Prepared {
             tick_s: TICK_S,
             bounds_mm: bounds_mm(&moments),
             passes: passes.into_iter().map(figures).collect(),
-            moves: Moves::of(&self.plan, moments[1..].iter().map(|it| it.t_s)),
+            moves: Moves::of(&self.plan, moments[1..].iter().map(|moment| moment.t_s)),
             path: Path::of(moments.iter()),
         }
     }
 
-    /// The path that becomes ink, by the plan alone: lines and dots, with their passes.
+    /// Returns the ink computed from the plan alone: lines and dots with their passes.
     #[must_use]
     pub fn ink(&self) -> Vec<InkLine> {
         self.lines(&self.measured())
     }
 
-    /// The same without how far it lies from what is wanted.
+    /// Returns the ink without its deviation from the wanted path.
     #[must_use]
     pub fn planned(&self) -> Vec<Stroke> {
         let lines = self.lines(&self.moments(|_| 0.0));
-        lines.into_iter().map(|it| it.stroke).collect()
+        lines.into_iter().map(|line| line.stroke).collect()
     }
 
     fn lines(&self, moments: &[TracePoint]) -> Vec<InkLine> {
-        let passes = self.plan.moves.iter().map(|it| it.pass);
-        // Nothing is left where the plan begins.
+        let passes = self.plan.moves.iter().map(|vector| vector.pass);
+        // There is no ink at the start of the plan.
         lines(moments[1..].iter().zip(passes))
     }
 
     fn measured(&self) -> Vec<TracePoint> {
         let wanted = self.wanted();
         let mut near = PathDistance::new(&wanted);
-        self.moments(|it| near.distance_mm(it))
+        self.moments(|p| near.distance_mm(p))
     }
 
-    /// Where the plan begins, and where each vector ends; `error_mm` measures what lies on the paper.
+    /// Returns the start of the plan and the end of each vector; `error_mm` measures the points on
+    /// the paper.
     fn moments(&self, mut error_mm: impl FnMut(Point) -> f64) -> Vec<TracePoint> {
         let moves = &self.plan.moves;
-        let begins_ink = |index: usize| moves.get(index).is_some_and(|it| it.kind.marks());
+        let begins_ink = |index: usize| moves.get(index).is_some_and(|vector| vector.kind.marks());
         let mut t_s = 0.0;
         let mut moments = vec![moment(0.0, self.plan.start, Ink::None, 0.0)];
         let ends = self.plan.positions().zip(self.plan.durations());
@@ -66,7 +67,7 @@ impl Prepared {
             t_s += duration_s;
             let ink = match vector.kind {
                 kind if kind.marks() => Ink::Line,
-                // A pen that is lowered leaves a dot, even where it draws no line.
+                // Lowering a pen leaves a dot, even if it draws no line.
                 MoveKind::Lower if !matches!(moves.get(index + 1), Some(next) if next.kind == MoveKind::Lower) => {
                     Ink::Begin
                 }
@@ -127,7 +128,7 @@ mod tests {
         assert!((timeline.duration_s - prepared.plan.duration_s()).abs() < 1e-3);
         assert!((timeline.passes[0].ink_mm - 20.0).abs() < 0.1);
         let ink = &timeline.path.ink;
-        let begins = ink.iter().position(|&it| it == 2).unwrap();
+        let begins = ink.iter().position(|&ink| ink == 2).unwrap();
         assert!(ink[begins + 1..].contains(&1), "{ink:?}");
         assert_eq!(timeline.path.t_s.last(), Some(&timeline.duration_s));
     }
@@ -142,10 +143,12 @@ mod tests {
         };
         let prepared = prepare(&Source::from(svg), &settings, all).unwrap();
         let ink = prepared.ink();
-        let dots = ink.iter().map(|it| (it.pass, it.stroke.points.len() == 1));
+        let dots = ink
+            .iter()
+            .map(|line| (line.pass, line.stroke.points.len() == 1));
         let expected = [(0, false), (1, true), (1, true)];
         assert_eq!(dots.collect::<Vec<_>>(), expected);
-        let errors = ink.iter().flat_map(|it| &it.errors_mm);
+        let errors = ink.iter().flat_map(|line| &line.errors_mm);
         assert!(errors.copied().fold(0.0, f64::max) < 0.05);
     }
 

@@ -1,4 +1,4 @@
-//! A drawing to look at before it is made: what a page needs to show any moment of it.
+//! The timeline of a drawing, with which a page can show any moment.
 
 mod thin;
 
@@ -10,61 +10,61 @@ use serde::Serialize;
 use crate::output::estimate::{Estimate, PassFigures};
 use crate::output::trace::{Ink, Trace, TracePoint};
 
-/// A drawing in time, for a page that lets a person go to any moment of it.
+/// The timeline of a drawing, for a page on which a person can move to any moment.
 ///
 /// All numbers are millimetres in the base frame (X forward, Y to the left, Z up) and seconds from
-/// the beginning. Tables are columns of one length, which is far smaller than rows with names.
+/// the start. Tables are stored as columns of equal length, which is far smaller than named rows.
 ///
-/// **What is at time `t`.** The path is straight from row to row, at even speed. Find the last row
-/// `i` with `path.t_s[i] <= t` (binary search, the column rises or stays) and go the share
-/// `(t - t_s[i]) / (t_s[i + 1] - t_s[i])` of the way to row `i + 1`; at the last row the drawing is
-/// over. The tool is never farther than 0.05 mm from there. On the paper are all lines up to row
-/// `i`, and the piece from row `i` to the tool if row `i + 1` has ink 1. The pen or the laser leaves
-/// ink just then if row `i + 1` has ink 1.
+/// **Position at time `t`.** The path is straight between rows, at constant speed. Find the last
+/// row `i` with `path.t_s[i] <= t` (binary search; the column never decreases) and interpolate with
+/// the share `(t - t_s[i]) / (t_s[i + 1] - t_s[i])` to row `i + 1`; the drawing ends at the last
+/// row. The result is within 0.05 mm of the tool. The paper shows all lines up to row `i`, and the
+/// piece from row `i` to the tool if row `i + 1` has ink 1. The pen or the laser leaves ink at that
+/// time if row `i + 1` has ink 1.
 ///
-/// **Which move is it.** Find the last row of `moves` with `from_s <= t`, in the same way: it ends
-/// where the next one begins, the last one at `duration_s`.
+/// **Move at time `t`.** Find the last row of `moves` with `from_s <= t` in the same way. A move
+/// ends when the next one begins, the last one at `duration_s`.
 ///
-/// **What to draw.** Go through the path: a row with ink 2 begins a line (it is a dot, if none
-/// follows), a row with ink 1 goes on with it, a row with ink 0 ends it. The colour of a line is
-/// that of its pass (of the move at its time), or comes from `error_mm`.
+/// **Drawing.** Iterate over the path: a row with ink 2 begins a line (a dot if no other row
+/// follows), a row with ink 1 continues it, a row with ink 0 ends it. The colour of a line is that
+/// of its pass (of the move at its time), or derived from `error_mm`.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Timeline {
-    /// What this looks like: 1. A page refuses what it does not know.
+    /// The version of this format: 1. A page refuses unknown versions.
     pub version: u32,
-    /// How long the drawing takes.
+    /// The duration of the drawing.
     pub duration_s: f64,
-    /// How often the arm was looked at; only what is needed is kept in `path`.
+    /// The sampling interval; `path` contains only the necessary samples.
     pub tick_s: f64,
-    /// What holds all of the path: the least and the most of X, Y and Z.
+    /// The bounds of the path: minimum and maximum of X, Y and Z.
     pub bounds_mm: [[f64; 2]; 3],
-    /// The passes in their order.
+    /// The passes in order.
     pub passes: Vec<PassFigures>,
-    /// What the tool does, one after the other.
+    /// The moves of the tool, in order.
     pub moves: Moves,
-    /// Where the tool is, and what it leaves.
+    /// The path of the tool and its ink.
     pub path: Path,
 }
 
-/// What the tool does, one row for each.
+/// The moves of the tool, one row each.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Moves {
-    /// What the numbers in `kind` mean.
+    /// The names of the numbers in `kind`.
     pub kinds: [&'static str; 8],
-    /// What it does, as an index in `kinds`.
+    /// The kind of move, as an index in `kinds`.
     pub kind: Vec<u8>,
-    /// In which pass, as an index in `passes`.
+    /// The pass, as an index in `passes`.
     pub pass: Vec<u32>,
-    /// For which stroke, from 0, counted through all passes.
+    /// The stroke, from 0, counted through all passes.
     pub stroke: Vec<u32>,
-    /// When it begins.
+    /// The start time.
     pub from_s: Vec<f64>,
 }
 
-/// Where the tool is, one row for each moment that matters.
+/// The path of the tool, one row per relevant moment.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Path {
-    /// When.
+    /// The time.
     pub t_s: Vec<f64>,
     /// Forward.
     pub x_mm: Vec<f64>,
@@ -72,14 +72,14 @@ pub struct Path {
     pub y_mm: Vec<f64>,
     /// Up.
     pub z_mm: Vec<f64>,
-    /// 0: no ink; 1: a line from the row before to here; 2: a dot, with which a line may begin.
+    /// 0: no ink; 1: a line from the row before; 2: a dot, which may begin a line.
     pub ink: Vec<u8>,
-    /// How far the ink here lies from the wanted path; 0 where there is none.
+    /// The distance of the ink from the wanted path; 0 without ink.
     pub error_mm: Vec<f64>,
 }
 
 impl Trace<'_> {
-    /// The drawing in time.
+    /// Returns the timeline.
     #[must_use]
     pub fn timeline(&self) -> Timeline {
         let Estimate { time_s, passes, .. } = self.estimate();
@@ -99,7 +99,7 @@ impl Trace<'_> {
 }
 
 impl Moves {
-    /// Vectors of the same kind and stroke are one move.
+    /// Combines vectors of the same kind and stroke to moves.
     pub(crate) fn of(plan: &Plan, ends_s: impl Iterator<Item = f64>) -> Self {
         let mut moves = Self {
             kinds: KINDS,
@@ -141,15 +141,15 @@ impl Path {
 
 pub(crate) fn bounds_mm(moments: &[TracePoint]) -> [[f64; 2]; 3] {
     let axes: [fn(&TracePoint) -> f64; 3] = [
-        |it| it.position.x.0,
-        |it| it.position.y.0,
-        |it| it.position.z.0,
+        |moment| moment.position.x.0,
+        |moment| moment.position.y.0,
+        |moment| moment.position.z.0,
     ];
     axes.map(|axis| {
         let along = || moments.iter().map(axis);
         let least = along().fold(f64::INFINITY, f64::min);
         let most = along().fold(f64::NEG_INFINITY, f64::max);
-        [least, most].map(|it| rounded(it, CENTI))
+        [least, most].map(|mm| rounded(mm, CENTI))
     })
 }
 
@@ -163,12 +163,12 @@ pub(crate) fn figures(pass: PassFigures) -> PassFigures {
     }
 }
 
-/// To so many parts of one; never the zero with a minus.
+/// Rounds to a number of parts of one, without negative zero.
 pub(crate) fn rounded(value: f64, parts: f64) -> f64 {
     (value * parts).round() / parts + 0.0
 }
 
-/// In the order of [`MoveKind`](dobot_plan::MoveKind).
+/// The names in the order of [`MoveKind`](dobot_plan::MoveKind).
 const KINDS: [&str; 8] = [
     "travel", "lower", "draw", "lift", "run-up", "burn", "run-out", "brake",
 ];

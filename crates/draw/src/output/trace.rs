@@ -1,4 +1,4 @@
-//! A plan as a virtual arm carried it out: what was drawn, when, and how far off.
+//! The trace of a plan executed by a virtual arm: ink, times and deviations.
 
 mod follow;
 
@@ -11,73 +11,73 @@ use thiserror::Error;
 
 use crate::output::ink::{InkLine, point, writes};
 
-/// A plan as a virtual arm carried it out.
+/// The trace of a plan executed by a virtual arm.
 ///
-/// It begins when the arm sets out from where the plan starts, and ends with the plan's last vector;
-/// if that never came, with the last sample.
+/// It begins when the arm leaves the start of the plan, and ends with the plan's last vector, or
+/// with the last sample if that vector was not executed.
 #[derive(Clone, Debug)]
 pub struct Trace<'a> {
     pub(crate) plan: &'a Plan,
     began: Duration,
     pub(crate) moments: Vec<TracePoint>,
-    /// For each vector that was carried out, the moment at which it was over.
+    /// The index of the moment at which each executed vector ended.
     pub(crate) ends: Vec<usize>,
 }
 
-/// Where a virtual arm's tool was: once a tick of 20 ms while it moves, and at every corner.
+/// A sample of a virtual arm's tool: once per tick of 20 ms while it moves, and at every corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// When, by the clock of the arm.
+    /// The time on the arm's clock.
     pub at: Duration,
-    /// Where the tool was.
+    /// The position of the tool.
     pub position: Position,
     /// Whether the laser was on, on the way here.
     pub laser: bool,
 }
 
-/// A sample of a trace.
+/// A point of a trace.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TracePoint {
-    /// Since the beginning.
+    /// The time since the start.
     pub(crate) t_s: f64,
     pub(crate) position: Position,
     pub(crate) ink: Ink,
-    /// How far the ink lies from the wanted path; 0 where there is none.
+    /// The distance of the ink from the wanted path; 0 without ink.
     pub(crate) error_mm: f64,
 }
 
-/// What a tool leaves at a moment.
+/// The ink of a moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ink {
     /// Nothing.
     None,
-    /// A line from the moment before to here.
+    /// A line from the moment before.
     Line,
-    /// A dot, with which a line begins or not.
+    /// A dot, which may begin a line.
     Begin,
 }
 
 impl<'a> Trace<'a> {
-    /// Reads what a virtual arm did for a plan on this paper, and compares its ink with the path
-    /// that was wanted. What the arm did before it came to the plan's start does not count.
+    /// Evaluates the samples of a virtual arm for a plan on this paper and compares its ink with
+    /// the wanted path. Samples before the start of the plan are ignored.
     ///
     /// # Errors
     ///
-    /// [`StartNotReached`] where the samples never come to the plan's start.
+    /// [`StartNotReached`] if the samples never reach the start of the plan.
     pub fn new(
         plan: &'a Plan,
         paper: &Paper,
         samples: &[Sample],
         wanted: &[Stroke],
     ) -> Result<Self, StartNotReached> {
-        // At least the sample at which the plan begins is there.
+        // There is at least the sample at the start of the plan.
         let samples = &samples[follow::beginning(plan, samples)?..];
         let ends = follow::ends(plan, samples);
         let all = ends.len() == plan.moves.len();
         let count = ends
             .last()
             .filter(|_| all)
-            .map_or(samples.len(), |it| it + 1);
+            .map_or(samples.len(), |index| index + 1);
         let samples = &samples[..count];
         let mut near = PathDistance::new(wanted);
         let moment = |(sample, ink): (&Sample, Ink)| TracePoint {
@@ -99,26 +99,26 @@ impl<'a> Trace<'a> {
         })
     }
 
-    /// The lines on the paper.
+    /// Returns the lines on the paper.
     #[must_use]
     pub fn ink(&self) -> Vec<InkLine> {
         lines(self.moments.iter().zip(self.passes()))
     }
 
-    /// When it began, by the clock of the arm.
+    /// Returns the start time on the arm's clock.
     #[must_use]
     pub const fn began(&self) -> Duration {
         self.began
     }
 
-    /// How many vectors were carried out.
+    /// Returns the number of executed vectors.
     #[must_use]
     pub const fn vectors(&self) -> usize {
         self.ends.len()
     }
 
-    /// The pass that each moment belongs to: a way belongs to the moment at its end. What comes behind
-    /// the last vector belongs to it too.
+    /// Returns the pass of each moment: a path belongs to the moment at its end, and everything
+    /// after the last vector to its pass.
     pub(crate) fn passes(&self) -> impl Iterator<Item = u32> {
         let moves = &self.plan.moves;
         let mut vector = 0;
@@ -127,25 +127,25 @@ impl<'a> Trace<'a> {
             {
                 vector += 1;
             }
-            moves.get(vector).map_or(0, |it| it.pass)
+            moves.get(vector).map_or(0, |vector| vector.pass)
         })
     }
 }
 
-/// The samples of an arm never come to where the plan starts.
+/// The error returned when the samples never reach the start of the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error(
-    "the arm never came to the start of the plan at x {:.1}, y {:.1}, z {:.1} mm; the nearest it came is {nearest_mm:.1} mm away",
+    "the arm never reached the start of the plan at x {:.1}, y {:.1}, z {:.1} mm; the closest sample is {nearest_mm:.1} mm away",
     start[0], start[1], start[2]
 )]
 pub struct StartNotReached {
-    /// Where the plan starts: X, Y, Z in mm.
+    /// The start of the plan: X, Y, Z in mm.
     pub start: [f64; 3],
-    /// How near the samples come, in mm; infinite where there are none.
+    /// The minimum distance of the samples from it, in mm; infinite without samples.
     pub nearest_mm: f64,
 }
 
-/// The lines on the paper, of moments with their passes.
+/// Returns the lines on the paper from moments with their passes.
 pub(crate) fn lines<'a>(moments: impl Iterator<Item = (&'a TracePoint, u32)>) -> Vec<InkLine> {
     let mut lines: Vec<InkLine> = Vec::new();
     for (moment, pass) in moments {
@@ -164,12 +164,12 @@ pub(crate) fn lines<'a>(moments: impl Iterator<Item = (&'a TracePoint, u32)>) ->
     lines
 }
 
-/// What the tool leaves at each sample: a pen where it is down, a laser where it is on.
+/// Returns the ink of each sample: a pen writes when it is down, a laser when it is on.
 fn inks(plan: &Plan, paper: &Paper, samples: &[Sample]) -> Vec<Ink> {
     let burns = plan.burns();
     let here = |i: usize| match samples.get(i) {
-        Some(it) if burns => it.laser || samples.get(i + 1).is_some_and(|it| it.laser),
-        Some(it) => writes(it.position, paper),
+        Some(sample) if burns => sample.laser || samples.get(i + 1).is_some_and(|next| next.laser),
+        Some(sample) => writes(sample.position, paper),
         None => false,
     };
     let on_the_way = |i: usize| match (burns, i) {

@@ -1,4 +1,4 @@
-//! The files that a taught program names: other programs, and drawings that become its steps.
+//! The files named in a taught program: other programs, and drawings that become its steps.
 
 use dobot_api::CalibrationFile;
 use dobot_teach::{Drawing, Files};
@@ -6,8 +6,8 @@ use dobot_wire::{Command, Dialect};
 
 use crate::{DrawingRequest, Materials, Subject};
 
-/// The files that a taught program names, from wherever `read` has their bytes; its drawings become what `dobot draw`
-/// makes of them, for one arm.
+/// The files named in a taught program, loaded by `read`; drawings are converted as by `dobot
+/// draw`, for one arm.
 #[derive(Clone, Debug)]
 pub struct ProgramFiles<R> {
     read: R,
@@ -16,8 +16,8 @@ pub struct ProgramFiles<R> {
 }
 
 impl<R: FnMut(&str) -> Result<Vec<u8>, String>> ProgramFiles<R> {
-    /// Files by their names in the program, for an arm with this dialect and calibration. What `read` answers with where
-    /// it has no such file names it.
+    /// Creates a loader for files by their names in the program, for an arm with this dialect and
+    /// calibration. The error of `read` for a missing file names it.
     pub const fn new(read: R, dialect: Dialect, calibration: Option<CalibrationFile>) -> Self {
         Self {
             read,
@@ -40,7 +40,8 @@ impl<R: FnMut(&str) -> Result<Vec<u8>, String>> Files for ProgramFiles<R> {
     }
 }
 
-/// What a drawing becomes. It is no method, so that it is compiled once and not for each `R`.
+/// Converts a drawing to commands. This is not a method, so that it is compiled only once and not
+/// for each `R`.
 fn commands(
     path: &str,
     bytes: Vec<u8>,

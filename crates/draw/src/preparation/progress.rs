@@ -1,4 +1,4 @@
-//! How far a preparation is, seen from another thread.
+//! The progress of a preparation, visible from another thread.
 
 use std::fmt;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use dobot_plan::{ArmLimits, Pass};
 
 use crate::strokes::order::Travel;
 
-/// How far a preparation is: whoever asked for it looks from another thread.
+/// The progress of a preparation, for reading from another thread.
 #[derive(Clone, Debug, Default)]
 pub struct Progress(Arc<Told>);
 
@@ -18,51 +18,51 @@ struct Told {
     /// An index in [`STEPS`].
     step: AtomicUsize,
     done: AtomicUsize,
-    /// Nothing where nobody knows how much there is to do.
+    /// 0 if the amount of work is unknown.
     all: AtomicUsize,
-    /// The bits of how many seconds the arm will need; nothing where that is not known yet.
+    /// The bits of the estimated duration in seconds; 0 while it is unknown.
     roughly_s: AtomicU64,
 }
 
-/// What a preparation is at.
+/// A step of the preparation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PrepareStep {
-    /// The source becomes lines on the paper.
+    /// Converts the source to lines on the paper.
     #[default]
     Reading,
-    /// A good order of the strokes is looked for.
+    /// Searches for a good stroke order.
     Ordering,
-    /// The fastest vectors are chosen.
+    /// Selects the fastest vectors.
     Vectors,
-    /// The speeds are planned.
+    /// Plans the speeds.
     Planning,
 }
 
 impl Progress {
-    /// What it is at.
+    /// Returns the current step.
     #[must_use]
     pub fn step(&self) -> PrepareStep {
         STEPS[self.0.step.load(Ordering::Relaxed)]
     }
 
-    /// How much of that is done, from 0 to 1, where that is known.
+    /// Returns the completed share of the step, from 0 to 1, if it is known.
     #[must_use]
     pub fn share(&self) -> Option<f64> {
-        let [done, all] = [&self.0.done, &self.0.all].map(|it| it.load(Ordering::Relaxed));
+        let [done, all] = [&self.0.done, &self.0.all].map(|count| count.load(Ordering::Relaxed));
         #[expect(clippy::cast_precision_loss, reason = "only a share")]
         (all > 0).then(|| (done as f64 / all as f64).min(1.0))
     }
 
-    /// How long the arm will need, in seconds: a rough estimate by the ways with and without ink, known before the
-    /// vectors are chosen.
+    /// Returns a rough estimate of the drawing time, in seconds, from the lengths with and without
+    /// ink, before the vectors are selected.
     #[must_use]
     pub fn roughly_s(&self) -> Option<f64> {
         let roughly_s = f64::from_bits(self.0.roughly_s.load(Ordering::Relaxed));
         (roughly_s > 0.0).then_some(roughly_s)
     }
 
-    /// A step begins that has so much to do; 0 where nobody knows.
+    /// Begins a step with this amount of work; 0 if it is unknown.
     pub(crate) fn begin(&self, step: PrepareStep, all: usize) {
         self.0.all.store(0, Ordering::Relaxed);
         self.0.done.store(0, Ordering::Relaxed);
@@ -70,12 +70,12 @@ impl Progress {
         self.0.all.store(all, Ordering::Relaxed);
     }
 
-    /// So much more of the step is done.
+    /// Adds completed work to the step.
     pub(crate) fn advance(&self, by: usize) {
         self.0.done.fetch_add(by, Ordering::Relaxed);
     }
 
-    /// These strokes are to be drawn, by an arm that can do so much.
+    /// Estimates the drawing time of these passes within the arm's limits.
     pub(crate) fn expect(&self, passes: &[Pass], arm_limits: &ArmLimits) {
         let bits = roughly_s(passes, arm_limits).to_bits();
         self.0.roughly_s.store(bits, Ordering::Relaxed);
@@ -93,7 +93,8 @@ impl fmt::Display for PrepareStep {
     }
 }
 
-/// How long passes take by their ways: each stroke and each way to the next from rest to rest.
+/// Returns the duration of passes from their lengths: each stroke and each travel from rest to
+/// rest.
 fn roughly_s(passes: &[Pass], arm_limits: &ArmLimits) -> f64 {
     let mut here: Option<Point> = None;
     let mut all_s = 0.0;
@@ -109,8 +110,8 @@ fn roughly_s(passes: &[Pass], arm_limits: &ArmLimits) -> f64 {
             let (Some(&first), Some(last)) = (stroke.points.first(), stroke.last()) else {
                 continue;
             };
-            let way_mm = here.map_or(0.0, |it| it.distance(first));
-            // Down and up again.
+            let way_mm = here.map_or(0.0, |here| here.distance(first));
+            // Includes lowering and lifting.
             pass_s += travel.cost(way_mm) + 2.0 * travel.cost(tool.lift_mm());
             pass_s += ink.cost(stroke.length_mm());
             here = Some(last);

@@ -1,4 +1,4 @@
-//! Which layers are drawn, with what, one after the other.
+//! The layers to draw, their tools and their order.
 
 use dobot_import::{Layer, Warning};
 use dobot_plan::{DrawingTool, LEAST_BURN_MM_S, Pass, Plan, SlowBurning};
@@ -6,24 +6,33 @@ use dobot_plan::{DrawingTool, LEAST_BURN_MM_S, Pass, Plan, SlowBurning};
 use super::passes::counted;
 use super::{PrepareError, Settings};
 
-/// The layers that are to be drawn; all as one unless they are to be drawn each for itself.
+/// Returns the layers to draw, combined into one unless they are drawn separately.
 ///
-/// Layers of different speeds stay apart: the file says how each is to be drawn. Those that are not drawn come behind them.
+/// Layers with different speeds stay separate, because the file specifies how to draw each. Layers
+/// that are not drawn follow at the end.
 pub(super) fn chosen(
     layers: Vec<Layer>,
     settings: &Settings,
 ) -> Result<(Vec<Layer>, Vec<Layer>), PrepareError> {
-    let layers: Vec<Layer> = layers.into_iter().filter(|it| !it.is_empty()).collect();
-    let is_layer = |name: &str| layers.iter().any(|it| it.name == name);
+    let layers: Vec<Layer> = layers
+        .into_iter()
+        .filter(|layer| !layer.is_empty())
+        .collect();
+    let is_layer = |name: &str| layers.iter().any(|layer| layer.name == name);
     let only: Vec<&str> = settings
         .only
         .iter()
-        .flat_map(|it| names(it, is_layer))
+        .flat_map(|asked| names(asked, is_layer))
         .collect();
     let tools = settings.tools.iter().map(|(name, _)| name.as_str());
-    if let Some(unknown) = only.iter().copied().chain(tools).find(|it| !is_layer(it)) {
-        let named = layers.iter().filter(|it| !it.name.is_empty());
-        let names: Vec<String> = named.map(|it| quoted(&it.name)).collect();
+    if let Some(unknown) = only
+        .iter()
+        .copied()
+        .chain(tools)
+        .find(|name| !is_layer(name))
+    {
+        let named = layers.iter().filter(|layer| !layer.name.is_empty());
+        let names: Vec<String> = named.map(|layer| quoted(&layer.name)).collect();
         return Err(PrepareError::NoSuchLayer {
             name: unknown.to_owned(),
             layers: names.join(", "),
@@ -32,14 +41,15 @@ pub(super) fn chosen(
     if settings.layers.is_none() {
         return Ok((merged(layers), Vec::new()));
     }
-    let is_wanted = |it: &Layer| only.is_empty() || only.contains(&it.name.as_str());
+    let is_wanted = |layer: &Layer| only.is_empty() || only.contains(&layer.name.as_str());
     let wanted: Vec<bool> = layers.iter().map(is_wanted).collect();
-    let (chosen, left_out): (Vec<_>, Vec<_>) = layers.into_iter().zip(wanted).partition(|it| it.1);
-    let layers = |all: Vec<(Layer, bool)>| all.into_iter().map(|it| it.0).collect();
+    let (chosen, left_out): (Vec<_>, Vec<_>) =
+        layers.into_iter().zip(wanted).partition(|pair| pair.1);
+    let layers = |all: Vec<(Layer, bool)>| all.into_iter().map(|pair| pair.0).collect();
     Ok((layers(chosen), layers(left_out)))
 }
 
-/// A name as it stands between commas.
+/// Quotes a name for a comma-separated list.
 fn quoted(name: &str) -> String {
     if name.contains(',') {
         format!("{name:?}")
@@ -48,7 +58,7 @@ fn quoted(name: &str) -> String {
     }
 }
 
-/// The names in what was asked for: with commas between them, unless a layer has these in its name.
+/// Splits a request at commas, unless a layer's name contains them.
 fn names(asked: &str, is_layer: impl Fn(&str) -> bool) -> Vec<&str> {
     if is_layer(asked) {
         vec![asked]
@@ -57,7 +67,7 @@ fn names(asked: &str, is_layer: impl Fn(&str) -> bool) -> Vec<&str> {
     }
 }
 
-/// Neighbours of the same speed become one, whose name and colour are those that all of them have.
+/// Merges neighbouring layers of the same speed; common names and colours are kept.
 fn merged(layers: Vec<Layer>) -> Vec<Layer> {
     let mut merged: Vec<Layer> = Vec::new();
     for mut layer in layers {
@@ -65,7 +75,7 @@ fn merged(layers: Vec<Layer>) -> Vec<Layer> {
             Some(last) if last.speed_mm_s == layer.speed_mm_s => {
                 last.strokes.append(&mut layer.strokes);
                 last.areas.append(&mut layer.areas);
-                last.color = last.color.filter(|it| layer.color == Some(*it));
+                last.color = last.color.filter(|color| layer.color == Some(*color));
                 if last.name != layer.name {
                     last.name.clear();
                 }
@@ -76,8 +86,8 @@ fn merged(layers: Vec<Layer>) -> Vec<Layer> {
     merged
 }
 
-/// What draws a layer: its own tool, or the one of all. A laser burns at the speed that the file tells of a laser; a pen is
-/// no faster than the file says. What a person says of the speed goes before.
+/// Returns the tool of a layer: its own or the common one. A laser uses the laser speed in the
+/// file; a pen is not faster than the file specifies. A speed set by a person takes precedence.
 pub(super) fn tool(layer: &Layer, settings: &Settings) -> DrawingTool {
     let own = settings.tools.iter().find(|(name, _)| *name == layer.name);
     let all = settings.tool;
@@ -89,9 +99,9 @@ pub(super) fn tool(layer: &Layer, settings: &Settings) -> DrawingTool {
     }
 }
 
-/// Tells of the layers that a laser burns and the file has the speed of a pen for.
+/// Warns about burned layers for which the file has a pen speed.
 pub(super) fn pen_speeds(layers: &[Layer], settings: &Settings) -> Option<Warning> {
-    let has_pen_speed = |it: &&Layer| it.speed_mm_s.is_some() && !it.is_burned;
+    let has_pen_speed = |layer: &&Layer| layer.speed_mm_s.is_some() && !layer.is_burned;
     let count = layers.iter().filter(has_pen_speed).count();
     let matters = settings.tool.burns() && !settings.keeps_speed;
     counted(
@@ -101,9 +111,9 @@ pub(super) fn pen_speeds(layers: &[Layer], settings: &Settings) -> Option<Warnin
     )
 }
 
-/// Tells that there is nothing to hatch.
+/// Warns that there is nothing to hatch.
 pub(super) fn unhatched(layers: &[Layer], settings: &Settings) -> Option<Warning> {
-    let has_areas = layers.iter().any(|it| !it.areas.is_empty());
+    let has_areas = layers.iter().any(|layer| !layer.areas.is_empty());
     (settings.hatch.is_some() && !has_areas).then(|| Warning {
         file: None,
         place: None,
@@ -113,18 +123,18 @@ pub(super) fn unhatched(layers: &[Layer], settings: &Settings) -> Option<Warning
     })
 }
 
-/// What a person has to do before a layer: between layers that are drawn each for itself, the pen
-/// is changed. A laser needs nobody.
+/// Returns the message to the person before a layer: the pen is changed between layers that are
+/// drawn separately. A laser needs no change.
 pub(super) fn message(layer: &Layer, before: Option<&Pass>, settings: &Settings) -> Option<String> {
     let changes = settings.layers.is_some() && !settings.tool.burns();
-    let before = before.filter(|it| changes && it.name != layer.name)?;
+    let before = before.filter(|before| changes && before.name != layer.name)?;
     Some(format!(
         "put in the pen for {}; that of {} is done",
         layer.name, before.name
     ))
 }
 
-/// What a laser burns slower than it is to comes out darker.
+/// Warns about layers that are burned slower, and so darker, than requested.
 pub(super) fn slow_burning(plan: &Plan) -> Vec<Warning> {
     let warnings = plan.passes.iter().filter_map(|pass| {
         let SlowBurning {

@@ -1,4 +1,4 @@
-//! Layers as passes: the lines of each, cut at the borders, and in a good order.
+//! From layers to passes: the lines of each layer, clipped and ordered.
 
 use dobot_arm::Position;
 use dobot_geometry::{Point, Rect, Stroke, bounds};
@@ -12,13 +12,13 @@ use crate::layout::clip::{Clipped, clip_to_reach};
 use crate::layout::place::PlaceError;
 use crate::preparation::progress::PrepareStep;
 use crate::strokes::cutting::{inner_first, layers_inner_first};
-use crate::strokes::duplicate_lines::without_doubles;
+use crate::strokes::duplicate_lines::without_duplicates;
 use crate::strokes::hatch::hatch;
 use crate::strokes::merge::merge;
 use crate::strokes::order::order_until;
 
-/// The layers as passes, each in a good order, beside those that are left out: a hole is one also where its part is cut another
-/// time.
+/// Converts layers to ordered passes, and returns the omitted layers beside them: holes also count
+/// for parts that are cut in another layer.
 pub(super) fn passes<E>(
     layers: Vec<Layer>,
     left_out: Vec<Layer>,
@@ -34,9 +34,9 @@ pub(super) fn passes<E>(
         let lines = Lines::of(&mut layer, tool, settings)?;
         has_lines |= !lines.is_empty();
         let lines = lines.on_sheet(settings, warnings)?;
-        let lines = lines.try_map(|it| raw_strokes(it, tool, settings))?;
+        let lines = lines.try_map(|stroke| raw_strokes(stroke, tool, settings))?;
         let lines = lines.within_reach(tool, settings, reachable, warnings);
-        // Areas that are not hatched leave no ink.
+        // Areas without hatching leave no ink.
         if !lines.is_empty() {
             let lines = lines.joined(tool, settings, warnings);
             laid.push(LaidLayer { layer, tool, lines });
@@ -50,7 +50,7 @@ pub(super) fn passes<E>(
     }
     let several = laid.len() + left_out.len() > 1;
     let shapes = laid.iter().filter(|_| several);
-    let mut shapes: Vec<Vec<Stroke>> = shapes.map(|it| it.cut_shapes(settings)).collect();
+    let mut shapes: Vec<Vec<Stroke>> = shapes.map(|layer| layer.cut_shapes(settings)).collect();
     for mut layer in left_out {
         let tool = layers::tool(&layer, settings);
         if !settings.cutting_of(tool).is_asked_for() {
@@ -70,8 +70,8 @@ pub(super) fn passes<E>(
     let mut passes = Vec::<Pass>::new();
     for (number, LaidLayer { layer, tool, lines }) in laid.into_iter().enumerate() {
         settings.cancel.check()?;
-        let others = shapes.iter().enumerate().filter(|it| it.0 != number);
-        let others: Vec<&Stroke> = others.flat_map(|it| it.1).collect();
+        let others = shapes.iter().enumerate().filter(|shape| shape.0 != number);
+        let others: Vec<&Stroke> = others.flat_map(|shape| shape.1).collect();
         let strokes = lines.finished(&others, here, tool, settings, warnings);
         settings.progress.advance(1);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
@@ -87,7 +87,7 @@ pub(super) fn passes<E>(
     Ok(passes)
 }
 
-/// A layer, what draws it, and its lines where they are on the paper.
+/// A layer with its tool and its lines on the paper.
 #[derive(Debug)]
 struct LaidLayer {
     layer: Layer,
@@ -96,31 +96,31 @@ struct LaidLayer {
 }
 
 impl LaidLayer {
-    /// The closed shapes that are cut out of it, where anything is done to such.
+    /// Returns the closed shapes that are cut out, if cutting options apply.
     fn cut_shapes(&self, settings: &Settings) -> Vec<Stroke> {
         if !settings.cutting_of(self.tool).is_asked_for() {
             return Vec::new();
         }
-        let shapes = self.lines.own.iter().filter(|it| it.closed);
+        let shapes = self.lines.own.iter().filter(|stroke| stroke.closed);
         shapes.cloned().collect()
     }
 }
 
-/// What a laser engraves comes before what it cuts, and of layers that are cut the one that lies inside of the
-/// shapes of another before it: what was cut out may have fallen or moved.
+/// Orders layers: engraved layers come before cut ones, and cut layers inside the shapes of others
+/// before those, because cut-out parts may have fallen or moved.
 fn inner_layers_first(laid: Vec<LaidLayer>, warnings: &mut Vec<Warning>) -> Vec<LaidLayer> {
-    let (cut, mut sorted): (Vec<_>, Vec<_>) = laid.into_iter().partition(|it| it.tool.cuts());
+    let (cut, mut sorted): (Vec<_>, Vec<_>) = laid.into_iter().partition(|layer| layer.tool.cuts());
     let lines = cut
         .iter()
-        .map(|it| it.lines.own.iter().chain(&it.lines.whole));
+        .map(|layer| layer.lines.own.iter().chain(&layer.lines.whole));
     let lines: Vec<Vec<&Stroke>> = lines.map(Iterator::collect).collect();
     let (order, too_late) = layers_inner_first(&lines);
     let mut cut: Vec<Option<LaidLayer>> = cut.into_iter().map(Some).collect();
-    sorted.extend(order.into_iter().filter_map(|it| cut[it].take()));
+    sorted.extend(order.into_iter().filter_map(|index| cut[index].take()));
     warnings.extend(counted(
         too_late,
-        "layer inside of shapes that are cut before",
-        "cut all the same: two layers lie inside of each other",
+        "layer inside shapes that are cut earlier",
+        "cut anyway: two layers are inside each other",
     ));
     sorted
 }
@@ -129,11 +129,11 @@ fn inner_layers_first(laid: Vec<LaidLayer>, warnings: &mut Vec<Warning>) -> Vec<
 #[derive(Debug)]
 struct Lines {
     own: Vec<Stroke>,
-    /// What its areas are hatched with, where those must stay apart: rings of a hatching are no edges of parts that a
-    /// laser cuts out.
+    /// The hatching of its areas, if it must stay separate: rings of a hatching are not the edges
+    /// of parts that a laser cuts out.
     fills: Vec<Stroke>,
-    /// The closed shapes of a layer that is cut, before lines that lie on others were left out: what lies inside of them has to come
-    /// before what is left of their edges.
+    /// The closed shapes of a cut layer before duplicates were removed: their content must be cut
+    /// before the rest of their edges.
     whole: Vec<Stroke>,
 }
 
@@ -176,7 +176,7 @@ impl Lines {
         })
     }
 
-    /// Cut at the edge of the sheet where that is wanted.
+    /// Clips the lines to the sheet if requested.
     fn on_sheet(
         self,
         settings: &Settings,
@@ -192,7 +192,11 @@ impl Lines {
             let within = bounds(room.corners()).inflate(ON_EDGE_MM, ON_EDGE_MM);
             return Ok(self.clipped("layer beyond the sheet", within, is_on, warnings));
         }
-        let points = self.own.iter().chain(&self.fills).flat_map(|it| &it.points);
+        let points = self
+            .own
+            .iter()
+            .chain(&self.fills)
+            .flat_map(|stroke| &stroke.points);
         let beyond = points.map(|&p| (room.beyond_mm(p), p));
         match beyond.max_by(|a, b| a.0.total_cmp(&b.0)) {
             Some((by_mm, p)) if by_mm > ON_SHEET_MM => Err(PlaceError::BeyondSheet {
@@ -205,7 +209,8 @@ impl Lines {
         }
     }
 
-    /// What the arm reaches, the tool on the paper and lifted, wherever it is sent for it, where the rest is to be cut off.
+    /// Clips the lines to the positions that the arm reaches with the tool down and lifted,
+    /// including all positions beside the strokes, if requested.
     fn within_reach<E>(
         self,
         tool: DrawingTool,
@@ -236,7 +241,8 @@ impl Lines {
         inside: impl Fn(Point) -> bool,
         warnings: &mut Vec<Warning>,
     ) -> Self {
-        let [own, fills] = [self.own, self.fills].map(|it| clip_to_reach(&it, within, &inside));
+        let [own, fills] =
+            [self.own, self.fills].map(|strokes| clip_to_reach(&strokes, within, &inside));
         let cut_mm = own.cut_mm + fills.cut_mm;
         let cut_dots = own.cut_dots + fills.cut_dots;
         if !(own.is_whole() && fills.is_whole()) {
@@ -248,39 +254,39 @@ impl Lines {
         Self { own, fills, ..self }
     }
 
-    /// Those that meet joined, and those that lie on others left out where that is wanted.
+    /// Joins lines that meet, and removes duplicates if requested.
     fn joined(self, tool: DrawingTool, settings: &Settings, warnings: &mut Vec<Warning>) -> Self {
         let stay_whole = settings.cutting_of(tool).is_asked_for();
         let (mut doubles, mut unknown) = (0, 0);
         let mut whole = Vec::new();
-        if settings.drops_doubles && tool.cuts() {
+        if settings.drops_duplicates && tool.cuts() {
             whole = merge(self.own.clone(), settings.join_mm());
-            whole.retain(|it| it.closed);
+            whole.retain(|stroke| stroke.closed);
         }
         let lines = self.map(|strokes| {
-            if !settings.drops_doubles {
+            if !settings.drops_duplicates {
                 return strokes;
             }
-            let single = without_doubles(strokes, stay_whole);
+            let single = without_duplicates(strokes, stay_whole);
             doubles += single.doubles;
             unknown += single.unknown;
             single.strokes
         });
-        warnings.extend(counted(doubles, "double line", "drawn once"));
+        warnings.extend(counted(doubles, "duplicate line", "drawn once"));
         warnings.extend(counted(
             unknown,
             "line",
             "not compared with the others: there are too many in one place",
         ));
-        let lines = lines.map(|it| merge(it, settings.join_mm()));
+        let lines = lines.map(|strokes| merge(strokes, settings.join_mm()));
         if tool.cuts() || stay_whole {
             warnings.extend(with_gaps(&lines.own, settings.join_mm()));
         }
         Self { whole, ..lines }
     }
 
-    /// The strokes as they are drawn, for a tool that comes from `here`: in a good order, of a laser as it cuts them beside
-    /// what is cut in other layers, of a pen as often as it goes over them.
+    /// Returns the strokes as drawn, for a tool that comes from `here`: ordered, with the cuts of a
+    /// laser beside those in other layers, or with the repetitions of a pen.
     fn finished(
         self,
         others: &[&Stroke],
@@ -293,7 +299,7 @@ impl Lines {
             let strokes = in_order(vec![self.own], here, tool, settings);
             let strokes = strokes.into_iter();
             return strokes
-                .map(|it| gone_over(it, settings.pen_passes))
+                .map(|stroke| gone_over(stroke, settings.pen_passes))
                 .collect();
         }
         let cutting = settings.cutting_of(tool);
@@ -303,52 +309,61 @@ impl Lines {
         } else {
             vec![own]
         };
-        // What fills parts is burned before they are cut out.
+        // The hatching of parts is burned before they are cut out.
         let mut strokes = in_order(vec![self.fills], here, tool, settings);
         let here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let cut = cutting.finished(in_order(groups, here, tool, settings), others);
         strokes.extend(cut.strokes);
-        warnings.extend(counted(gone, "narrow shape", "left out, the beam is wider"));
+        warnings.extend(counted(
+            gone,
+            "narrow shape",
+            "omitted, because the beam is wider",
+        ));
         warnings.extend(counted(
             cut.too_small,
             "shape",
-            "too small for tabs: cut all around",
+            "too small for tabs, cut all around",
         ));
         warnings.extend(counted(
             cut.short_of_room,
             "shorter lead-in",
-            "the waste beside the cut has no room for more",
+            "the waste beside the cut is too narrow",
         ));
         strokes
     }
 }
 
-/// Tells of outlines that have gaps: they are no shapes that are cut out, and so have no kerf, and what lies inside may come later.
-/// Lines side by side are no outline, nor is what is not much wider than its gaps.
+/// Warns about outlines with gaps: they are not cut out as shapes, have no kerf, and their content
+/// may be cut later. Parallel lines are not an outline, nor are shapes barely wider than their
+/// gaps.
 fn with_gaps(strokes: &[Stroke], join_mm: f64) -> Option<Warning> {
-    let open: Vec<Stroke> = strokes.iter().filter(|it| !it.closed).cloned().collect();
+    let open: Vec<Stroke> = strokes
+        .iter()
+        .filter(|stroke| !stroke.closed)
+        .cloned()
+        .collect();
     let closed = |by_mm: f64| {
         let shapes = merge(open.clone(), by_mm);
-        let wide = |it: &&Stroke| it.closed && width_mm(it) > MUCH_WIDER * by_mm;
+        let wide = |stroke: &&Stroke| stroke.closed && width_mm(stroke) > MUCH_WIDER * by_mm;
         shapes.iter().filter(wide).count()
     };
-    let wider = GAPS_MM.into_iter().filter(|&it| it > join_mm);
-    let tried: Vec<(f64, usize)> = wider.map(|it| (it, closed(it))).collect();
-    let most = tried.iter().map(|it| it.1).max()?;
-    let (by_mm, count) = tried.into_iter().find(|it| it.1 == most)?;
-    let instead = format!("not taken for shapes that are cut out: `way.join {by_mm}` closes them");
+    let wider = GAPS_MM.into_iter().filter(|&mm| mm > join_mm);
+    let tried: Vec<(f64, usize)> = wider.map(|mm| (mm, closed(mm))).collect();
+    let most = tried.iter().map(|gap| gap.1).max()?;
+    let (by_mm, count) = tried.into_iter().find(|gap| gap.1 == most)?;
+    let instead = format!("not cut out as shapes: `way.join {by_mm}` closes them");
     counted(count, "open outline", &instead)
 }
 
-/// How wide a long shape is that has as much area and as long an edge.
+/// Returns the width of a long shape with this area and perimeter.
 fn width_mm(shape: &Stroke) -> f64 {
     let first = shape.points[0];
-    let part = |it: &[Point]| (it[0] - first).cross(it[1] - first);
+    let part = |pair: &[Point]| (pair[0] - first).cross(pair[1] - first);
     let twice_mm2: f64 = shape.points.windows(2).map(part).sum();
     twice_mm2.abs() / shape.length_mm()
 }
 
-/// Groups of strokes one after the other, each in a good order, for a tool that comes from `here`.
+/// Orders groups of strokes one after another, for a tool that comes from `here`.
 fn in_order(
     groups: Vec<Vec<Stroke>>,
     mut here: Point,
@@ -356,7 +371,7 @@ fn in_order(
     settings: &Settings,
 ) -> Vec<Stroke> {
     let mut all = Vec::new();
-    for group in groups.into_iter().filter(|it| !it.is_empty()) {
+    for group in groups.into_iter().filter(|group| !group.is_empty()) {
         let group = match settings.search(tool) {
             Some(search) => order_until(group, here, &search, &settings.cancel),
             None => group,
@@ -371,8 +386,8 @@ fn in_order(
     all
 }
 
-/// The places beside one, towards the axis of the arm, away from it, and to both sides: the borders of the reach are arcs
-/// around the axis and lines towards it.
+/// Returns the points beside a point: towards the arm's axis, away from it, and to both sides. The
+/// borders of the reach are arcs around the axis and lines towards it.
 fn around(p: Point, by_mm: f64) -> [Point; 4] {
     let from_axis = p.to_vec2();
     let out = from_axis * (by_mm / from_axis.hypot().max(by_mm));
@@ -390,7 +405,7 @@ pub(super) fn counted(count: usize, what: &str, instead: &str) -> Option<Warning
     })
 }
 
-/// A stroke drawn several times without lifting the pen: a closed one goes on around, an open one back
+/// Repeats a stroke without lifting the pen: a closed one continues around, an open one goes back
 /// and forth.
 fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
     if times < 2 {
@@ -408,17 +423,20 @@ fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
     stroke
 }
 
-/// All strokes as one, in their order.
+/// Joins all strokes to one, in order.
 fn one_line(strokes: Vec<Stroke>) -> Vec<Stroke> {
-    let points: Vec<Point> = strokes.into_iter().flat_map(|it| it.points).collect();
+    let points: Vec<Point> = strokes
+        .into_iter()
+        .flat_map(|stroke| stroke.points)
+        .collect();
     vec![Stroke::open(points)]
 }
 
-/// So much beyond the edge of a sheet is on it: pages in inches are rounded.
+/// The distance beyond the edge that counts as on the sheet: pages in inches are rounded.
 const ON_SHEET_MM: f64 = 0.5;
-/// Gaps that nobody wants in an outline.
+/// Gaps in outlines that are probably unintended.
 const GAPS_MM: [f64; 4] = [0.1, 0.2, 0.5, 1.0];
-/// An outline is so many times as wide as its gaps.
+/// The minimum ratio of an outline's width to its gaps.
 const MUCH_WIDER: f64 = 5.0;
-/// So much beyond the edge is not cut off.
+/// The distance beyond the edge that is not cut off.
 const ON_EDGE_MM: f64 = 0.05;

@@ -1,4 +1,4 @@
-//! Sources as layers on the paper, read as finely as their size there needs.
+//! Reading sources as layers on the paper, with the accuracy that their final size requires.
 
 use std::sync::Arc;
 
@@ -6,13 +6,13 @@ use dobot_geometry::{Point, Stroke};
 use dobot_import::{Artwork, Layer, ReadOptions, Source, SourceError, Warning};
 
 use super::{NamedSource, PrepareError, Settings};
-use crate::layout::multi_file::together;
+use crate::layout::multi_file::combine;
 use crate::layout::place::Placed;
 
-/// The layers on the paper, within the share of the tolerance that is for curves.
+/// Reads the layers on the paper, within the share of the tolerance for curves.
 ///
-/// What a source becomes depends on its size there, which depends on all of them: they are read, placed, and
-/// where that turned out otherwise than was thought, read again.
+/// The content depends on its size on the paper, which depends on all sources: they are read,
+/// placed, and read again if the size differs from the assumption.
 pub(super) fn read(
     sources: &[NamedSource],
     settings: &Settings,
@@ -25,16 +25,19 @@ pub(super) fn read(
             error,
         },
     };
-    let begin = |it| Reading::begin(it, settings).map_err(|error| named(it, error));
+    let begin = |source| Reading::begin(source, settings).map_err(|error| named(source, error));
     let mut readings: Vec<Reading> = sources.iter().map(begin).collect::<Result<_, _>>()?;
     let place = |readings: &mut [Reading], for_good| {
-        let parts = readings.iter_mut().map(|it| it.part(for_good)).collect();
-        settings.placement.place(together(parts, settings)?)
+        let parts = readings
+            .iter_mut()
+            .map(|reading| reading.part(for_good))
+            .collect();
+        settings.placement.place(combine(parts, settings)?)
     };
-    // What was read as it will be need not be kept for another time.
+    // Sources in their final size need not be kept.
     let for_good = readings
         .iter()
-        .all(|it| it.source.source.is_same_at_any_size());
+        .all(|reading| reading.source.source.is_same_at_any_size());
     let mut placed = place(&mut readings, for_good)?;
     let most_reads = if for_good { 0 } else { MOST_READS };
     for _ in 0..most_reads {
@@ -48,30 +51,30 @@ pub(super) fn read(
         }
         placed = place(&mut readings, false)?;
     }
-    let warnings = readings.into_iter().flat_map(|it| {
-        let file = (!is_alone).then(|| it.source.name.clone());
+    let warnings = readings.into_iter().flat_map(|reading| {
+        let file = (!is_alone).then(|| reading.source.name.clone());
         let in_file = move |warning| Warning {
             file: file.clone(),
             ..warning
         };
-        it.warnings.into_iter().map(in_file)
+        reading.warnings.into_iter().map(in_file)
     });
     Ok((placed, warnings.collect()))
 }
 
-/// A source as it was read last.
+/// The last reading of a source.
 struct Reading<'a> {
     source: &'a NamedSource,
     options: ReadOptions,
-    /// Of a picture that was not read yet the corners of its page.
+    /// The corners of the page for a picture that was not read yet.
     artwork: Artwork,
     is_read: bool,
     warnings: Vec<Warning>,
 }
 
 impl<'a> Reading<'a> {
-    /// Reads it at its own size; of a picture only how large its page is, because its lines depend on how large
-    /// it becomes.
+    /// Reads the source at its own size, but only the page size of a picture, because its lines
+    /// depend on the final size.
     fn begin(source: &'a NamedSource, settings: &Settings) -> Result<Self, SourceError> {
         let mut options = ReadOptions {
             tolerance_mm: settings.flatten_mm(),
@@ -80,7 +83,7 @@ impl<'a> Reading<'a> {
             crops: settings.crops,
             hides: settings.hides,
             fills: settings.hatch.is_some(),
-            burns: settings.tool.burns() || settings.tools.iter().any(|(_, it)| it.burns()),
+            burns: settings.tool.burns() || settings.tools.iter().any(|(_, tool)| tool.burns()),
             fonts: Arc::clone(&settings.fonts),
             ..ReadOptions::default()
         };
@@ -98,7 +101,7 @@ impl<'a> Reading<'a> {
         })
     }
 
-    /// What it is on the page; `for_good` where it is not asked for again.
+    /// Returns the artwork on the page; with `for_good` it is not needed again.
     fn part(&mut self, for_good: bool) -> (&'a Source, Artwork) {
         let artwork = if for_good {
             std::mem::take(&mut self.artwork)
@@ -108,7 +111,7 @@ impl<'a> Reading<'a> {
         (&self.source.source, artwork)
     }
 
-    /// Reads it again where it was read for another size on the paper; tells whether it was.
+    /// Reads the source again if it was read for a different size; returns whether it was.
     fn read_for(&mut self, scale: f64, flatten_mm: f64) -> Result<bool, SourceError> {
         if self.source.source.is_same_at_any_size() {
             return Ok(false);
@@ -143,8 +146,8 @@ fn corners(page: Point) -> Artwork {
     }
 }
 
-/// Reads a source as finely as its own size allows: a town in metres has too many corners for that, but
-/// not as a drawing on the paper.
+/// Reads a source with the accuracy of its own size: a town plan in metres would have too many
+/// corners otherwise, but not as a drawing on the paper.
 fn read_coarsely(
     source: &Source,
     options: &mut ReadOptions,
@@ -159,12 +162,12 @@ fn read_coarsely(
     }
 }
 
-/// Once for the page of a picture, and once more where its ink is much smaller.
+/// Once for the page of a picture, and once more if its ink is much smaller.
 const MOST_READS: u32 = 2;
-/// Where a file has too many corners even like this, it would on the paper.
+/// The coarsest accuracy: a file with too many corners even then would have too many on the paper.
 const COARSEST_MM: f64 = 100.0;
 const COARSER: f64 = 30.0;
-/// What is read so many times finer than it need be is read once more.
+/// Content read with this many times the necessary accuracy is read again.
 const MUCH: f64 = 4.0;
-/// How much larger than its page says the ink of a picture may become for its lines to stay.
+/// The scale difference up to which the lines of a picture are kept.
 const SAME_SCALE: f64 = 0.05;

@@ -1,4 +1,4 @@
-//! How a drawing is to be made.
+//! The settings of a preparation.
 
 use std::sync::Arc;
 
@@ -19,72 +19,73 @@ use crate::strokes::hatch::{Hatch, hatch};
 use crate::strokes::order::{Search, Travel};
 use crate::strokes::simplify::MIN_VECTOR_MM;
 
-/// How a drawing is to be made.
+/// The settings of a preparation.
 #[derive(Clone, Debug)]
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a setting of its own"
 )]
 pub struct Settings {
-    /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 to 10.
+    /// The maximum deviation of the drawn path, in mm on the paper; 0.02 to 10.
     pub tolerance_mm: f64,
-    /// Where on the paper, and how large.
+    /// The position and size on the paper.
     pub placement: Placement,
-    /// Copies of the source, or all of several sources, side by side; otherwise there is one of each, where
-    /// it is on its page.
+    /// The grid for copies of the source or several sources; by default each is drawn once, at its
+    /// place on the page.
     pub grid: Option<Grid>,
-    /// How far apart what is side by side lies, and a text below the drawing, in mm of the page.
+    /// The gap in the grid, and between drawing and text, in mm of the page.
     pub gap_mm: f64,
-    /// Where the paper lies.
+    /// The paper.
     pub paper: Paper,
-    /// What is wrong with the arm; nothing if not given. Drawings are told in the arm's own places
-    /// then, and [`paper`](Self::paper) must be as the arm sees it.
+    /// The calibration; none by default. With one, drawings are converted to raw positions, and
+    /// [`paper`](Self::paper) must be in raw positions.
     pub calibration: Option<CalibrationFile>,
-    /// What arm and link can do.
+    /// The limits of arm and link.
     pub arm_limits: ArmLimits,
-    /// What draws.
+    /// The tool.
     pub tool: DrawingTool,
-    /// Whether it does so at its own speed, whatever the file says.
+    /// Whether the tool keeps its own speed, regardless of the file.
     pub keeps_speed: bool,
-    /// Whether layers are drawn each for itself, and what makes them; otherwise all are one.
+    /// How the drawing is split into layers that are drawn separately; by default there is one
+    /// layer.
     pub layers: Option<LayersBy>,
-    /// The layers to draw, by name, also several with commas between them; all of them if none is named.
+    /// The names of the layers to draw, also several separated by commas; all layers if empty.
     pub only: Vec<String>,
-    /// What draws the layers that have tools of their own, by name.
+    /// The tools of layers, by name.
     pub tools: Vec<(String, DrawingTool)>,
-    /// Whether what lies beyond the page of an SVG file is cut off.
+    /// Whether an SVG file is cropped to its page.
     pub crops: bool,
-    /// Whether the filled shapes of an SVG, DXF or HP-GL file hide what lies under them.
+    /// Whether filled shapes of an SVG, DXF or HP-GL file hide what lies below.
     pub hides: bool,
-    /// How near to each other strokes end that are joined, in mm; the tolerance if not given.
+    /// The distance up to which stroke ends are joined, in mm; the tolerance by default.
     pub join_mm: Option<f64>,
-    /// Whether lines that lie on others are left out.
-    pub drops_doubles: bool,
-    /// How often a pen goes over each line, from 1 up.
+    /// Whether duplicate lines are removed.
+    pub drops_duplicates: bool,
+    /// The number of passes of a pen over each line, at least 1.
     pub pen_passes: u32,
-    /// How a laser cuts shapes out.
+    /// The settings for cutting shapes out with a laser.
     pub cutting: Cutting,
-    /// How filled areas become lines; they stay empty if not given.
+    /// The hatching of filled areas; without it they stay empty.
     pub hatch: Option<Hatch>,
-    /// How a picture's tones become lines.
+    /// The conversion of a picture's tones to lines.
     pub shading: Shading,
-    /// How often a good order of the strokes is disturbed to find a better one; the file's own order
-    /// is kept if not given.
+    /// The number of attempts to improve the stroke order; without it the file's order is kept.
     pub tries: Option<u32>,
-    /// Decides where it is disturbed: the same seed gives the same order.
+    /// The seed of these attempts: the same seed gives the same order.
     pub seed: u64,
-    /// Where to begin; at the beginning if not given.
+    /// The resume point; the beginning by default.
     pub from: Option<ResumePoint>,
-    /// The fonts that text is drawn with.
+    /// The fonts for text.
     pub fonts: Arc<fontdb::Database>,
-    /// Ends the preparation before it is done.
+    /// Cancels the preparation.
     pub cancel: CancelToken,
-    /// Tells how far it is.
+    /// Reports the progress.
     pub progress: Progress,
 }
 
 impl Settings {
-    /// How a tool cuts shapes out: where the material of the drawing is cut through, a layer that is engraved has no kerf or tabs.
+    /// Returns the cutting settings of a tool: if the drawing's material is cut through, an
+    /// engraved layer has no kerf or tabs.
     pub(super) fn cutting_of(&self, tool: DrawingTool) -> Cutting {
         if tool.cuts() || !self.tool.cuts() {
             self.cutting
@@ -93,7 +94,7 @@ impl Settings {
         }
     }
 
-    /// How near ends are joined, in mm.
+    /// Returns the distance up to which ends are joined, in mm.
     pub(super) fn join_mm(&self) -> f64 {
         self.join_mm.unwrap_or(self.tolerance_mm)
     }
@@ -103,14 +104,14 @@ impl Settings {
         if !(least_mm..=most_mm).contains(&tolerance_mm) {
             return Err(PrepareError::Tolerance(tolerance_mm));
         }
-        // Told for a drawing without areas, too.
+        // Report invalid settings even for a drawing without areas.
         if let Some(hatching) = &self.hatch {
             hatch(&Area::default(), hatching)?;
         }
         Ok(())
     }
 
-    /// How to look for a good order of the strokes that this tool draws.
+    /// Returns the settings of the stroke order search for this tool.
     pub(super) fn search(&self, tool: DrawingTool) -> Option<Search> {
         let by_time = Travel::Time {
             speed_mm_s: tool.travel_speed_mm_s(),
@@ -133,14 +134,14 @@ impl Settings {
         self.shading.style == ShadingStyle::Tsp
     }
 
-    /// The share of the tolerance that goes into reading curves.
+    /// Returns the share of the tolerance for reading curves.
     pub(super) fn flatten_mm(&self) -> f64 {
         self.tolerance_mm * FLATTEN_SHARE
     }
 }
 
 impl Default for Settings {
-    /// 0.05 mm, true size, a pen on level paper, all layers as one, no fonts.
+    /// Returns 0.05 mm, true size, a pen on level paper, one layer, no fonts.
     fn default() -> Self {
         Self {
             tolerance_mm: 0.05,
@@ -158,7 +159,7 @@ impl Default for Settings {
             crops: true,
             hides: false,
             join_mm: None,
-            drops_doubles: false,
+            drops_duplicates: false,
             pen_passes: 1,
             cutting: Cutting::default(),
             hatch: None,
@@ -173,8 +174,8 @@ impl Default for Settings {
     }
 }
 
-/// Enough for ordinary drawings, in well under a second, and a second or so for each 100,000 strokes.
+/// Enough for ordinary drawings in well under a second, and about a second per 100,000 strokes.
 pub(crate) const TRIES: u32 = 80_000;
 const FLATTEN_SHARE: f64 = 0.1;
-/// The tolerances that can be met, in mm; with larger ones nothing of a drawing would be left.
+/// The range of tolerances, in mm; larger ones would leave nothing of a drawing.
 pub(crate) const TOLERANCE_MM: [f64; 2] = [4.0 * MIN_VECTOR_MM, 10.0];

@@ -57,7 +57,7 @@ fn a_laser_burns_within_tolerance_though_it_burns_nothing_shorter_than_its_spot(
         tool,
         ..Settings::default()
     };
-    // The last vector of an arc comes out as short as it happens to.
+    // The last vector of an arc has any length.
     let arc = |radius: f64, count: u32| -> Vec<Point> {
         let at = |i: u32| Vec2::from_angle(f64::from(i) * 0.1 / radius) * radius;
         (0..count).map(|i| at(i).to_point()).collect()
@@ -84,7 +84,7 @@ fn a_laser_burns_within_a_fine_tolerance_along_steps_of_any_length() {
             tolerance_mm: if i % 2 == 0 { 0.05 } else { 0.025 },
             ..Settings::default()
         };
-        // Up and down in steps from 0.02 to 0.4 mm between lines of 2 mm, as serifs and teeth are.
+        // Up and down in steps of 0.02 to 0.4 mm between lines of 2 mm, like serifs and teeth.
         let mut at = Point::ORIGIN;
         let mut line = vec![at];
         for n in 0..9 {
@@ -107,7 +107,7 @@ fn a_laser_burns_within_a_fine_tolerance_along_steps_of_any_length() {
     }
 }
 
-/// A circle of 30 mm that is no polygon to see.
+/// A circle of 30 mm, visually not a polygon.
 fn round() -> Stroke {
     let at = |i: u32| Vec2::from_angle(std::f64::consts::TAU * f64::from(i % 5000) / 5000.0);
     let points = (0..=5000).map(|i| Point::new(220.0, 0.0) + at(i) * 30.0);
@@ -117,7 +117,7 @@ fn round() -> Stroke {
     }
 }
 
-/// 100 mm/s2, and no limit of the joints.
+/// 100 mm/s2 and no joint limits.
 fn at_80_mm_s(has_ticks: bool) -> Settings {
     Settings {
         tool: DrawingTool::default().at_speed(80.0),
@@ -133,8 +133,9 @@ fn at_80_mm_s(has_ticks: bool) -> Settings {
 
 #[test]
 fn a_circle_is_drawn_hardly_slower_than_the_fastest_motion_along_it() {
-    // At v2 = a r the circle takes 2 pi sqrt(r / a); from rest and to rest the acceleration turns from along the
-    // circle to across it, which takes pi / 4 of that radian twice: the speed grows as the sine of twice the angle.
+    // At v2 = a r the circle takes 2 pi sqrt(r / a); at both ends the acceleration turns from along
+    // the circle to across it, which takes pi / 4 of that radian twice: the speed grows as the sine
+    // of twice the angle.
     let optimum_s = {
         let settings = at_80_mm_s(false);
         let estimator = DurationEstimator::of(&settings.arm_limits, &settings.tool);
@@ -153,8 +154,11 @@ fn a_circle_is_drawn_hardly_slower_than_the_fastest_motion_along_it() {
         let plan = prepare_passes(vec![pass], &settings, anywhere)
             .unwrap()
             .plan;
-        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
-        let drawn_s: f64 = draws.map(|it| f64::from(it.duration_s)).sum();
+        let draws = plan
+            .moves
+            .iter()
+            .filter(|vector| vector.kind == MoveKind::Draw);
+        let drawn_s: f64 = draws.map(|vector| f64::from(vector.duration_s)).sum();
         assert!(
             drawn_s <= most * optimum_s,
             "{drawn_s} instead of {optimum_s} s"
@@ -185,7 +189,7 @@ fn an_enlarged_drawing_keeps_the_tolerance() {
 
 #[test]
 fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
-    // Arcs of 100 m whose corners at 5 micrometres would be 70,000, sixty times over.
+    // Arcs of 100 m, whose 70,000 corners at 5 micrometres would be needed sixty times.
     let arcs = (0..60).map(|i| format!("0 ARC 8 0 10 {i} 20 0 40 100 50 0 51 359 "));
     let arcs: Vec<String> = arcs.collect();
     let arcs = arcs.concat().replace(' ', "\n");
@@ -200,15 +204,19 @@ fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
     let planned = prepared.plan.paths(MoveKind::Draw);
     let worst = deviation(&prepared.wanted(), &planned);
     assert!(worst.largest_mm() <= 0.0451, "{worst:?}");
-    let corners: usize = prepared.wanted().iter().map(|it| it.points.len()).sum();
-    // Of a circle of some 75 mm radius, 5 micrometres from it: 272 each.
+    let corners: usize = prepared
+        .wanted()
+        .iter()
+        .map(|stroke| stroke.points.len())
+        .sum();
+    // A circle of some 75 mm radius within 5 micrometres: 272 each.
     assert!((60 * 200..60 * 350).contains(&corners), "{corners}");
 }
 
 #[test]
 fn a_drawing_of_many_colours_that_is_drawn_as_one_has_none_of_them() {
     let svg = |colors: [&str; 2]| {
-        let lines = colors.map(|it| format!(r#"<path d="M5 5H25V9" stroke="{it}"/>"#));
+        let lines = colors.map(|color| format!(r#"<path d="M5 5H25V9" stroke="{color}"/>"#));
         format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
             <g fill="none">{}</g></svg>"#,
@@ -245,11 +253,11 @@ fn a_material_that_is_cut_through_is_cut_inside_first() {
         let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
         wanted
             .iter()
-            .map(|it| it.length_mm().round())
+            .map(|stroke| stroke.length_mm().round())
             .collect::<Vec<f64>>()
     };
     assert_eq!(lengths(true).last(), Some(&320.0));
-    // An engraving may go the shortest way.
+    // An engraving may use the shortest path.
     assert_ne!(lengths(false).last(), Some(&320.0));
 }
 
@@ -282,7 +290,7 @@ fn a_hole_on_a_layer_of_its_own_is_cut_as_a_hole_and_what_is_engraved_as_it_is()
         let width = dobot_geometry::bounds(stroke.points.iter().copied()).height();
         (pass.name.as_str(), (10.0 * width).round() / 10.0)
     });
-    // What lies inside comes before what it would fall out of.
+    // Inner shapes come before the parts they would fall out of.
     let wanted = [("black", 20.0), ("blue", 19.6), ("red", 100.4)];
     assert_eq!(found.collect::<Vec<_>>(), wanted);
 }
@@ -312,7 +320,7 @@ fn the_rings_of_a_hatching_are_neither_parts_nor_holes_and_are_burned_before_the
     };
     let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
     let (rings, cut) = wanted.split_at(wanted.len() - 2);
-    let mut rings_mm: Vec<f64> = rings.iter().map(|it| it.length_mm().round()).collect();
+    let mut rings_mm: Vec<f64> = rings.iter().map(|ring| ring.length_mm().round()).collect();
     rings_mm.sort_by(f64::total_cmp);
     assert_eq!(rings_mm, [32.0, 64.0, 96.0, 128.0]);
     for half in cut {
@@ -339,8 +347,8 @@ fn what_is_too_large_for_the_arm_is_cut_off_where_that_is_asked_for_wherever_it_
     assert!(texts.concat().contains("mm of its lines"), "{texts:?}");
     // Both lines cross in the middle of the area.
     let center = Placement::default().area.center();
-    let near = |it: &Stroke| {
-        it.segments().any(|(a, b)| {
+    let near = |stroke: &Stroke| {
+        stroke.segments().any(|(a, b)| {
             dobot_geometry::ParamCurveNearest::nearest(
                 &dobot_geometry::Line::new(a, b),
                 center,
@@ -350,7 +358,14 @@ fn what_is_too_large_for_the_arm_is_cut_off_where_that_is_asked_for_wherever_it_
                 < 0.01
         })
     };
-    assert_eq!(prepared.wanted().iter().filter(|it| near(it)).count(), 2);
+    assert_eq!(
+        prepared
+            .wanted()
+            .iter()
+            .filter(|stroke| near(stroke))
+            .count(),
+        2
+    );
 }
 
 #[test]
@@ -403,7 +418,7 @@ fn a_drawing_larger_than_the_area_leaves_room_for_the_runs_of_a_laser() {
         burn_speed_mm_s: 60.0,
         ..Laser::default()
     });
-    // As deep as the reach is: a line that begins and ends at its borders.
+    // As deep as the reach: a line that begins and ends at its borders.
     let deep = |mm: f64| vec![Point::new(0.0, 0.0), Point::new(0.0, mm)];
     let settings = |tool| Settings {
         tool,
@@ -432,7 +447,7 @@ fn a_drawing_of_which_nothing_is_left_says_so_and_what_to_do() {
 
 #[test]
 fn a_line_along_the_border_of_the_reach_is_cut_so_that_its_vectors_stay_within() {
-    // Arcs about the axis of the arm, and waves across the border that is 321 mm from it.
+    // Arcs around the axis of the arm, and waves across the border at 321 mm from it.
     let arc = |radius: f64| move |_: f64| radius;
     let ways: [&dyn Fn(f64) -> f64; 4] =
         [&arc(320.99), &arc(320.96), &arc(129.01), &|angle: f64| {
@@ -444,7 +459,7 @@ fn a_line_along_the_border_of_the_reach_is_cut_so_that_its_vectors_stay_within()
             Point::new(radius(angle) * angle.cos(), radius(angle) * angle.sin())
         });
         let line: Vec<Point> = line.collect();
-        // On the page, x is to the right and y down: those are -Y and -X of the arm.
+        // On the page, x is to the right and y down: -Y and -X of the arm.
         let page = line.iter().map(|p| Point::new(-p.y, -p.x)).collect();
         let mut settings = Settings::default();
         settings.placement.clips = true;
@@ -491,7 +506,8 @@ fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
             ..Settings::default()
         },
     ];
-    // Spokes across the outer border of the reach, in turns outwards and inwards, and rings beside them.
+    // Spokes across the outer border of the reach, alternately outwards and inwards, and rings
+    // beside them.
     let spoke = |i: i32| {
         let way = Vec2::from_angle(f64::from(i) / 20.0);
         let ends = if i % 2 == 0 {
@@ -499,18 +515,18 @@ fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
         } else {
             [350.0, 200.0]
         };
-        ends.map(|it| (way * it).to_point()).to_vec()
+        ends.map(|mm| (way * mm).to_point()).to_vec()
     };
     let ring = |i: i32| {
         let middle = (Vec2::from_angle(f64::from(i) / 20.0) * 320.0).to_point();
-        let corner = |it: i32| middle + Vec2::from_angle(f64::from(it)) * 12.0;
+        let corner = |angle: i32| middle + Vec2::from_angle(f64::from(angle)) * 12.0;
         let mut ring: Vec<Point> = (0..6).map(corner).collect();
         ring.push(ring[0]);
         ring
     };
     let lines: Vec<Vec<Point>> = (-15..=15).flat_map(|i| [spoke(i), ring(i)]).collect();
     let center = dobot_geometry::bounds(lines.iter().flatten().copied()).center();
-    // On the page, x is to the right and y down: those are -Y and -X of the arm.
+    // On the page, x is to the right and y down: -Y and -X of the arm.
     let on_page = |line: &Vec<Point>| line.iter().map(|p| Point::new(-p.y, -p.x)).collect();
     let page: Vec<Vec<Point>> = lines.iter().map(on_page).collect();
     for mut settings in cases {
@@ -518,7 +534,7 @@ fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
         settings.placement.center = Some(center);
         let prepared = prepare(&Source::Lines(page.clone()), &settings, in_reach)
             .unwrap_or_else(|error| panic!("{error} with {settings:?}"));
-        // Not much more than that is left out.
+        // Barely more than necessary is omitted.
         let drawn_mm: f64 = prepared.wanted().iter().map(Stroke::length_mm).sum();
         assert!(drawn_mm > 31.0 * 100.0, "{drawn_mm} mm");
     }
@@ -553,7 +569,7 @@ fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_s
         let texts = prepared.warnings.iter().map(ToString::to_string);
         let is_warned = texts
             .into_iter()
-            .any(|it| it.contains("layer with the speed of a pen"));
+            .any(|text| text.contains("layer with the speed of a pen"));
         (prepared.passes[0].tool.speed_mm_s(), is_warned)
     };
     for (source, tool, expected) in [
@@ -571,13 +587,13 @@ fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_s
     }
 }
 
-/// Spokes all around the arm, from -120 to 120 degrees, drawn from the left to the right and back.
+/// Spokes all around the arm, from -120 to 120 degrees, drawn from left to right and back.
 fn spokes_around_the_arm() -> Vec<Stroke> {
-    let spoke = |it: i32| {
-        let way = Vec2::from_angle(f64::from(it).to_radians());
+    let spoke = |angle: i32| {
+        let way = Vec2::from_angle(f64::from(angle).to_radians());
         Stroke::open([150.0, 300.0].map(|mm| (way * mm).to_point()).to_vec())
     };
-    let angles = (0..12).flat_map(|it| [-120 + 20 * it, 120 - 20 * it]);
+    let angles = (0..12).flat_map(|i| [-120 + 20 * i, 120 - 20 * i]);
     angles.map(spoke).collect()
 }
 
@@ -592,7 +608,7 @@ fn ways_between_strokes_lead_around_the_arm_and_never_behind_it() {
             };
             settings.arm_limits.has_ticks = has_ticks;
             let pass = Pass::new(tool, spokes_around_the_arm());
-            // The base turns to either side by 135 degrees.
+            // The base turns by up to 135 degrees to either side.
             let reachable = |p: Position| {
                 let turned_deg = p.y.0.atan2(p.x.0).to_degrees();
                 if turned_deg.abs() > 135.0 {
@@ -604,7 +620,8 @@ fn ways_between_strokes_lead_around_the_arm_and_never_behind_it() {
                 .unwrap()
                 .plan;
             assert_eq!(plan.summary().strokes, 24);
-            // From each of them the arm goes around to the other side, and no longer way than that.
+            // From each spoke the arm moves around to the other side, by no longer path than
+            // necessary.
             let around_mm = plan.summary().travelled_mm;
             assert!(
                 (23.0 * 300.0..23.0 * 600.0).contains(&around_mm),
@@ -632,7 +649,7 @@ fn the_frame_of_what_lies_around_the_arm_leads_around_it_too() {
 
 #[test]
 fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
-    // All black, with a white margin as wide as itself on the right.
+    // All black, with a white margin of the same width on the right.
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, 4800, 1600);
     encoder.set_depth(png::BitDepth::One);
@@ -647,7 +664,7 @@ fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
     let prepared = prepare(&Source::of_file("-", file).unwrap(), &settings, anywhere).unwrap();
     let wanted = prepared.wanted();
     let length_mm: f64 = wanted.iter().map(Stroke::length_mm).sum();
-    // The ink is as deep as the area and half as wide again.
+    // The ink is as deep as the area and 1.5 times as wide.
     let lines_mm = 120.0 * 180.0 / settings.shading.spacing_mm;
     assert!(
         (length_mm / lines_mm - 1.0).abs() < 0.06,
@@ -671,7 +688,7 @@ fn stipples_become_one_line_without_a_lift() {
     let prepared = prepare(&Source::of_file("-", file).unwrap(), &settings, anywhere).unwrap();
     let wanted = prepared.wanted();
     assert_eq!(wanted.len(), 1);
-    // A good tour through points that are so dense is 0.7124 times the root of area and number.
+    // A good tour through points of this density is 0.7124 times the root of area and number.
     let points = wanted[0].points.len();
     let ink = dobot_geometry::bounds_of_strokes(&wanted);
     let tour_mm = 0.7124 * (ink.area() * f64::from(u32::try_from(points).unwrap())).sqrt();
@@ -692,15 +709,16 @@ fn layers_are_chosen_by_names_with_commas_between_them_or_in_them() {
     let chosen = |only: &[&str]| {
         let settings = Settings {
             layers: Some(dobot_import::LayersBy::Group),
-            only: only.iter().map(|&it| it.to_owned()).collect(),
+            only: only.iter().map(|&name| name.to_owned()).collect(),
             ..Settings::default()
         };
         let prepared = prepare(&svg.into(), &settings, anywhere);
-        let names = prepared.map(|it| it.passes.into_iter().map(|pass| pass.name).collect());
+        let names =
+            prepared.map(|prepared| prepared.passes.into_iter().map(|pass| pass.name).collect());
         names.map_err(|error| error.to_string())
     };
     let names = |names: &[&str]| -> Result<Vec<String>, String> {
-        Ok(names.iter().map(|&it| it.to_owned()).collect())
+        Ok(names.iter().map(|&name| name.to_owned()).collect())
     };
     assert_eq!(chosen(&["cut, outside"]), names(&["cut, outside"]));
     assert_eq!(chosen(&["text,cut"]), names(&["cut", "text"]));
@@ -765,7 +783,7 @@ fn an_outline_with_gaps_is_reported_with_what_closes_it() {
     );
     assert_eq!(warning_of(true, Some(0.5)), "");
     assert_eq!(warning_of(false, None), "");
-    // Lines side by side, and the two of a road, are none.
+    // Parallel lines, like the two sides of a road, are not outlines.
     let side_by_side = (0..40).map(|i| side((0.0, f64::from(i)), (40.0, f64::from(i))));
     let source = Source::Lines(side_by_side.collect());
     let settings = Settings {
@@ -803,8 +821,8 @@ fn what_the_arm_burns_slower_than_asked_for_is_reported_with_the_speed_at_which_
     let speed = warning
         .split("; at ")
         .nth(1)
-        .and_then(|it| it.split(' ').next());
-    let even_mm_s: f64 = speed.and_then(|it| it.parse().ok()).expect("a speed");
+        .and_then(|rest| rest.split(' ').next());
+    let even_mm_s: f64 = speed.and_then(|speed| speed.parse().ok()).expect("a speed");
     assert!(even_mm_s > 6.0 && even_mm_s < 10.1, "{warning}");
     assert_eq!(warning_of(even_mm_s), "");
 }
@@ -843,11 +861,14 @@ fn a_hole_comes_before_what_an_edge_that_is_drawn_once_leaves_of_its_part() {
             cuts: true,
             ..Laser::default()
         }),
-        drops_doubles: true,
+        drops_duplicates: true,
         ..Settings::default()
     };
     let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
-    let mut lengths: Vec<f64> = wanted.iter().map(|it| it.length_mm().round()).collect();
+    let mut lengths: Vec<f64> = wanted
+        .iter()
+        .map(|stroke| stroke.length_mm().round())
+        .collect();
     let edges = lengths.split_off(2);
     assert_eq!(edges.iter().sum::<f64>(), 140.0);
     lengths.sort_by(f64::total_cmp);

@@ -10,32 +10,33 @@ use dobot_plan::{
 use super::{PrepareError, Settings};
 use crate::arm::calibrated::shortened;
 use crate::strokes::simplify::{
-    PlannedWay, Way, fast_ways_at, fewest_at, fewest_long_at, seemingly_fastest_at, spliced_at,
+    Approximation, PlannedApproximation, fast_ways_at, fewest_at, fewest_long_at,
+    seemingly_fastest_at, spliced_at,
 };
 
-/// How much of a drawing may still be planned to find the fastest vectors.
+/// The remaining budget for planning variants to find the fastest vectors.
 #[derive(Debug)]
 pub(super) struct Trials {
-    /// How many vectors, where those in ticks count as [`TICKS_COUNT`].
+    /// The number of vectors; those in ticks count as [`TICKS_COUNT`].
     left: usize,
-    /// How many points the strokes have, and how many those have that were asked about.
+    /// The total number of points, and the number of those already considered.
     points: usize,
     points_done: usize,
 }
 
 impl Trials {
-    /// Those of one drawing.
+    /// Creates the budget of a drawing.
     pub(super) fn new(passes: &[Pass]) -> Self {
-        let strokes = passes.iter().flat_map(|it| &it.strokes);
+        let strokes = passes.iter().flat_map(|pass| &pass.strokes);
         Self {
             left: MOST_TRIED,
-            points: strokes.map(|it| it.points.len()).sum(),
+            points: strokes.map(|stroke| stroke.points.len()).sum(),
             points_done: 0,
         }
     }
 
-    /// Whether a stroke is to be planned in all ways, the fewest vectors of which are given: as long as anything is left, if it is
-    /// not that long itself.
+    /// Takes the budget for planning all variants of a stroke, given its fewest vectors; returns
+    /// whether there is enough and the stroke is not too long.
     fn take(&mut self, stroke: &Stroke, fewest: &Stroke, has_ticks: bool) -> bool {
         self.points_done += stroke.points.len();
         let count = (EACH + fewest.points.len()) * WAYS;
@@ -52,7 +53,8 @@ impl Trials {
         enough
     }
 
-    /// Whether hardly any strokes of the drawing could be planned in all ways: then it is not worth the time.
+    /// Whether only a small part of the drawing could be planned with all variants: then it is not
+    /// worth the time.
     fn are_rare(&self) -> bool {
         let taken = MOST_TRIED - self.left;
         taken > MOST_TRIED / FIRST_SHARE
@@ -60,26 +62,26 @@ impl Trials {
     }
 }
 
-/// The same pass with the vectors that are the fastest; of a laser, which burns at an even speed, with the
-/// fewest.
+/// Returns the pass with its fastest vectors, or with the fewest for a laser, which burns at
+/// constant speed.
 pub(super) fn simplified(
     pass: &Pass,
     settings: &Settings,
     trials: &mut Trials,
 ) -> Result<Pass, PrepareError> {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
-    let strokes = pass.strokes.iter().map(|it| {
+    let strokes = pass.strokes.iter().map(|stroke| {
         settings.cancel.check()?;
-        let fewest = fewest_at(it, tolerance_mm);
+        let fewest = fewest_at(stroke, tolerance_mm);
         let simple = if pass.tool.burns() {
-            fewest_long_at(it, tolerance_mm, LEAST_BURN_MM)
-                .unwrap_or_else(|| burned(it, fewest.stroke, tolerance_mm))
-        } else if fewest.stroke.points.len() == it.points.len() {
+            fewest_long_at(stroke, tolerance_mm, LEAST_BURN_MM)
+                .unwrap_or_else(|| burned(stroke, fewest.stroke, tolerance_mm))
+        } else if fewest.stroke.points.len() == stroke.points.len() {
             fewest.stroke
         } else {
-            faster(it, fewest, pass.tool, settings, trials)
+            faster(stroke, fewest, pass.tool, settings, trials)
         };
-        settings.progress.advance(it.points.len());
+        settings.progress.advance(stroke.points.len());
         Ok(shortened(simple, &settings.paper))
     });
     let strokes: Result<_, PrepareError> = strokes.collect();
@@ -92,12 +94,13 @@ pub(super) fn simplified(
     })
 }
 
-/// The fewest vectors of a stroke that keep within the tolerance without the corners that a laser leaves out, since they lie too
-/// near to others: those within less than the tolerance lie elsewhere. If none do, those that come nearest to it.
+/// Returns the fewest vectors of a stroke that keep the tolerance without the corners that a laser
+/// omits because they are too close to others. A smaller tolerance moves the corners. If none keeps
+/// it, returns the closest.
 fn burned(stroke: &Stroke, fewest: Stroke, tolerance_mm: f64) -> Stroke {
-    let off_mm = |it: &Stroke| {
-        let corners = burned_corners(it);
-        if corners.len() == it.points.len() {
+    let off_mm = |vectors: &Stroke| {
+        let corners = burned_corners(vectors);
+        if corners.len() == vectors.points.len() {
             return 0.0;
         }
         let both = [stroke.clone(), Stroke::open(corners)];
@@ -117,11 +120,12 @@ fn burned(stroke: &Stroke, fewest: Stroke, tolerance_mm: f64) -> Stroke {
     best.1
 }
 
-/// A stroke of a pen with the vectors that the plan takes the least time for: those of its pace, those that take whole
-/// ticks, the fewest, the fewest within half of the tolerance, or the best parts of these. In a long drawing the last strokes are only estimated.
+/// Returns the vectors of a pen stroke with the shortest planned time: the fastest by estimate,
+/// those in whole ticks, the fewest, the fewest within half the tolerance, or a combination of
+/// their best parts. In a long drawing the last strokes are only estimated.
 fn faster(
     stroke: &Stroke,
-    fewest: Way,
+    fewest: Approximation,
     tool: DrawingTool,
     settings: &Settings,
     trials: &mut Trials,
@@ -133,10 +137,10 @@ fn faster(
     }
     let few = fewest.stroke.clone();
     let ways = fast_ways_at(stroke, tolerance_mm, fewest, &estimator);
-    if ways.iter().all(|it| it.stroke == few) {
+    if ways.iter().all(|way| way.stroke == few) {
         return few;
     }
-    let mut tried = Tried {
+    let mut tried = PlannedVariants {
         tool,
         settings,
         planned: Vec::new(),
@@ -151,38 +155,45 @@ fn faster(
         }
     }
     let best = tried.planned.into_iter().nth(tried.best.1);
-    best.map_or(few, |it| it.way.stroke)
+    best.map_or(few, |planned| planned.way.stroke)
 }
 
-/// The ways of a stroke that were planned.
-struct Tried<'a> {
+/// The planned variants of a stroke.
+struct PlannedVariants<'a> {
     tool: DrawingTool,
     settings: &'a Settings,
-    planned: Vec<PlannedWay>,
-    /// How long the fastest takes, in s, and which it is.
+    planned: Vec<PlannedApproximation>,
+    /// The duration of the fastest variant, in s, and its index.
     best: (f64, usize),
 }
 
-impl Tried<'_> {
-    /// Plans one more way, if it is none of those before.
-    fn plan(&mut self, way: Way) {
-        if self.planned.iter().any(|it| it.way.stroke == way.stroke) {
+impl PlannedVariants<'_> {
+    /// Plans another variant, unless it is already included.
+    fn plan(&mut self, way: Approximation) {
+        if self
+            .planned
+            .iter()
+            .any(|planned| planned.way.stroke == way.stroke)
+        {
             return;
         }
         let pass = Pass::new(self.tool, vec![way.stroke.clone()]);
         let Ok(plan) = Plan::whole(&[pass], &self.settings.paper, &self.settings.arm_limits) else {
             return;
         };
-        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
-        let durations_s: Vec<f64> = draws.map(|it| it.duration_s.into()).collect();
+        let draws = plan
+            .moves
+            .iter()
+            .filter(|vector| vector.kind == MoveKind::Draw);
+        let durations_s: Vec<f64> = draws.map(|vector| vector.duration_s.into()).collect();
         let time_s = durations_s.iter().sum::<f64>() * self.sharpness(&plan);
         if time_s < self.best.0 * WORTH_FEWER {
             self.best = (time_s, self.planned.len());
         }
-        self.planned.push(PlannedWay { way, durations_s });
+        self.planned.push(PlannedApproximation { way, durations_s });
     }
 
-    /// As how many times slower a plan counts, since its motion comes out too sharp in the ticks of a stock arm.
+    /// Returns the penalty factor of a plan whose motion is too sharp in the ticks of a stock arm.
     fn sharpness(&self, plan: &Plan) -> f64 {
         let cornering = self.settings.arm_limits.cornering();
         if !self.settings.arm_limits.has_ticks {
@@ -193,28 +204,30 @@ impl Tried<'_> {
     }
 }
 
-/// Fewer vectors, which are farther from the curve, are taken if so much faster.
+/// Fewer vectors, which deviate more from the curve, are preferred only if they are faster by this
+/// factor.
 const WORTH_FEWER: f64 = 0.998;
-/// In so many ways at the most a stroke is planned.
+/// The maximum number of variants per stroke.
 const WAYS: usize = 16;
-/// What it costs to go on along another way, in s: each time the parts are looked for again, those that were found before among
-/// them.
+/// The cost of switching to another variant, in s: for each cost the best parts are combined again,
+/// including earlier results.
 const CHANGES_S: [f64; 3] = [0.5 * TICK_S, 2.0 * TICK_S, 4.0 * TICK_S];
-/// So many vectors of a drawing are planned to choose among them: a second or two of a processor.
+/// The number of vectors planned to choose among variants: a second or two of a processor.
 const MOST_TRIED: usize = 200_000;
-/// Behind one of so many shares of these it is looked whether they are enough for one of so many parts of the drawing.
+/// After one of this many shares of the budget, check whether it suffices for one of this many
+/// parts of the drawing.
 const FIRST_SHARE: usize = 8;
 const RARE: usize = 10;
-/// To plan a stroke takes as long as so many vectors more.
+/// The fixed cost of planning a stroke, in vectors.
 const EACH: usize = 8;
-/// So many of one stroke.
+/// The maximum for one stroke.
 const MOST_OF_ONE: usize = 400_000;
-/// How many times as long as without ticks it takes to plan with them.
+/// The time factor of planning with ticks.
 const TICKS_COUNT: usize = 9;
-/// So many times the acceleration may be seen in ticks.
+/// The factor by which the sampled acceleration may exceed the limit in ticks.
 const SHARP: f64 = 1.01;
 
-/// Shares of the tolerance to try where a laser leaves out corners.
+/// Shares of the tolerance to try when a laser omits corners.
 const BURNED_WITHIN: [f64; 7] = [0.93, 0.86, 0.79, 0.72, 0.65, 0.5, 0.35];
 
 #[cfg(test)]
@@ -224,7 +237,7 @@ mod tests {
     use super::*;
     use dobot_geometry::{Point, Random, Vec2, deviation};
 
-    /// So many of them for a drawing of one stroke.
+    /// Returns the budget of a drawing with one stroke.
     fn trials_of(left: usize) -> Trials {
         Trials {
             left,
@@ -275,13 +288,15 @@ mod tests {
             let takes = (0..strokes).filter(|_| trials.take(&stroke, &fewest, false));
             takes.count()
         };
-        // In 16 ways of 48 each takes 768 of 200,000: that is enough for 261 of them.
+        // 16 variants of 48 vectors take 768 of 200,000: enough for 261 strokes.
         assert_eq!([10, 200, 2500].map(tried), [10, 200, 261]);
-        // A tenth of 2,610 could be tried. Of more it is seen behind an eighth of 261 that it is less.
+        // A tenth of 2,610 could be tried. For more, an eighth of 261 shows that the share is
+        // lower.
         assert_eq!(tried(3000), 33);
     }
 
-    /// A line whose direction wanders: tight curves, in which the link limits the speed as often as the arm.
+    /// A line with a wandering direction: tight curves, in which the link limits the speed as often
+    /// as the arm.
     fn scrawl(random: &mut Random) -> Stroke {
         let (mut at, mut curve, mut angle) = (Point::new(220.0, 0.0), 0.0, TAU * random.share());
         let mut points = vec![at];
@@ -300,10 +315,10 @@ mod tests {
         let mut random = Random::new(1);
         let scrawls: Vec<Stroke> = (0..60).map(|_| scrawl(&mut random)).collect();
         let planned_s = |left: usize| -> f64 {
-            let chosen = scrawls.iter().map(|it| {
+            let chosen = scrawls.iter().map(|scrawl| {
                 let mut trials = trials_of(left);
-                let fewest = fewest_at(it, 0.045);
-                let way = faster(it, fewest, settings.tool, &settings, &mut trials);
+                let fewest = fewest_at(scrawl, 0.045);
+                let way = faster(scrawl, fewest, settings.tool, &settings, &mut trials);
                 let pass = Pass::new(settings.tool, vec![way]);
                 let plan = Plan::new(&[pass], &settings.paper, &settings.arm_limits);
                 plan.expect("a plan").duration_s()
@@ -317,7 +332,7 @@ mod tests {
         );
     }
 
-    /// A line whose direction swings slowly, 120 mm long, in points 0.02 mm apart.
+    /// A line with a slowly swinging direction, 120 mm long, in points 0.02 mm apart.
     fn swinging(random: &mut Random) -> Vec<Point> {
         let begins = [0, 1].map(|_| TAU * random.share());
         let directions = (0..6000).map(|i| {
@@ -326,8 +341,8 @@ mod tests {
             Vec2::from_angle(swing)
         });
         directions
-            .scan(Point::new(200.0, -40.0), |at, it| {
-                *at += it * 0.02;
+            .scan(Point::new(200.0, -40.0), |at, direction| {
+                *at += direction * 0.02;
                 Some(*at)
             })
             .collect()
@@ -361,7 +376,7 @@ mod tests {
             let trembling = meant
                 .iter()
                 .step_by(15)
-                .map(|it| *it + Vec2::new(off(), off()));
+                .map(|p| *p + Vec2::new(off(), off()));
             trembling_s += planned_s(trembling.collect());
             meant_s += planned_s(meant);
         }

@@ -1,4 +1,4 @@
-//! Cutting through with a laser: what lies inside comes first, the beam has a width, parts are held by tabs.
+//! Cutting with a laser: inner shapes first, kerf compensation, and tabs that hold parts.
 
 use std::collections::HashSet;
 
@@ -6,30 +6,30 @@ use dobot_geometry::{FillRule, Line, ParamCurveNearest, Point, Rect, SegmentInde
 
 use crate::strokes::offset::{SimpleArea, closed};
 
-/// How shapes are cut out.
+/// The settings for cutting shapes out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cutting {
-    /// How wide the beam burns, in mm: parts are cut larger by half of it all around, and holes smaller;
-    /// below 0 the other way round.
+    /// The kerf, the width of the beam, in mm: parts are cut larger by half of it all around, and
+    /// holes smaller; a negative width does the opposite.
     pub kerf_mm: f64,
-    /// How far beside the edge, in the waste, each cut begins, in mm.
+    /// The length of the lead-in in the waste, in mm.
     pub lead_in_mm: f64,
-    /// How far each cut goes on behind where it began, in mm.
+    /// The distance that each cut continues past its start, in mm.
     pub overcut_mm: f64,
-    /// How many places of each shape stay uncut, so that it does not fall out.
+    /// The number of tabs that hold each shape.
     pub tabs: u32,
-    /// How wide these are, in mm.
+    /// The width of a tab, in mm.
     pub tab_mm: f64,
 }
 
 impl Cutting {
-    /// Whether anything is done to closed shapes.
+    /// Whether any setting changes closed shapes.
     pub(crate) fn is_asked_for(&self) -> bool {
         self.kerf_mm != 0.0 || self.lead_in_mm > 0.0 || self.overcut_mm > 0.0 || self.tabs > 0
     }
 
-    /// Closed shapes as much larger or smaller as the beam takes: parts and holes in turn, the outermost a
-    /// part, those that are cut in other layers included. What vanishes is counted.
+    /// Offsets closed shapes by the kerf: parts and holes alternate, the outermost shape is a part,
+    /// and shapes cut in other layers count. Returns the number of vanished shapes too.
     pub(crate) fn offset(
         &self,
         strokes: Vec<Stroke>,
@@ -54,7 +54,7 @@ impl Cutting {
         (all, gone)
     }
 
-    /// Strokes in their order, closed ones with their way in, what they overlap, or their tabs.
+    /// Returns the strokes in order; closed ones with lead-in, overcut or tabs.
     pub(crate) fn finished(&self, strokes: Vec<Stroke>, others: &[&Stroke]) -> Cut {
         let leads_in = self.lead_in_mm > 0.0;
         let mut waste = leads_in.then(|| Waste::between(&strokes, others, self.lead_in_mm));
@@ -93,11 +93,11 @@ impl Cutting {
         Cut {
             strokes: all,
             too_small,
-            short_of_room: waste.map_or(0, |it| it.short_of_room),
+            short_of_room: waste.map_or(0, |waste| waste.short_of_room),
         }
     }
 
-    /// Once around, and on over the beginning.
+    /// Returns one turn around the shape that continues past its start.
     fn overcut(&self, stroke: &Stroke) -> Stroke {
         if self.overcut_mm <= 0.0 {
             return stroke.clone();
@@ -113,12 +113,12 @@ impl Cutting {
         )
     }
 
-    /// How far it is over a tab from the middle of the beam to the middle of the beam.
+    /// Returns the length of a tab between the beam centres.
     fn gap_mm(&self) -> f64 {
         self.tab_mm + self.kerf_mm.abs()
     }
 
-    /// The parts between the tabs, which lie evenly around.
+    /// Returns the parts between the tabs, which are evenly distributed.
     fn between_tabs(&self, stroke: &Stroke) -> Vec<Stroke> {
         let each_mm = stroke.length_mm() / f64::from(self.tabs);
         let twice = [&stroke.points[..], &stroke.points[1..]].concat();
@@ -131,17 +131,17 @@ impl Cutting {
     }
 }
 
-/// How shapes are cut.
+/// The cuts of shapes.
 #[derive(Debug)]
 pub(crate) struct Cut {
     pub strokes: Vec<Stroke>,
-    /// So many shapes are too small for tabs: they have none.
+    /// The number of shapes too small for tabs.
     pub too_small: usize,
-    /// So many cuts begin nearer to their edge than they should, since the waste is that narrow.
+    /// The number of cuts with a shortened lead-in, because the waste is too narrow.
     pub short_of_room: usize,
 }
 
-/// What lies between the strokes.
+/// The waste between the strokes.
 ///
 /// ```text
 ///        .---->----.
@@ -151,7 +151,7 @@ pub(crate) struct Cut {
 #[derive(Debug)]
 struct Waste {
     lines: SegmentIndex,
-    /// Of which stroke each line is.
+    /// The stroke of each line.
     owners: Vec<usize>,
     lead_in_mm: f64,
     short_of_room: usize,
@@ -160,7 +160,8 @@ struct Waste {
 impl Waste {
     fn between(strokes: &[Stroke], others: &[&Stroke], lead_in_mm: f64) -> Self {
         let all = strokes.iter().chain(others.iter().copied()).enumerate();
-        let lines = all.flat_map(|(number, it)| it.segments().map(move |line| (number, line)));
+        let lines =
+            all.flat_map(|(number, stroke)| stroke.segments().map(move |line| (number, line)));
         let (owners, lines) = lines.unzip();
         Self {
             lines: SegmentIndex::new(lines),
@@ -170,11 +171,12 @@ impl Waste {
         }
     }
 
-    /// A shape that begins where its lead-in has room: as it does, or else in the middle of one of its sides.
+    /// Returns a shape with a start that has room for its lead-in: the given one, or the middle of
+    /// a side.
     fn begun_well(&self, shape: Stroke, is_part: bool, stroke: usize) -> Stroke {
-        let room_mm = |it: &Stroke| {
-            let side = waste_side(it, end_direction(it), it, is_part);
-            let room_mm = self.room_mm(it.points[0], unit(side), stroke);
+        let room_mm = |shape: &Stroke| {
+            let side = waste_side(shape, end_direction(shape), shape, is_part);
+            let room_mm = self.room_mm(shape.points[0], unit(side), stroke);
             room_mm.min(2.0 * self.lead_in_mm)
         };
         let mut most_mm = room_mm(&shape);
@@ -193,7 +195,7 @@ impl Waste {
         best.unwrap_or(shape)
     }
 
-    /// Lets a cut of a stroke begin to this side of its beginning, at most half way to what is cut there.
+    /// Adds a lead-in to a cut from this side, at most half the distance to the next cut.
     fn lead_in(&mut self, cut: &mut Stroke, side: Vec2, stroke: usize) {
         let (first, way) = (cut.points[0], unit(side));
         let room_mm = 0.5 * self.room_mm(first, way, stroke);
@@ -205,7 +207,7 @@ impl Waste {
         }
     }
 
-    /// How far it is from the beginning of a stroke to what is cut next, in mm.
+    /// Returns the distance from the start of a stroke to the next cut, in mm.
     fn room_mm(&self, from: Point, way: Vec2, stroke: usize) -> f64 {
         let ahead = from + way * (2.0 * self.lead_in_mm);
         let mut room_mm = f64::INFINITY;
@@ -224,21 +226,22 @@ impl Waste {
     }
 }
 
-/// The way with which a closed shape comes back to its beginning.
+/// Returns the direction in which a closed shape returns to its start.
 fn end_direction(shape: &Stroke) -> Vec2 {
     let last = shape.points.len() - 1;
     unit(shape.points[last] - shape.points[last - 1])
 }
 
-/// To which side of the beginning of a cut of a shape the waste lies, where the way `before` leads there: in a corner half way between both
-/// sides, as straight behind one it would lie on the other.
+/// Returns the side of a cut's start on which the waste lies, given the direction `before` of
+/// arrival: in a corner halfway between both sides, because straight behind one side would be on
+/// the other.
 fn waste_side(shape: &Stroke, before: Vec2, cut: &Stroke, is_part: bool) -> Vec2 {
     let left = unit(before + unit(cut.points[1] - cut.points[0])).turn_90();
     let is_inside = is_in(&shape.points, cut.points[0] + left * MEETS_MM);
     if is_inside == is_part { -left } else { left }
 }
 
-/// The same closed shape, begun in the middle of one of its sides.
+/// Returns the closed shape with its start in the middle of a side.
 fn begun_in_side(shape: &Stroke, side: usize) -> Stroke {
     let points = &shape.points;
     let middle = points[side].midpoint(points[side + 1]);
@@ -251,8 +254,8 @@ fn begun_in_side(shape: &Stroke, side: usize) -> Stroke {
     }
 }
 
-/// The strokes in groups, those that lie in the most others first: what lies inside is cut before what
-/// encloses it, or enclosed it when its edges were `whole`.
+/// Groups strokes, the most deeply nested first: content is cut before what encloses it, or
+/// enclosed it when its edges were `whole`.
 pub(crate) fn inner_first(strokes: Vec<Stroke>, whole: &[Stroke]) -> Vec<Vec<Stroke>> {
     let whole: Vec<&Stroke> = whole.iter().collect();
     let depths = depths(&strokes, &whole);
@@ -261,12 +264,12 @@ pub(crate) fn inner_first(strokes: Vec<Stroke>, whole: &[Stroke]) -> Vec<Vec<Str
     for (stroke, depth) in strokes.into_iter().zip(depths) {
         groups[deepest - depth].push(stroke);
     }
-    groups.retain(|it: &Vec<Stroke>| !it.is_empty());
+    groups.retain(|group: &Vec<Stroke>| !group.is_empty());
     groups
 }
 
-/// Layers in their order, but those that lie inside of the shapes of others before them, and how many cannot: each tells which
-/// strokes are cut in it.
+/// Orders layers, with those inside the shapes of earlier layers before them, and returns the
+/// number that cannot be ordered. Each layer is given by its cut strokes.
 pub(crate) fn layers_inner_first(layers: &[Vec<&Stroke>]) -> (Vec<usize>, usize) {
     let layer_of = |layer: usize| vec![layer; layers[layer].len()];
     let layer_of: Vec<usize> = (0..layers.len()).flat_map(layer_of).collect();
@@ -274,34 +277,37 @@ pub(crate) fn layers_inner_first(layers: &[Vec<&Stroke>]) -> (Vec<usize>, usize)
     let mut inside_of = vec![HashSet::new(); layers.len()];
     if layers.len() > 1 {
         for (inner, enclosing) in enclosing(&strokes, strokes.len()).into_iter().enumerate() {
-            let outer = enclosing.into_iter().map(|it| layer_of[it]);
-            inside_of[layer_of[inner]].extend(outer.filter(|&it| it != layer_of[inner]));
+            let outer = enclosing.into_iter().map(|stroke| layer_of[stroke]);
+            inside_of[layer_of[inner]].extend(outer.filter(|&layer| layer != layer_of[inner]));
         }
     }
     let mut left: Vec<usize> = (0..layers.len()).collect();
     let (mut sorted, mut too_late) = (Vec::new(), 0);
     while !left.is_empty() {
-        let encloses = |outer: usize| left.iter().any(|&it| inside_of[it].contains(&outer));
-        let next = left.iter().position(|&it| !encloses(it));
+        let encloses = |outer: usize| left.iter().any(|&layer| inside_of[layer].contains(&outer));
+        let next = left.iter().position(|&layer| !encloses(layer));
         too_late += usize::from(next.is_none());
         sorted.push(left.remove(next.unwrap_or(0)));
     }
     (sorted, too_late)
 }
 
-/// In how many closed strokes, or others, each lies.
+/// Returns the number of closed strokes or others around each stroke.
 fn depths(strokes: &[Stroke], others: &[&Stroke]) -> Vec<usize> {
     let all: Vec<&Stroke> = strokes.iter().chain(others.iter().copied()).collect();
     let enclosing = enclosing(&all, strokes.len());
     enclosing.iter().map(HashSet::len).collect()
 }
 
-/// The numbers of the closed strokes that each of the first so many lies in whole: what only touches them, or lies in them with a
-/// part, does not count.
+/// Returns the closed strokes that completely enclose each of the first strokes; strokes that only
+/// touch or partially enclose it do not count.
 fn enclosing(strokes: &[&Stroke], first: usize) -> Vec<HashSet<usize>> {
-    let loops = strokes.iter().enumerate().filter(|it| is_loop(it.1));
-    let edges = loops.flat_map(|(number, it)| {
-        let points = it.points.windows(2);
+    let loops = strokes
+        .iter()
+        .enumerate()
+        .filter(|stroke| is_loop(stroke.1));
+    let edges = loops.flat_map(|(number, ring)| {
+        let points = ring.points.windows(2);
         points.map(move |pair| (number, (pair[0], pair[1])))
     });
     let (owners, edges): (Vec<usize>, Vec<(Point, Point)>) = edges.unzip();
@@ -325,16 +331,16 @@ fn enclosing(strokes: &[&Stroke], first: usize) -> Vec<HashSet<usize>> {
         crossed.sort_unstable();
         let odd = crossed
             .chunk_by(|a, b| a == b)
-            .filter(|it| it.len() % 2 == 1);
-        let inside: HashSet<usize> = odd.map(|it| it[0]).collect();
+            .filter(|run| run.len() % 2 == 1);
+        let inside: HashSet<usize> = odd.map(|run| run[0]).collect();
         (inside, met)
     };
-    let around_whole = |(number, it): (usize, &&Stroke)| {
+    let around_whole = |(number, stroke): (usize, &&Stroke)| {
         let mut enclosing: Option<HashSet<usize>> = None;
         let mut only_met = HashSet::new();
-        for at in samples(&it.points) {
+        for at in samples(&stroke.points) {
             let (inside, met) = around(number, at);
-            // What meets it here may enclose it all the same.
+            // A stroke that meets it here may still enclose it.
             enclosing = Some(match enclosing {
                 None => {
                     only_met.clone_from(&met);
@@ -342,7 +348,7 @@ fn enclosing(strokes: &[&Stroke], first: usize) -> Vec<HashSet<usize>> {
                 }
                 Some(before) => &before & &(&inside | &met),
             });
-            only_met.retain(|it| met.contains(it));
+            only_met.retain(|number| met.contains(number));
             if enclosing.as_ref().is_some_and(HashSet::is_empty) {
                 break;
             }
@@ -354,33 +360,35 @@ fn enclosing(strokes: &[&Stroke], first: usize) -> Vec<HashSet<usize>> {
     asked.map(around_whole).collect()
 }
 
-/// Places of a path by which it is known what it lies in: some of its corners, and of the middles between them.
+/// Returns sample points of a path that decide what it lies in: some of its corners, and the
+/// middles between them.
 fn samples(points: &[Point]) -> impl Iterator<Item = Point> {
     let step = points.len().div_ceil(SAMPLES).max(1);
     let corners = points.iter().copied().step_by(step);
     let middles = points.windows(2).step_by(step);
-    corners.chain(middles.map(|it| it[0].midpoint(it[1])))
+    corners.chain(middles.map(|pair| pair[0].midpoint(pair[1])))
 }
 
-/// Whether a place lies in a closed path.
+/// Whether a point lies in a closed path.
 fn is_in(ring: &[Point], at: Point) -> bool {
-    let edges = ring.windows(2).map(|it| (it[0], it[1]));
-    edges.filter(|&it| is_ahead(it, at)).count() % 2 == 1
+    let edges = ring.windows(2).map(|pair| (pair[0], pair[1]));
+    edges.filter(|&edge| is_ahead(edge, at)).count() % 2 == 1
 }
 
-/// Whether who goes from a place along x comes over an edge: an odd number of times out of what the place lies in.
+/// Whether a ray from a point along x crosses an edge: an odd number of crossings means inside.
 fn is_ahead((a, b): (Point, Point), at: Point) -> bool {
     (a.y <= at.y) != (b.y <= at.y) && a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x
 }
 
-/// A closed stroke with its edge moved outwards, or inwards where below 0: in several parts, or gone.
+/// Offsets the edge of a closed stroke outwards, or inwards if negative; the result may have
+/// several parts or none.
 fn moved(stroke: &Stroke, by_mm: f64, tolerance_mm: f64) -> Vec<Stroke> {
     let ring = &stroke.points[1..];
     let rings = SimpleArea::of([ring], FillRule::NonZero).offset(by_mm, tolerance_mm);
     rings.into_iter().map(closed).collect()
 }
 
-/// The part of a path from one length to another, both in mm.
+/// Returns the part of a path between two distances along it, in mm.
 pub(crate) fn along(points: &[Point], from_mm: f64, to_mm: f64) -> Vec<Point> {
     let (mut part, mut here_mm) = (Vec::new(), 0.0);
     for pair in points.windows(2) {
@@ -405,14 +413,14 @@ fn is_loop(stroke: &Stroke) -> bool {
     stroke.points.len() > 3 && stroke.points.first() == stroke.points.last()
 }
 
-/// So near to a line a place lies on it.
+/// The distance within which a point lies on a line.
 const MEETS_MM: f64 = 0.02;
 const SAME_MM: f64 = 1e-6;
-/// By so many corners, and as many places between, it is known what a path lies in.
+/// The number of corners, and of points between them, that decide what a path lies in.
 const SAMPLES: usize = 6;
-/// In so many sides a cut may begin whose lead-in has no room at its beginning.
+/// The number of sides tried as a start if the lead-in has no room.
 const MOST_BEGINNINGS: usize = 100;
-/// No way in is shorter.
+/// The minimum length of a lead-in.
 const LEAST_LEAD_IN_MM: f64 = 0.05;
 
 #[cfg(test)]
@@ -435,11 +443,11 @@ mod tests {
         }
     }
 
-    /// Above 0 for a ring that goes counterclockwise, x to the right and y up.
+    /// Returns the signed area, positive for counterclockwise rings with x to the right and y up.
     fn area(ring: &[Point]) -> f64 {
         let ends = ring.windows(2);
         let first = bounds(ring.iter().copied()).origin();
-        let part = |it: &[Point]| Vec2::cross(it[0] - first, it[1] - first);
+        let part = |pair: &[Point]| Vec2::cross(pair[0] - first, pair[1] - first);
         ends.map(part).sum::<f64>() / 2.0
     }
 
@@ -464,7 +472,7 @@ mod tests {
         let groups = inner_first(nest(), &[]);
         let widths: Vec<Vec<f64>> = groups
             .iter()
-            .map(|it| it.iter().map(width).collect())
+            .map(|group| group.iter().map(width).collect())
             .collect();
         assert_eq!(widths, [vec![8.0], vec![20.0, 20.0], vec![60.0, 10.0]]);
         assert_eq!(inner_first(Vec::new(), &[]), Vec::<Vec<Stroke>>::new());
@@ -480,7 +488,8 @@ mod tests {
         ])];
         let hole = vec![square(2.0, 2.0, 20.0), square(82.0, 2.0, 3.0)];
         let sorted = |layers: &[&Vec<Stroke>]| {
-            let layers: Vec<Vec<&Stroke>> = layers.iter().map(|it| it.iter().collect()).collect();
+            let layers: Vec<Vec<&Stroke>> =
+                layers.iter().map(|layer| layer.iter().collect()).collect();
             layers_inner_first(&layers)
         };
         assert_eq!(sorted(&[]), (vec![], 0));
@@ -490,7 +499,7 @@ mod tests {
             sorted(&[&part, &beside, &hole, &slit]),
             (vec![3, 2, 0, 1], 0)
         );
-        // Each inside of the other: one of them has to be first.
+        // Each is inside the other: one of them must be first.
         let both = vec![square(0.0, 100.0, 60.0), square(5.0, 5.0, 3.0)];
         let other = vec![square(0.0, 0.0, 60.0), square(5.0, 105.0, 3.0)];
         assert_eq!(sorted(&[&both, &other]), (vec![0, 1], 1));
@@ -507,7 +516,7 @@ mod tests {
         let (offset, gone) = cutting.offset(shapes, &[], 0.005);
         let widths: Vec<f64> = offset.iter().map(width).collect();
         assert_eq!((widths, gone), (vec![60.2, 19.8, 19.8, 8.2, 10.2], 0));
-        // A hole narrower than the beam is none.
+        // A hole narrower than the beam vanishes.
         let (left, gone) = cutting.offset(
             vec![square(0.0, 0.0, 9.0), square(4.0, 4.0, 0.15)],
             &[],
@@ -516,7 +525,7 @@ mod tests {
         assert_eq!((left.len(), gone), (1, 1));
     }
 
-    /// Two squares of 10 mm, one to the right above the other, through their common corner.
+    /// Two squares of 10 mm, one to the upper right of the other, through their common corner.
     const EIGHT: [(f64, f64); 8] = [
         (0.0, 0.0),
         (10.0, 0.0),
@@ -541,7 +550,7 @@ mod tests {
             (grid.collect(), vec![20.4; 12]),
             (overlapping.to_vec(), vec![20.4; 2]),
             (above_the_middle.to_vec(), vec![40.4, 20.4]),
-            // A hole that touches the edge is one all the same.
+            // A hole that touches the edge is still a hole.
             (
                 vec![square(0.0, 0.0, 40.0), square(0.0, 10.0, 10.0)],
                 vec![40.4, 9.6],
@@ -566,8 +575,11 @@ mod tests {
                 ..Cutting::default()
             };
             let (offset, gone) = cutting.offset(vec![shape], &[], 0.005);
-            let areas: Vec<f64> = offset.iter().map(|it| area(&it.points).abs()).collect();
-            // Both meet in a corner, and become one.
+            let areas: Vec<f64> = offset
+                .iter()
+                .map(|stroke| area(&stroke.points).abs())
+                .collect();
+            // Both meet in a corner and become one.
             assert_eq!((areas.len(), gone), (1, 0), "{areas:?}");
             assert!((areas[0] - 208.0).abs() < 0.1, "{areas:?}");
         }
@@ -582,7 +594,7 @@ mod tests {
         };
         let Cut { strokes: cut, .. } = cutting.finished(nest(), &[]);
         let first = |i: usize| (cut[i].points[0].x, cut[i].points[0].y);
-        // Outside of the part, inside of the hole.
+        // Outside the part, inside the hole.
         let diagonal = 2.0_f64.sqrt();
         let near = |found: (f64, f64), mm: f64| (found.0 - mm).hypot(found.1 - mm) < 1e-9;
         assert!(near(first(0), -diagonal) && near(first(1), 5.0 + diagonal));
@@ -596,7 +608,8 @@ mod tests {
             lead_in_mm: 4.0,
             ..Cutting::default()
         };
-        // A hole of 3 mm, a part in a hole that is 1 mm wider on each side, and a hole that is hardly one.
+        // A hole of 3 mm, a part in a hole that is 1 mm wider on each side, and a hole that nearly
+        // vanishes.
         let shapes = vec![
             square(0.0, 0.0, 60.0),
             square(5.0, 5.0, 3.0),
@@ -639,7 +652,10 @@ mod tests {
             let [from, on] = [stroke.points[0], stroke.points[1]];
             assert!((from.distance(on) - 2.0).abs() < 1e-9, "{stroke:?}");
             assert!((stroke.length_mm() - whole.length_mm() - 2.0).abs() < 1e-9);
-            assert!(shapes.iter().all(|it| !is_in(&it.points, from)), "{from:?}");
+            assert!(
+                shapes.iter().all(|shape| !is_in(&shape.points, from)),
+                "{from:?}"
+            );
         }
     }
 
@@ -653,24 +669,21 @@ mod tests {
             ..Cutting::default()
         };
         let cut = cutting.finished(vec![square(0.0, 0.0, 60.0), square(20.0, 20.0, 20.0)], &[]);
-        let begins: Vec<Point> = cut.strokes.iter().map(|it| it.points[0]).collect();
+        let begins: Vec<Point> = cut.strokes.iter().map(|stroke| stroke.points[0]).collect();
         let (part, hole) = ([0.0, 60.0], [20.0, 40.0]);
         let is_within = |p: &Point, [low, high]: [f64; 2]| {
             (low..=high).contains(&p.x) && (low..=high).contains(&p.y)
         };
         assert_eq!(cut.strokes.len(), 4);
         assert!(
-            begins[..2].iter().all(|it| !is_within(it, part)),
+            begins[..2].iter().all(|p| !is_within(p, part)),
             "{begins:?}"
         );
-        assert!(
-            begins[2..].iter().all(|it| is_within(it, hole)),
-            "{begins:?}"
-        );
+        assert!(begins[2..].iter().all(|p| is_within(p, hole)), "{begins:?}");
         for (piece, mm) in cut.strokes.iter().zip([121.0, 121.0, 41.0, 41.0]) {
             assert!((piece.length_mm() - mm).abs() < 1e-9, "{piece:?}");
         }
-        // The beam takes half of its width of each side of a tab.
+        // The beam removes half of its width from each side of a tab.
         let kerf = Cutting {
             kerf_mm: 0.4,
             ..cutting

@@ -1,4 +1,4 @@
-//! Lines that are drawn twice.
+//! Removal of duplicate lines.
 
 use std::collections::HashSet;
 
@@ -6,35 +6,35 @@ use dobot_geometry::{Point, Rect, SegmentIndex, Stroke};
 
 use crate::strokes::cutting::along;
 
-/// Strokes without what lies on other ones, and how much that was.
+/// Strokes without duplicate lines, and statistics of the removal.
 #[derive(Debug, PartialEq)]
-pub(crate) struct WithoutDoubles {
+pub(crate) struct Deduplicated {
     pub strokes: Vec<Stroke>,
-    /// So many lines, or parts of lines, were left out.
-    pub doubles: usize,
-    /// So many lines were not compared with the others, since there are too many of them.
+    /// The number of removed lines or parts of lines.
+    pub duplicates: usize,
+    /// The number of lines that were not compared, because there are too many.
     pub unknown: usize,
 }
 
-/// Leaves out what lies on another stroke, whichever way it goes. Where shapes have to stay whole, only strokes that lie on others
-/// from end to end are left out. Of two the longer one stays.
-pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> WithoutDoubles {
+/// Removes lines that lie on another stroke, in either direction; the longer one remains. If shapes
+/// must stay whole, only strokes that are duplicates from end to end are removed.
+pub(crate) fn without_duplicates(strokes: Vec<Stroke>, stay_whole: bool) -> Deduplicated {
     let before = strokes.len();
     let mut seen = HashSet::new();
     let mut strokes = strokes;
-    strokes.retain(|it| seen.insert(edges(&it.points)));
-    let (mut doubles, mut unknown) = (before - strokes.len(), 0);
+    strokes.retain(|stroke| seen.insert(edges(&stroke.points)));
+    let (mut duplicates, mut unknown) = (before - strokes.len(), 0);
     let mut drawn = Drawn::new(&strokes);
     let mut by_length: Vec<usize> = (0..strokes.len()).collect();
     by_length.sort_by(|&a, &b| drawn.length_mm[a].total_cmp(&drawn.length_mm[b]));
     let mut left: Vec<Option<Vec<Stroke>>> = vec![None; strokes.len()];
     for stroke in by_length {
-        let Some(spans) = drawn.doubles(stroke, stay_whole) else {
+        let Some(spans) = drawn.duplicates(stroke, stay_whole) else {
             unknown += 1;
             continue;
         };
         if !spans.is_empty() {
-            doubles += spans.len();
+            duplicates += spans.len();
             drawn.remove(stroke, &spans);
             left[stroke] = Some(beside(&strokes[stroke], &spans, drawn.length_mm[stroke]));
         }
@@ -42,20 +42,23 @@ pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> Without
     let all = strokes
         .into_iter()
         .zip(left)
-        .flat_map(|(it, left)| left.unwrap_or_else(|| vec![it]));
-    WithoutDoubles {
+        .flat_map(|(stroke, left)| left.unwrap_or_else(|| vec![stroke]));
+    Deduplicated {
         strokes: all.collect(),
-        doubles,
+        duplicates,
         unknown,
     }
 }
 
-/// The edges in an order of their own: those of a line there and back, or around from anywhere, are the same.
+/// Returns the edges in a canonical order, which is equal for a line in both directions and for a
+/// ring with any start.
 fn edges(points: &[Point]) -> Vec<[[i64; 2]; 2]> {
     #[expect(clippy::cast_possible_truncation, reason = "on a table")]
     let rounded = |mm: f64| (mm / SAME_MM).round() as i64;
     let corner = |p: &Point| [rounded(p.x), rounded(p.y)];
-    let pairs = points.windows(2).map(|it| [corner(&it[0]), corner(&it[1])]);
+    let pairs = points
+        .windows(2)
+        .map(|pair| [corner(&pair[0]), corner(&pair[1])]);
     let mut edges: Vec<_> = if let [dot] = points {
         vec![[corner(dot); 2]]
     } else {
@@ -68,10 +71,10 @@ fn edges(points: &[Point]) -> Vec<[[i64; 2]; 2]> {
     edges
 }
 
-/// What of a stroke lies beside these spans of its length.
+/// Returns the parts of a stroke outside these spans of its length.
 fn beside(stroke: &Stroke, spans: &[(f64, f64)], length_mm: f64) -> Vec<Stroke> {
-    let ends = spans.iter().map(|it| it.1);
-    let begins = spans.iter().map(|it| it.0);
+    let ends = spans.iter().map(|span| span.1);
+    let begins = spans.iter().map(|span| span.0);
     let gaps = [0.0].into_iter().chain(ends);
     let gaps = gaps.zip(begins.chain([length_mm]));
     let gaps: Vec<(f64, f64)> = gaps.filter(|(from, to)| to > from).collect();
@@ -88,16 +91,16 @@ fn beside(stroke: &Stroke, spans: &[(f64, f64)], length_mm: f64) -> Vec<Stroke> 
     parts.into_iter().map(Stroke::open).collect()
 }
 
-/// The strokes in short pieces, by place.
+/// A spatial index of the strokes in short pieces.
 #[derive(Debug)]
 struct Drawn {
     index: SegmentIndex,
-    /// Of which stroke each piece is, and at which length of it it begins, in mm.
+    /// The stroke of each piece, and the distance along it at which the piece begins, in mm.
     pieces: Vec<(usize, f64)>,
-    /// The first piece of each stroke, and behind the last one of all.
+    /// The first piece of each stroke, followed by the total number of pieces.
     first: Vec<u32>,
     length_mm: Vec<f64>,
-    /// How many pieces may still be compared.
+    /// The remaining budget of comparisons.
     looks_left: usize,
 }
 
@@ -105,15 +108,15 @@ impl Drawn {
     fn new(strokes: &[Stroke]) -> Self {
         let (mut pieces, mut segments) = (Vec::new(), Vec::new());
         let (mut first, mut length_mm) = (vec![0], Vec::new());
-        for (stroke, it) in strokes.iter().enumerate() {
+        for (number, stroke) in strokes.iter().enumerate() {
             let mut here_mm = 0.0;
-            for (a, b) in it.segments() {
+            for (a, b) in stroke.segments() {
                 let whole_mm = a.distance(b);
                 let count = (whole_mm / PIECE_MM).ceil().max(1.0);
                 let mut from = 0.0;
                 while from < count && whole_mm > 0.0 {
-                    let [begin, end] = [from, from + 1.0].map(|it| a.lerp(b, it / count));
-                    pieces.push((stroke, here_mm + whole_mm * from / count));
+                    let [begin, end] = [from, from + 1.0].map(|share| a.lerp(b, share / count));
+                    pieces.push((number, here_mm + whole_mm * from / count));
                     segments.push((begin, end));
                     from += 1.0;
                 }
@@ -131,8 +134,9 @@ impl Drawn {
         }
     }
 
-    /// The spans of a stroke's length that need not be drawn; `None` where it was looked for too many.
-    fn doubles(&mut self, stroke: usize, stay_whole: bool) -> Option<Vec<(f64, f64)>> {
+    /// Returns the spans of a stroke's length that need not be drawn; `None` if the budget is used
+    /// up.
+    fn duplicates(&mut self, stroke: usize, stay_whole: bool) -> Option<Vec<(f64, f64)>> {
         let mut spans = self.covered(stroke)?;
         let length_mm = self.length_mm[stroke];
         let is_whole = matches!(spans[..], [(from, to)] if from == 0.0 && to == length_mm);
@@ -142,7 +146,7 @@ impl Drawn {
         Some(spans)
     }
 
-    /// The spans of a stroke's length that lie on others; `None` where that was looked for too long.
+    /// Returns the spans of a stroke's length that lie on others; `None` if the budget is used up.
     fn covered(&mut self, stroke: usize) -> Option<Vec<(f64, f64)>> {
         let mut spans = Vec::new();
         for piece in self.first[stroke]..self.first[stroke + 1] {
@@ -157,25 +161,27 @@ impl Drawn {
             });
             self.looks_left = self.looks_left.checked_sub(looks)?;
             let here = joined(here, a.distance(b));
-            spans.extend(here.iter().map(|it| (from_mm + it.0, from_mm + it.1)));
+            spans.extend(here.iter().map(|span| (from_mm + span.0, from_mm + span.1)));
         }
         Some(joined(spans, self.length_mm[stroke]))
     }
 
-    /// From now on nothing lies on these spans of a stroke, nor on pieces of which only a part is in one.
+    /// Removes spans of a stroke from later comparisons, including pieces of which only a part is
+    /// inside.
     fn remove(&mut self, stroke: usize, spans: &[(f64, f64)]) {
         for piece in self.first[stroke]..self.first[stroke + 1] {
             let (a, b) = self.index.segment(piece);
             let from_mm = self.pieces[piece as usize].1;
             let to_mm = from_mm + a.distance(b);
-            if spans.iter().any(|it| it.0 < to_mm && from_mm < it.1) {
+            if spans.iter().any(|span| span.0 < to_mm && from_mm < span.1) {
                 self.index.remove(piece);
             }
         }
     }
 }
 
-/// From where to where on a line another one lies beside it, in mm, if it does not leave it on the way.
+/// Returns the span of a line along which another one lies, in mm, if it stays on the line
+/// throughout.
 fn on((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<(f64, f64)> {
     let length_mm = a.distance(b);
     let along = (b - a) / length_mm;
@@ -190,7 +196,7 @@ fn on((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<(f64, f64)> {
     (slope.abs() <= MOST_SLOPE && is_near(from) && is_near(to)).then_some((from, to))
 }
 
-/// Spans in order, those that are as good as one joined, up to both ends.
+/// Sorts spans and joins those with negligible gaps, including the gaps to both ends.
 fn joined(mut spans: Vec<(f64, f64)>, length_mm: f64) -> Vec<(f64, f64)> {
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut joined: Vec<(f64, f64)> = Vec::new();
@@ -209,32 +215,32 @@ fn joined(mut spans: Vec<(f64, f64)>, length_mm: f64) -> Vec<(f64, f64)> {
     joined
 }
 
-/// Lines so near to each other are one to see, and narrower than any pen or beam.
+/// The distance below which lines look like one; narrower than any pen or beam.
 const SAME_MM: f64 = 0.05;
-/// No line is left between two spans so near to each other.
+/// The gap between two spans in which no line remains.
 const NO_GAP_MM: f64 = 2.0 * SAME_MM;
-/// So much the pieces of a curve may turn away from those of the same curve through other points.
+/// The slope up to which pieces may belong to the same curve with different points.
 const MOST_SLOPE: f64 = 1.0;
-/// Shorter spans, as where two lines cross, stay.
+/// Shorter spans, as at a crossing, remain.
 const LEAST_MM: f64 = 1.0;
-/// So many pieces are compared: for a second or two.
+/// The budget of comparisons: a second or two.
 const MOST_LOOKS: usize = 50_000_000;
-/// Of long lines that cross many others, each part is looked at by itself.
+/// The length of the pieces into which long lines are divided, because they may cross many others.
 const PIECE_MM: f64 = 4.0;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// What is left, and how much was left out.
-    fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> (Vec<Stroke>, usize) {
-        let it = super::without_doubles(strokes, stay_whole);
-        assert_eq!(it.unknown, 0);
-        (it.strokes, it.doubles)
+    /// Returns the remaining strokes and the number of removed lines.
+    fn without_duplicates(strokes: Vec<Stroke>, stay_whole: bool) -> (Vec<Stroke>, usize) {
+        let found = super::without_duplicates(strokes, stay_whole);
+        assert_eq!(found.unknown, 0);
+        (found.strokes, found.duplicates)
     }
 
     fn line(points: &[(f64, f64)]) -> Stroke {
-        Stroke::open(points.iter().map(|&it| Point::from(it)).collect())
+        Stroke::open(points.iter().map(|&p| Point::from(p)).collect())
     }
 
     fn square(x: f64, side: f64) -> Stroke {
@@ -263,7 +269,7 @@ mod tests {
             line(&[(3.0, 1.0)]),
         ];
         for stay_whole in [false, true] {
-            let (kept, count) = without_doubles(strokes.clone(), stay_whole);
+            let (kept, count) = without_duplicates(strokes.clone(), stay_whole);
             assert_eq!(count, 3);
             let left = [0, 2, 4, 5].map(|i: usize| strokes[i].clone());
             assert!((length_mm(&kept) - length_mm(&left)).abs() < 0.02);
@@ -281,17 +287,20 @@ mod tests {
             (0.0, 0.0),
         ]);
         let open = line(&[(0.0, 0.0), (0.0, 20.0), (20.0, 20.0), (20.0, 0.0)]);
-        // An open one lies on the square, whole, in either order.
+        // The open stroke lies completely on the square, in either order.
         for strokes in [
             vec![open.clone(), square(0.0, 20.0)],
             vec![square(0.0, 20.0), open],
         ] {
-            assert_eq!(without_doubles(strokes, true), (vec![square(0.0, 20.0)], 1));
+            assert_eq!(
+                without_duplicates(strokes, true),
+                (vec![square(0.0, 20.0)], 1)
+            );
         }
         let both = vec![square(0.0, 20.0), bow_tie];
-        assert_eq!(without_doubles(both.clone(), true), (both.clone(), 0));
+        assert_eq!(without_duplicates(both.clone(), true), (both.clone(), 0));
         // Both of its sides lie on the square, its diagonals do not.
-        let (kept, count) = without_doubles(both, false);
+        let (kept, count) = without_duplicates(both, false);
         let diagonals_mm = 2.0 * 20.0 * 2.0_f64.sqrt();
         assert_eq!(count, 2);
         assert!(
@@ -305,14 +314,14 @@ mod tests {
         let long = line(&[(0.0, 0.0), (40.0, 0.0)]);
         let short = line(&[(20.0, 0.01), (10.0, 0.0)]);
         assert_eq!(
-            without_doubles(vec![short, long.clone()], true),
+            without_duplicates(vec![short, long.clone()], true),
             (vec![long.clone()], 1)
         );
         let overlapping = line(&[(30.0, 0.0), (60.0, 0.0)]);
-        let (kept, count) = without_doubles(vec![long, overlapping], false);
+        let (kept, count) = without_duplicates(vec![long, overlapping], false);
         assert_eq!(count, 1);
         assert!((length_mm(&kept) - 60.0).abs() < 0.01, "{kept:?}");
-        let (kept, count) = without_doubles(vec![square(0.0, 20.0), square(20.0, 20.0)], false);
+        let (kept, count) = without_duplicates(vec![square(0.0, 20.0), square(20.0, 20.0)], false);
         assert_eq!((kept.len(), count), (2, 1));
         assert!((length_mm(&kept) - 140.0).abs() < 0.5, "{kept:?}");
     }
@@ -324,7 +333,7 @@ mod tests {
             let points = (0..=count).map(|i| (9.0 * at(i).cos(), 9.0 * at(i).sin()));
             line(&points.collect::<Vec<_>>())
         };
-        let (kept, count) = without_doubles(vec![circle(100), circle(173)], true);
+        let (kept, count) = without_duplicates(vec![circle(100), circle(173)], true);
         assert_eq!((kept.len(), count), (1, 1));
         let star: Vec<Stroke> = (0..18)
             .map(|i| {
@@ -332,7 +341,7 @@ mod tests {
                 line(&[(-30.0 * cos, -30.0 * sin), (30.0 * cos, 30.0 * sin)])
             })
             .collect();
-        assert_eq!(without_doubles(star.clone(), false), (star, 0));
+        assert_eq!(without_duplicates(star.clone(), false), (star, 0));
     }
 
     #[test]
@@ -343,7 +352,7 @@ mod tests {
                 let points = (0..=count).map(|i| (radius * at(i).cos(), radius * at(i).sin()));
                 line(&points.collect::<Vec<_>>())
             };
-            let (kept, _) = without_doubles(vec![arc(0.0, points), arc(0.7, points + 7)], false);
+            let (kept, _) = without_duplicates(vec![arc(0.0, points), arc(0.7, points + 7)], false);
             let wanted_mm = 2.2 * radius;
             assert!(
                 (length_mm(&kept) - wanted_mm).abs() < 0.3,
@@ -365,8 +374,8 @@ mod tests {
                 ])
             })
             .collect();
-        let it = super::without_doubles(strokes, false);
-        assert!(it.unknown > 0 && it.doubles > 0);
-        assert_eq!(it.strokes.len(), 3000 - it.doubles);
+        let found = super::without_duplicates(strokes, false);
+        assert!(found.unknown > 0 && found.duplicates > 0);
+        assert_eq!(found.strokes.len(), 3000 - found.duplicates);
     }
 }

@@ -1,4 +1,4 @@
-//! Areas become lines.
+//! Hatching of areas.
 
 mod contour;
 mod join;
@@ -17,27 +17,26 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// How an area is filled with lines.
+/// The hatching of an area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hatch {
-    /// Which kind of lines.
+    /// The style.
     pub style: HatchStyle,
-    /// How far apart the lines are, in mm; from 0.05 up.
+    /// The line spacing, in mm; at least 0.05.
     pub spacing_mm: f64,
-    /// How the lines run: 0 along x, 90 along y.
+    /// The direction of the lines: 0 along x, 90 along y.
     pub angle_deg: f64,
-    /// A second set of lines goes across the first.
+    /// Whether a second set of lines crosses the first.
     pub cross: bool,
-    /// How far the lines stay away from the border, in mm: half the pen's width keeps the ink
-    /// inside.
+    /// The distance of the lines from the border, in mm: half the pen's width keeps the ink inside.
     pub inset_mm: f64,
-    /// Each parallel line is a stroke of its own: a tool is slow where it turns from one into the next, and a laser burns
-    /// more there.
+    /// Whether each parallel line is a separate stroke: a tool is slow where it turns from one into
+    /// the next, and a laser burns more there.
     pub apart: bool,
 }
 
 impl Default for Hatch {
-    /// 1 mm apart, at 45 degrees, not crossed, up to the border.
+    /// Returns a spacing of 1 mm at 45 degrees, not crossed, up to the border.
     fn default() -> Self {
         Self {
             style: HatchStyle::Lines,
@@ -50,9 +49,9 @@ impl Default for Hatch {
     }
 }
 
-/// Fills an area with lines. Parallel ones lie on a grid that is the same for all areas, so that
-/// those of neighbours meet. Where the end of the next line is near, and the way there stays
-/// inside, the pen goes on without a lift, unless they are to stay apart:
+/// Fills an area with lines. Parallel lines lie on a common grid for all areas, so that those of
+/// neighbours meet. If the next line ends nearby and the connection stays inside, the pen continues
+/// without lifting, unless the lines must stay apart:
 ///
 /// ```text
 ///   .-------------.
@@ -64,7 +63,8 @@ impl Default for Hatch {
 ///
 /// # Errors
 ///
-/// [`HatchError`] where a setting is not a number or out of range, or where there would be too many lines.
+/// [`HatchError`] if a setting is not a number or out of range, or if there would be too many
+/// lines.
 pub fn hatch(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
     hatch.check(area)?;
     match hatch.style {
@@ -82,16 +82,16 @@ fn parallel(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
     Ok(strokes)
 }
 
-/// The lines that an area is filled with.
+/// The style of a hatching.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum HatchStyle {
     /// Parallel lines.
     #[default]
     Lines,
-    /// The outline again and again, each time so much farther inside.
+    /// The outline repeated inwards.
     Concentric,
-    /// The same in one line, from the outside in.
+    /// The repeated outline in one line, from the outside in.
     Spiral,
 }
 
@@ -139,23 +139,23 @@ impl Hatch {
     }
 }
 
-/// Why an area cannot be hatched.
+/// The error returned when an area cannot be hatched.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum HatchError {
-    /// A setting is not a number, or less than it may be.
+    /// A setting is not a number or below its minimum.
     #[error("the {name} of the hatch is {found} {unit}; it must be {allowed}")]
     Setting {
-        /// Which setting.
+        /// The setting.
         name: &'static str,
-        /// What was asked for.
+        /// The value.
         found: f64,
         /// Its unit.
         unit: &'static str,
-        /// What it may be.
+        /// The allowed values.
         allowed: &'static str,
     },
-    /// A corner of the area lies nowhere.
+    /// A corner of the area is not finite.
     #[error("a corner of the area is {x}, {y}; both must be finite numbers")]
     Corner {
         /// Its x.
@@ -163,32 +163,32 @@ pub enum HatchError {
         /// Its y.
         y: f64,
     },
-    /// More than a drawing can hold.
+    /// There are more crossings than a drawing can hold.
     #[error(
         "the hatch crosses borders {crossings:.0} times; at most {most} are allowed: \
          choose a wider spacing"
     )]
     TooMany {
-        /// How often lines would meet the border.
+        /// The number of crossings of lines with the border.
         crossings: f64,
-        /// How often they may.
+        /// The maximum.
         most: u32,
     },
-    /// More than a drawing can hold.
+    /// There are more corners than a drawing can hold.
     #[error(
         "the hatch has about {corners:.0} corners; at most {most} are allowed: choose a wider spacing"
     )]
     TooManyCorners {
-        /// How many there would be.
+        /// The number of corners.
         corners: f64,
-        /// How many there may be.
+        /// The maximum.
         most: u32,
     },
 }
 
-/// The lines of one direction.
+/// Returns the lines in one direction.
 fn lines(area: &Area, hatch: &Hatch, angle_deg: f64) -> Result<Vec<Stroke>, HatchError> {
-    // The lines are level once the area is turned back.
+    // Rotate the area so that the lines are horizontal.
     let forth = direction(angle_deg);
     let back = Vec2::new(forth.x, -forth.y);
     let turned = |p: Point, by: Vec2| p.to_vec2().rotate_scale(by).to_point();

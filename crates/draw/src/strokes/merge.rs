@@ -1,11 +1,11 @@
-//! Strokes that meet become one: the pen need not be lifted between them.
+//! Joining of strokes that meet, so that the pen need not be lifted between them.
 
 use dobot_geometry::{Point, Stroke, Vec2};
 
-/// Joins strokes the ends of which lie within `tolerance_mm` of each other, reversed where needed;
-/// what comes back to its begin is closed. Where several ends meet, those go together that go on
-/// straightest, since the pen keeps its speed there. All corners stay; a gap is bridged by a
-/// straight line. Dots and closed strokes stay as they are.
+/// Joins strokes whose ends lie within `tolerance_mm` of each other, reversed if necessary; a
+/// stroke that returns to its start becomes closed. If several ends meet, the straightest
+/// continuation is chosen, because the pen keeps its speed there. All corners are kept; a gap is
+/// bridged by a straight line. Dots and closed strokes are unchanged.
 #[must_use]
 pub fn merge(strokes: Vec<Stroke>, tolerance_mm: f64) -> Vec<Stroke> {
     let partners = partners(&strokes, tolerance_mm);
@@ -22,7 +22,7 @@ pub fn merge(strokes: Vec<Stroke>, tolerance_mm: f64) -> Vec<Stroke> {
         .collect()
 }
 
-/// One end of a stroke: twice its number for the begin, one more for the end.
+/// One end of a stroke: twice its number for the start, plus one for the end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct StrokeEnd(usize);
 
@@ -40,7 +40,7 @@ impl StrokeEnd {
     }
 }
 
-/// Strokes and which of their ends go together.
+/// Strokes and the pairing of their ends.
 #[derive(Debug)]
 struct Chains {
     strokes: Vec<Stroke>,
@@ -49,7 +49,7 @@ struct Chains {
 }
 
 impl Chains {
-    /// The chain that a stroke belongs to, in the direction of this stroke; `None` if it was taken.
+    /// Returns the chain of a stroke, in the direction of this stroke; `None` if it was taken.
     fn take(&mut self, stroke: usize) -> Option<Stroke> {
         if self.used[stroke] {
             return None;
@@ -74,7 +74,8 @@ impl Chains {
         Some(chain)
     }
 
-    /// Goes back from the begin of a stroke to that of its chain; in a ring that is the same.
+    /// Returns the start of the chain that contains this start of a stroke; in a ring that is the
+    /// same start.
     fn first(&self, begin: StrokeEnd) -> StrokeEnd {
         let mut first = begin;
         while let Some(before) = self.partners[first.0] {
@@ -94,13 +95,13 @@ fn directed(mut points: Vec<Point>, begin: StrokeEnd) -> Vec<Point> {
     points
 }
 
-/// Goes on with other points; the first only if it is elsewhere.
+/// Appends points, without the first if it is at the same place.
 fn append(points: &mut Vec<Point>, next: Vec<Point>) {
     let same = points.last() == next.first();
     points.extend(next.into_iter().skip(usize::from(same)));
 }
 
-/// For each end the one that it goes together with.
+/// Returns the partner of each end.
 fn partners(strokes: &[Stroke], tolerance_mm: f64) -> Vec<Option<StrokeEnd>> {
     let mut partners = vec![None; 2 * strokes.len()];
     let mut open = Tip::of_all(strokes, tolerance_mm);
@@ -123,20 +124,20 @@ fn partners(strokes: &[Stroke], tolerance_mm: f64) -> Vec<Option<StrokeEnd>> {
     partners
 }
 
-/// An end of a stroke, where it lies and how the stroke comes to it.
+/// An end of a stroke, with its position and direction.
 #[derive(Clone, Copy, Debug)]
 struct Tip {
     end: StrokeEnd,
     at: Point,
-    /// Out of the stroke, of length 1.
+    /// The unit vector out of the stroke.
     way: Vec2,
     cell: (i64, i64),
-    /// The stroke is long enough to be closed with itself.
+    /// Whether the stroke is long enough to be closed with itself.
     closes: bool,
 }
 
 impl Tip {
-    /// The ends of the open strokes, sorted by cells as large as the tolerance.
+    /// Returns the ends of the open strokes, sorted by cells of the tolerance's size.
     fn of_all(strokes: &[Stroke], tolerance_mm: f64) -> Vec<Self> {
         let open = |(_, stroke): &(usize, &Stroke)| !stroke.closed && stroke.points.len() > 1;
         let mut tips = Vec::with_capacity(2 * strokes.len());
@@ -157,7 +158,7 @@ impl Tip {
         tolerance_mm: f64,
     ) -> Self {
         let at = *points.clone().next().expect("open strokes have two points");
-        // What is nearer than the tolerance tells little of the direction.
+        // Points closer than the tolerance say little about the direction.
         let far = |p: &&Point| p.distance(at) > tolerance_mm;
         let from = *points.clone().find(far).or(points.last()).unwrap_or(&at);
         let length = from.distance(at).max(f64::MIN_POSITIVE);
@@ -199,18 +200,18 @@ fn cell(p: Point, tolerance_mm: f64) -> (i64, i64) {
     ((p.x / size).floor() as i64, (p.y / size).floor() as i64)
 }
 
-/// Two ends that could go together.
+/// Two ends that could be joined.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     a: StrokeEnd,
     b: StrokeEnd,
-    /// From 0 for straight on to 2 for right back.
+    /// From 0 for straight to 2 for a reversal.
     turn: f64,
     distance_mm: f64,
 }
 
 impl Pair {
-    /// The straightest first.
+    /// Compares by straightness, the straightest first.
     fn compare(&self, other: &Self) -> std::cmp::Ordering {
         let by_turn = self.turn.total_cmp(&other.turn);
         let by_distance = self.distance_mm.total_cmp(&other.distance_mm);
@@ -220,7 +221,8 @@ impl Pair {
     }
 }
 
-/// All pairs of sorted ends; of ends in a heap only so many that it is not their square.
+/// Returns the pairs of sorted ends; within a cluster only a limited number, to avoid quadratic
+/// growth.
 fn pairs(tips: &[Tip], tolerance_mm: f64) -> Vec<Pair> {
     let mut pairs = Vec::with_capacity(tips.len());
     let mut right = 0;
@@ -242,9 +244,9 @@ fn pairs(tips: &[Tip], tolerance_mm: f64) -> Vec<Pair> {
     pairs
 }
 
-/// Each end looks at this many others in each of two columns of cells.
+/// The number of others examined per end in each of two columns of cells.
 const HEAP: usize = 32;
-/// Ends left over in a heap look again.
+/// The number of rounds for ends left over in a cluster.
 const ROUNDS: usize = 16;
 
 #[cfg(test)]
@@ -341,7 +343,7 @@ mod tests {
                 ends
             })
         };
-        // 7919 is prime to the number of steps: each comes once.
+        // 7919 is coprime to the number of steps, so each comes once.
         let shuffled = (0..20_000).map(|i| step(i * 7919 % 20_000));
         let joined = merge(shuffled.collect(), 0.05);
         assert_eq!(joined.len(), 1);
@@ -357,7 +359,7 @@ mod tests {
         ) {
             let at = |&(x, y): &(i32, i32)| Point::new(f64::from(x) * 0.1, f64::from(y) * 0.1);
             let strokes: Vec<Stroke> =
-                corners.iter().map(|it| Stroke::open(it.iter().map(at).collect())).collect();
+                corners.iter().map(|line| Stroke::open(line.iter().map(at).collect())).collect();
             let merged = merge(strokes.clone(), tolerance_mm);
             prop_assert!(merged.len() <= strokes.len());
             prop_assert_eq!(&merge(strokes.clone(), tolerance_mm), &merged);
@@ -367,14 +369,14 @@ mod tests {
             };
             let mut left: Vec<_> = merged.iter().flat_map(Stroke::segments).collect();
             for wanted in strokes.iter().flat_map(Stroke::segments) {
-                let found = left.iter().position(|it| key(*it) == key(wanted));
+                let found = left.iter().position(|stroke| key(*stroke) == key(wanted));
                 prop_assert!(found.is_some() || wanted.0 == wanted.1);
-                found.map(|it| left.swap_remove(it));
+                found.map(|index| left.swap_remove(index));
             }
             for (a, b) in left {
                 prop_assert!(a.distance(b) <= tolerance_mm, "{a:?} {b:?}");
             }
-            for stroke in merged.iter().filter(|it| it.closed) {
+            for stroke in merged.iter().filter(|stroke| stroke.closed) {
                 prop_assert_eq!(stroke.points.first(), stroke.points.last());
             }
         }

@@ -1,4 +1,4 @@
-//! Areas with their edges moved.
+//! Offsetting of areas.
 
 use dobot_geometry::{FillRule, Point, Stroke};
 use i_overlay::core::fill_rule::FillRule as Rule;
@@ -11,7 +11,7 @@ use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
 pub(crate) struct SimpleArea(Vec<Vec<Vec<[f64; 2]>>>);
 
 impl SimpleArea {
-    /// What lies within rings by a rule; the last point of a ring is not its first one.
+    /// Creates the area inside rings by a rule; the last point of a ring does not repeat the first.
     pub(crate) fn of<'a>(rings: impl IntoIterator<Item = &'a [Point]>, rule: FillRule) -> Self {
         let rule = match rule {
             FillRule::NonZero => Rule::NonZero,
@@ -22,8 +22,8 @@ impl SimpleArea {
         Self(rings.simplify_shape_as::<i64>(rule))
     }
 
-    /// The rings of the area made larger by so much all around, or smaller where below 0, with round corners that are up to
-    /// `round_mm` from round: in several parts, or none.
+    /// Returns the rings of the area enlarged by a distance, or reduced if it is negative, with
+    /// round corners within `round_mm`; the result may have several parts or none.
     pub(crate) fn offset(&self, by_mm: f64, round_mm: f64) -> Vec<Vec<Point>> {
         let share = (2.0 * round_mm / by_mm.abs()).sqrt().clamp(0.02, 1.0);
         let style = OutlineStyle::new(by_mm).line_join(LineJoin::Round(share));
@@ -35,7 +35,7 @@ impl SimpleArea {
     }
 }
 
-/// A ring as a stroke that ends where it begins.
+/// Converts a ring to a closed stroke.
 pub(crate) fn closed(mut ring: Vec<Point>) -> Stroke {
     ring.extend(ring.first().copied());
     Stroke {

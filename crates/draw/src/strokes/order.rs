@@ -1,13 +1,13 @@
-//! The order of strokes: less way to go with the pen up.
+//! Ordering of strokes to reduce the pen-up travel.
 //!
 //! ```text
 //!   strokes -> nodes -> greedy tour -> search, kicks -> parts moved, kicks -> tour -> strokes
 //!              (nodes, near)            (tour)         (row)                   (way)
 //! ```
 //!
-//! The ends of the strokes are the nodes of a round tour, in which the two ends of a stroke stay
-//! neighbours. A closed stroke is one node, at the corner where it is begun; between searches each
-//! is turned to the corner that is best between its neighbours.
+//! The ends of the strokes are the nodes of a closed tour, in which the two ends of a stroke stay
+//! neighbours. A closed stroke is one node, at its start; between searches its start moves to the
+//! best corner between its neighbours.
 
 mod greedy;
 mod neighbours;
@@ -28,25 +28,26 @@ use self::turns::Turns;
 use crate::preparation::cancel::CancelToken;
 use dobot_geometry::{Point, Random, Stroke};
 
-/// What to search for, and for how long.
+/// The objective and effort of the search.
 ///
-/// On one core of a small computer a thousand strokes take some 5 ms and a thousand kicks some
-/// 20 ms.
+/// On one core of a small computer, a thousand strokes take some 5 ms and a thousand kicks some 20
+/// ms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Search {
-    /// What is to be small.
+    /// The cost to minimise.
     pub travel: Travel,
-    /// How many times a good order is disturbed somewhere and settled again; what is worse is taken back, but for a
-    /// little at the beginning. Where much of a long order has to be written anew, that counts as several. None leaves
-    /// about 5 % more travel than needed, five for each stroke less than 1 %.
+    /// The number of kicks: random changes after which the order is improved locally. A worse
+    /// result is undone, except for small losses at the beginning. In a long order, a kick that
+    /// rewrites much counts as several. Without kicks, travel is about 5 % above the optimum; with
+    /// five per stroke, less than 1 %.
     pub kicks: u32,
-    /// Decides where it is disturbed: the same seed gives the same order.
+    /// The random seed of the kicks: the same seed gives the same order.
     pub seed: u64,
 }
 
-/// Puts strokes in an order in which the pen, beginning at `start`, travels little between them.
-/// Open strokes may be drawn from either end and closed ones from any corner. Never worse than the
-/// order given. Strokes without points come last.
+/// Orders strokes for a short pen-up travel that begins at `start`. Open strokes may be drawn from
+/// either end and closed ones from any corner. The result is never worse than the given order.
+/// Strokes without points come last.
 #[must_use]
 pub fn order(strokes: Vec<Stroke>, start: Point, search: &Search) -> Vec<Stroke> {
     order_until(strokes, start, search, &CancelToken::default())
@@ -68,8 +69,8 @@ pub(crate) fn order_until(
     drawn(strokes, &way)
 }
 
-/// The best way found. Where strokes are closed, it is searched in rounds: a loop that is turned
-/// may belong elsewhere in the order.
+/// Returns the best order found. With closed strokes the search runs in rounds, because a loop with
+/// a new start may belong elsewhere in the order.
 fn searched(
     strokes: &[Stroke],
     given: &[Stop],
@@ -104,8 +105,8 @@ fn searched(
     way
 }
 
-/// Moves parts of a tour, every stroke turned as suits, as long as that brings much. Returns how many of the kicks are
-/// left.
+/// Moves parts of a tour, with each stroke in its best direction, while that pays off. Returns the
+/// number of remaining kicks.
 fn moved(turns: &mut Turns, kicks: u32, random: &mut Random) -> u32 {
     turns.settle_all();
     let some = kicks.div_ceil(SHARES);
@@ -121,8 +122,9 @@ fn moved(turns: &mut Turns, kicks: u32, random: &mut Random) -> u32 {
     left
 }
 
-/// In small drawings everything has been tried before the kicks are used up. In large ones a kick costs more and gains less, so
-/// there are the fewer the more strokes there are.
+/// Returns the number of kicks. In small drawings all improvements are found before the kicks are
+/// used up. In large ones a kick costs more and gains less, so the number decreases with the number
+/// of strokes.
 fn kicks(search: &Search, strokes: usize) -> u32 {
     let strokes = u32::try_from(strokes).unwrap_or(u32::MAX);
     let most = strokes.saturating_mul(KICKS_FOR_EACH);
@@ -131,7 +133,8 @@ fn kicks(search: &Search, strokes: usize) -> u32 {
     u32::try_from(fewer).unwrap_or(kicks)
 }
 
-/// How much worse an order may be meanwhile, as a share of what is best where there are kicks enough for each stroke.
+/// Returns the initial tolerance for worse orders, as a share of the best value for enough kicks
+/// per stroke.
 fn patience(kicks: u32, strokes: usize) -> f64 {
     (f64::from(kicks) / (f64::from(KICKS_FOR_EACH) * lossy(strokes.max(1)))).min(1.0)
 }
@@ -143,11 +146,12 @@ const fn lossy(count: usize) -> f64 {
 
 const ROUNDS: u32 = 2;
 const KICKS_FOR_EACH: u32 = 40;
-/// From so many strokes on there are fewer kicks.
+/// The number of strokes above which there are fewer kicks.
 const MANY_STROKES: u32 = 10_000;
-/// For a handful of strokes, which take no time.
+/// The minimum for a handful of strokes, which takes no time.
 const LEAST_KICKS: u32 = 1000;
-/// Parts are moved with so many shares of the kicks, and no longer than each makes the way shorter by this much of it.
+/// The kicks for moving parts are divided into this many shares, and end when a share shortens the
+/// travel by less than [`WORTHWHILE`].
 const SHARES: u32 = 4;
 const WORTHWHILE: f64 = 0.001;
 

@@ -1,4 +1,4 @@
-//! Fewer, longer vectors: the link carries few, so each has to count.
+//! Simplification to fewer, longer vectors, because the link delivers few.
 
 mod cone;
 mod corridor;
@@ -20,14 +20,14 @@ use fastest::{fast_ways, fastest, seemingly_fastest};
 use search::fewest;
 use spliced::spliced;
 
-/// Draws a stroke with as few vectors as it finds that pass its points in order, each within
-/// `tolerance_mm`, and so stay within the tolerance of the stroke everywhere. The ends of an open
-/// stroke stay; a closed one stays closed, its begin within the tolerance. A stroke shorter than
+/// Approximates a stroke with as few vectors as possible that pass its points in order, each within
+/// `tolerance_mm`, and so keep the tolerance everywhere. The ends of an open stroke are kept; a
+/// closed one stays closed, with its start within the tolerance. A stroke shorter than
 /// [`MIN_VECTOR_MM`] becomes a dot.
 ///
 /// Corners need not lie on the stroke: a chord of a curve may swing from one side of it to the
-/// other, and is longer by a factor of the square root of two for it. Where it costs no vector
-/// they are put on the stroke.
+/// other, which makes it longer by a factor of the square root of two. If that costs no vector,
+/// corners are moved on to the stroke.
 ///
 /// ```text
 ///   corner on the curve    _.-----._      free corner   _-'''''-_
@@ -35,20 +35,20 @@ use spliced::spliced;
 ///                       *-------------*              '             '
 /// ```
 ///
-/// For short strokes the result never has more vectors than the best choice among the stroke's
-/// own points; the work for long ones is bounded, and linear in their points.
+/// For short strokes, the result never has more vectors than the best choice among the stroke's own
+/// points; for long ones, the work is linear in their points.
 #[must_use]
 pub fn simplify(stroke: &Stroke, tolerance_mm: f64) -> Stroke {
     fewest_at(stroke, tolerance_mm).stroke
 }
 
-/// Shorter vectors are merged: they cost as much time on the link as long ones, and a vector of
-/// length zero stops a stock arm for good.
+/// The minimum length of a vector: shorter ones are merged, because they take as much link time as
+/// long ones, and a vector of length zero stops a stock arm permanently.
 pub const MIN_VECTOR_MM: f64 = 0.005;
 
-/// Draws a stroke within `tolerance_mm` with as many vectors as are the fastest at a pace: few where the
-/// link limits the speed, more where the arm does. Of paths that are about as fast it takes the
-/// one that is nearer to the stroke. Ends and tolerance are kept as [`simplify`] keeps them.
+/// Approximates a stroke within `tolerance_mm` with the fastest vectors: few where the link limits
+/// the speed, more where the arm does. Of equally fast paths, the one closer to the stroke is
+/// chosen. Ends and tolerance are handled as in [`simplify`].
 #[must_use]
 pub fn simplify_at(stroke: &Stroke, tolerance_mm: f64, estimator: &DurationEstimator) -> Stroke {
     let radius_mm = tolerance_mm - SLACK_MM;
@@ -58,15 +58,15 @@ pub fn simplify_at(stroke: &Stroke, tolerance_mm: f64, estimator: &DurationEstim
     }
 }
 
-/// A stroke that may be the fastest.
+/// A candidate for the fastest approximation of a stroke.
 #[derive(Clone, Debug)]
-pub(crate) struct Way {
+pub(crate) struct Approximation {
     pub stroke: Stroke,
-    /// Its corners; none if it was not found in the corridor of the stroke.
+    /// Its corners; empty if it was not found in the stroke's corridor.
     path: Vec<Corner>,
 }
 
-impl Way {
+impl Approximation {
     fn of(stroke: &Stroke, path: Vec<Corner>) -> Self {
         Self {
             stroke: joined(stroke, places(&path)),
@@ -75,15 +75,16 @@ impl Way {
     }
 }
 
-/// The fewest vectors of a stroke within `tolerance_mm` none of which is shorter than `least_mm`; `None` if it found no such way.
+/// Returns the fewest vectors of a stroke within `tolerance_mm` with a length of at least
+/// `least_mm`; `None` if none were found.
 pub(crate) fn fewest_long_at(stroke: &Stroke, tolerance_mm: f64, least_mm: f64) -> Option<Stroke> {
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM).of_vectors(least_mm);
     let path = fewest(&corridor)?;
     Some(joined(stroke, places(&path)))
 }
 
-/// The way with the fewest vectors within `tolerance_mm`.
-pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Way {
+/// Returns the approximation with the fewest vectors within `tolerance_mm`.
+pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Approximation {
     let radius_mm = tolerance_mm - SLACK_MM;
     let path = if radius_mm > MIN_VECTOR_MM {
         fewest(&corridor(stroke, radius_mm))
@@ -94,77 +95,79 @@ pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Way {
         Some(path) => places(path),
         None => fewest_without_specks(stroke, radius_mm),
     };
-    Way {
+    Approximation {
         stroke: joined(stroke, points),
         path: path.unwrap_or_default(),
     }
 }
 
-/// The ways that may be the fastest at a pace, within `tolerance_mm`; of those that are as fast the first is the best. The one
-/// with the fewest vectors is given.
+/// Returns candidates for the fastest approximation within `tolerance_mm`, the preferred first. The
+/// one with the fewest vectors is given.
 pub(crate) fn fast_ways_at(
     stroke: &Stroke,
     tolerance_mm: f64,
-    fewest: Way,
+    fewest: Approximation,
     estimator: &DurationEstimator,
-) -> Vec<Way> {
+) -> Vec<Approximation> {
     if fewest.path.is_empty() {
         return vec![fewest];
     }
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
     let ways = fast_ways(corridor, fewest.path, estimator);
-    ways.into_iter().map(|it| Way::of(stroke, it)).collect()
+    ways.into_iter()
+        .map(|path| Approximation::of(stroke, path))
+        .collect()
 }
 
-/// The way that seems to be the fastest at a pace, within `tolerance_mm`, found in a fraction of the time. The one with the
-/// fewest vectors is given.
+/// Returns the estimated fastest approximation within `tolerance_mm`, in a fraction of the time.
+/// The one with the fewest vectors is given.
 pub(crate) fn seemingly_fastest_at(
     stroke: &Stroke,
     tolerance_mm: f64,
-    fewest: Way,
+    fewest: Approximation,
     estimator: &DurationEstimator,
-) -> Way {
+) -> Approximation {
     if fewest.path.is_empty() {
         return fewest;
     }
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
-    Way::of(stroke, seemingly_fastest(corridor, fewest.path, estimator))
+    Approximation::of(stroke, seemingly_fastest(corridor, fewest.path, estimator))
 }
 
-/// A way that was planned.
+/// An approximation that was planned.
 #[derive(Clone, Debug)]
-pub(crate) struct PlannedWay {
-    pub way: Way,
-    /// How long each of its vectors takes, in s.
+pub(crate) struct PlannedApproximation {
+    pub way: Approximation,
+    /// The duration of each of its vectors, in s.
     pub durations_s: Vec<f64>,
 }
 
-/// The way that is put together from the best parts of these, where it costs `change_s` to go on along another one; `None` if
-/// one of them is the best everywhere.
+/// Combines the best parts of several approximations, with a cost of `change_s` per switch; `None`
+/// if one of them is the best everywhere.
 pub(crate) fn spliced_at(
     stroke: &Stroke,
     tolerance_mm: f64,
     estimator: &DurationEstimator,
-    ways: &[PlannedWay],
+    ways: &[PlannedApproximation],
     change_s: f64,
-) -> Option<Way> {
+) -> Option<Approximation> {
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
     let ends = |path: &[Corner]| Some([path.first()?.at, path.last()?.at]);
     let wanted = ends(&ways.first()?.way.path)?;
-    let fit = ways.iter().filter(|it| {
-        let path = &it.way.path;
-        ends(path) == Some(wanted) && path.len() == it.durations_s.len() + 1
+    let fit = ways.iter().filter(|planned| {
+        let path = &planned.way.path;
+        ends(path) == Some(wanted) && path.len() == planned.durations_s.len() + 1
     });
-    let paths = fit.map(|it| (&it.way.path[..], &it.durations_s[..]));
+    let paths = fit.map(|planned| (&planned.way.path[..], &planned.durations_s[..]));
     let way = spliced(&corridor, paths, change_s, estimator)?;
-    Some(Way::of(stroke, way))
+    Some(Approximation::of(stroke, way))
 }
 
 fn corridor(stroke: &Stroke, radius_mm: f64) -> Corridor<'_> {
     Corridor::new(&stroke.points, stroke.closed, radius_mm)
 }
 
-/// A stroke of other points that is closed where the one given is.
+/// Returns a stroke with other points that is closed like the given one.
 fn joined(stroke: &Stroke, points: Vec<Point>) -> Stroke {
     Stroke {
         closed: stroke.closed && points.len() > 1,
@@ -176,7 +179,7 @@ fn places(path: &[Corner]) -> Vec<Point> {
     path.iter().map(|corner| corner.at).collect()
 }
 
-/// The fewest vectors within a tolerance where specks leave no way but a vector that is too short.
+/// Returns the fewest vectors within a tolerance if specks permit only a vector that is too short.
 fn fewest_without_specks(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
     let points = without_specks(&stroke.points);
     if tolerance_mm <= 2.0 * MIN_VECTOR_MM || points.len() < 3 {
@@ -189,7 +192,7 @@ fn fewest_without_specks(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
     }
 }
 
-/// The points without those that are hardly away from the one before; both ends stay.
+/// Removes points that barely differ from the one before; both ends are kept.
 fn without_specks(points: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::with_capacity(points.len());
     for &p in points {
@@ -206,7 +209,7 @@ fn without_specks(points: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// What rounding may take of the tolerance.
+/// The share of the tolerance reserved for rounding.
 const SLACK_MM: f64 = 1e-6;
 
 #[cfg(test)]
@@ -272,7 +275,7 @@ mod tests {
         deviation(std::slice::from_ref(wanted), std::slice::from_ref(drawn)).largest_mm()
     }
 
-    /// 200 mm whose direction swings as a seed has it.
+    /// A line of 200 mm whose direction swings depending on a seed.
     fn wander(seed: u64) -> Stroke {
         let mut random = Random::new(seed);
         let swings: Vec<[f64; 3]> = [0.5, 1.3, 3.1, 7.0]
@@ -305,7 +308,7 @@ mod tests {
         DurationEstimator::of(&arm_limits, &DrawingTool::default().at_speed(speed_mm_s))
     }
 
-    /// How long the plan for a stroke takes on a machine without limits of its joints, in s.
+    /// Returns the planned duration of a stroke without joint limits, in s.
     fn planned_s(stroke: &Stroke, estimator: &DurationEstimator) -> f64 {
         let arm_limits = ArmLimits {
             acceleration_mm_s2: estimator.cornering.acceleration_mm_s2,
@@ -318,7 +321,11 @@ mod tests {
         plan.duration_s()
     }
 
-    fn fast_ways(stroke: &Stroke, tolerance_mm: f64, estimator: &DurationEstimator) -> Vec<Way> {
+    fn fast_ways(
+        stroke: &Stroke,
+        tolerance_mm: f64,
+        estimator: &DurationEstimator,
+    ) -> Vec<Approximation> {
         fast_ways_at(
             stroke,
             tolerance_mm,
@@ -335,11 +342,11 @@ mod tests {
                 .cycle(),
         ) {
             let stroke = wander(seed);
-            // The plan decides between the ways, as it does for a drawing.
+            // The plan decides among the candidates, as in a drawing.
             let fastest_s = |tolerance_mm| {
                 let ways = fast_ways(&stroke, tolerance_mm, estimator).into_iter();
                 let fewest = [0.5, 1.0].map(|share| simplify(&stroke, share * tolerance_mm));
-                let ways = ways.map(|it| it.stroke).chain(fewest);
+                let ways = ways.map(|way| way.stroke).chain(fewest);
                 ways.map(|way| planned_s(&way, estimator))
                     .fold(f64::INFINITY, f64::min)
             };
@@ -355,8 +362,8 @@ mod tests {
         let wanted = circle(30.0, 5000);
         let drawn = simplify_at(&wanted, 0.05, &estimator(100.0, 20.0));
         assert!(worst_mm(&wanted, &drawn) <= 0.01);
-        let [few, many] =
-            [simplify(&wanted, 0.05), drawn].map(|it| planned_s(&it, &estimator(100.0, 20.0)));
+        let [few, many] = [simplify(&wanted, 0.05), drawn]
+            .map(|stroke| planned_s(&stroke, &estimator(100.0, 20.0)));
         assert!(many <= 1.005 * few, "{many} instead of {few} s");
     }
 
@@ -365,16 +372,18 @@ mod tests {
         let at = |i: u32| Point::new(0.0, 0.0) + Vec2::from_angle(f64::from(i) / 500.0) * 30.0;
         let arc = Stroke::open((0..1500).map(at).collect());
         let estimator = estimator(100.0, 40.0);
-        // The first of them is fast at the begin, the second one at the end.
+        // The first is fast at the start, the second at the end.
         let mut ways = fast_ways(&arc, 0.05, &estimator).into_iter();
-        let two = [ways.next(), ways.next()].map(|it| it.expect("a way"));
-        let count = |way: &Way| way.stroke.points.len() - 1;
+        let two = [ways.next(), ways.next()].map(|way| way.expect("a way"));
+        let count = |way: &Approximation| way.stroke.points.len() - 1;
         let (first, second) = (count(&two[0]), count(&two[1]));
-        let planned = |way: &Way, count: usize, is_fast: &dyn Fn(usize) -> bool| PlannedWay {
-            durations_s: (0..count)
-                .map(|i| if is_fast(i) { 0.2 } else { 0.4 })
-                .collect(),
-            way: way.clone(),
+        let planned = |way: &Approximation, count: usize, is_fast: &dyn Fn(usize) -> bool| {
+            PlannedApproximation {
+                durations_s: (0..count)
+                    .map(|i| if is_fast(i) { 0.2 } else { 0.4 })
+                    .collect(),
+                way: way.clone(),
+            }
         };
         let ways = [
             planned(&two[0], first, &|i| 2 * i < first),
@@ -383,14 +392,14 @@ mod tests {
         let both = spliced_at(&arc, 0.05, &estimator, &ways, 0.1).expect("a new way");
         let points = both.stroke.points;
         let third = points.len() / 3;
-        let are_of = |points: &[Point], way: &Way| {
+        let are_of = |points: &[Point], way: &Approximation| {
             let mut points = points.iter();
-            points.all(|it| way.stroke.points.contains(it))
+            points.all(|p| way.stroke.points.contains(p))
         };
         assert!(are_of(&points[..third], &two[0]));
         assert!(are_of(&points[points.len() - third..], &two[1]));
         assert!(worst_mm(&arc, &Stroke::open(points)) <= 0.05);
-        // Where a change costs more than it saves there is none.
+        // If a change costs more than it saves, there is none.
         assert!(spliced_at(&arc, 0.05, &estimator, &ways, 100.0).is_none());
     }
 
@@ -436,7 +445,8 @@ mod tests {
 
     #[test]
     fn chords_of_a_circle_swing_from_one_side_to_the_other() {
-        // A chord that leaves a circle of radius r by e on both sides has the length 4 sqrt(r e).
+        // A chord that deviates from a circle of radius r by e on both sides has the length 4
+        // sqrt(r e).
         for (radius, count) in [(20.0_f64, 20_000), (20.0, 500), (3.0, 1000), (100.0, 3000)] {
             let ideal = TAU * radius / (4.0 * (radius * 0.05).sqrt());
             #[expect(clippy::cast_precision_loss, reason = "a small count")]
@@ -490,14 +500,14 @@ mod tests {
             let stroke = walk(&steps, closed);
             let estimator = estimator(100.0, speed_mm_s);
             let ways = fast_ways(&stroke, tolerance, &estimator);
-            // As if each way were the fastest one somewhere else.
-            let planned: Vec<PlannedWay> = ways.iter().enumerate().map(|(n, way)| PlannedWay {
+            // Pretend that each approximation is the fastest one somewhere.
+            let planned: Vec<PlannedApproximation> = ways.iter().enumerate().map(|(n, way)| PlannedApproximation {
                 durations_s: (1..way.stroke.points.len()).map(|i| if (i + n) % 3 == 0 { 0.1 } else { 1.0 }).collect(),
                 way: way.clone(),
             }).collect();
             let spliced = spliced_at(&stroke, tolerance, &estimator, &planned, 0.0);
             let seems = seemingly_fastest_at(&stroke, tolerance, fewest_at(&stroke, tolerance), &estimator);
-            for Way { stroke: simple, .. } in ways.into_iter().chain(spliced).chain([seems]) {
+            for Approximation { stroke: simple, .. } in ways.into_iter().chain(spliced).chain([seems]) {
                 if simple.points.len() > 1 {
                     prop_assert!(closed || simple.points[0] == stroke.points[0]);
                     prop_assert!(closed || simple.last() == stroke.last());

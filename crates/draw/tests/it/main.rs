@@ -1,3 +1,3 @@
-//! Drawings, carried out.
+//! Tests of executed drawings.
 
 mod virtual_arm;

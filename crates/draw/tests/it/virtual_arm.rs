@@ -1,5 +1,4 @@
-//! Plans on virtual arms of both personalities: in the time planned, on the path, and with the
-//! laser on where it should be and nowhere else.
+//! Tests of plans on virtual arms of both personalities: planned time, path, and laser switching.
 
 use std::f64::consts::TAU;
 use std::time::Duration;
@@ -14,15 +13,15 @@ use dobot_plan::{
 };
 use dobot_wire::{Command, WriteVector};
 
-/// What the arm does in a tick: where it is behind it, and whether it burned.
+/// The state of the arm after a tick: its position, and whether it burned.
 #[derive(Clone, Copy, PartialEq)]
 struct Seen {
     place: [f64; 3],
     laser: bool,
 }
 
-/// Sends a command for each status, which takes as long on the line as it does at 9600 baud, and
-/// looks where the arm is behind each tick until it rests; from where it stands at `start`.
+/// Sends one command per status, each taking its time on the line at 9600 baud, and samples the arm
+/// after each tick until it rests, from `start`.
 fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec<Seen> {
     let mut arm = Controller::power_up(PowerUp::new(personality));
     let (mut now, mut sent, mut rests) = (Duration::ZERO, 0, 0);
@@ -56,18 +55,18 @@ fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec
         seen.push(next);
     }
     assert_eq!(arm.poll_refused(), None);
-    let away = |it: &Seen| distance(it.place, start);
-    let came = seen.iter().position(|it| away(it) < 0.3);
+    let away = |sample: &Seen| distance(sample.place, start);
+    let came = seen.iter().position(|sample| away(sample) < 0.3);
     let came = came.expect("it goes to the start");
     let stands = (came..came + 12).rev();
     let stands = stands.min_by(|&a, &b| away(&seen[a]).total_cmp(&away(&seen[b])));
     seen.split_off(stands.expect("a dozen"))
 }
 
-/// How many ticks it was moving.
+/// Returns the number of moving ticks.
 fn moving(seen: &[Seen]) -> f64 {
     let last = seen[seen.len() - 1].place;
-    let ends = seen.iter().rposition(|it| it.place != last);
+    let ends = seen.iter().rposition(|sample| sample.place != last);
     let ticks = u32::try_from(ends.expect("it moves") + 1);
     f64::from(ticks.expect("a few minutes"))
 }
@@ -76,12 +75,13 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The way it went from where `which` held, from above.
+/// Returns the paths in which `which` held, seen from above.
 fn ways(seen: &[Seen], which: impl Fn(&Seen) -> bool) -> Vec<Stroke> {
     let mut ways: Vec<Stroke> = Vec::new();
     let mut goes_on = false;
     for pair in seen.windows(2) {
-        let [from, to] = [pair[0], pair[1]].map(|it| Point::new(it.place[0], it.place[1]));
+        let [from, to] =
+            [pair[0], pair[1]].map(|sample| Point::new(sample.place[0], sample.place[1]));
         match ways.last_mut().filter(|_| goes_on) {
             _ if !which(&pair[0]) => {}
             Some(way) => way.points.push(to),
@@ -142,9 +142,9 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
             (took_s - planned_s).abs() < 0.041,
             "{personality:?}: {took_s} s, planned {planned_s} s"
         );
-        let drawn = ways(&seen, |it| it.place[2] < -39.999);
+        let drawn = ways(&seen, |sample| sample.place[2] < -39.999);
         let found = deviation(&strokes(), &drawn);
-        // Between two looks a corner is cut.
+        // Between two samples a corner is cut.
         assert!(
             found.astray.distance_mm < 0.05,
             "{personality:?}: {found:?}"
@@ -157,7 +157,7 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
 
 #[test]
 fn an_arm_is_where_it_should_be_behind_ten_thousand_vectors() {
-    // 250 waves of 40 vectors, of lengths that no other has.
+    // 250 waves of 40 vectors, all of different lengths.
     let wave = |n: u32| {
         let at = |i: u32| {
             let (x, y) = (f64::from(i) * 0.7 + f64::from(n) * 0.013, f64::from(n % 17));
@@ -186,7 +186,7 @@ fn a_stock_arm_draws_the_path_at_any_speed() {
     let head: Vec<Command> = plan.commands().take(plan.command_of(0)).collect();
     let vectors: Vec<WriteVector> = plan
         .commands()
-        .filter_map(|it| match it {
+        .filter_map(|command| match command {
             Command::WriteVector(vector) => Some(vector),
             _ => None,
         })
@@ -202,7 +202,7 @@ fn a_stock_arm_draws_the_path_at_any_speed() {
         let others = respeed(&vectors, &begin, share, &arm_limits);
         commands.extend(others.into_iter().map(Command::from));
         let seen = drive(&commands, personality, plan.start);
-        let drawn = ways(&seen, |it| it.place[2] < -39.999);
+        let drawn = ways(&seen, |sample| sample.place[2] < -39.999);
         let found = deviation(&strokes(), &drawn);
         assert!(found.astray.distance_mm < 0.02, "{share}: {found:?}");
     }
@@ -222,10 +222,10 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
             personality,
             plan.start,
         );
-        let burned = ways(&seen, |it| it.laser);
+        let burned = ways(&seen, |sample| sample.laser);
         let found = deviation(&strokes, &burned);
-        // It is looked each 20 ms, in which it goes 0.2 mm. A stock arm switches the laser at a tick, in which it goes
-        // 0.005 mm, and each of a stroke's pieces is rounded as a packet is.
+        // Sampled every 20 ms, in which it moves 0.2 mm. A stock arm switches the laser at a tick,
+        // in which it moves 0.005 mm, and each piece of a stroke is rounded as in a packet.
         let has_ticks = personality == Personality::Firmware11;
         let allowed_mm = if has_ticks { 0.006 } else { 0.2 };
         assert!(
@@ -237,14 +237,17 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
             "{personality:?}: {found:?}"
         );
         assert_eq!(burned.len(), strokes.len(), "{personality:?}");
-        let travels = plan.moves.iter().filter(|it| it.kind == MoveKind::Travel);
+        let travels = plan
+            .moves
+            .iter()
+            .filter(|vector| vector.kind == MoveKind::Travel);
         assert_eq!(travels.count(), strokes.len());
         assert!(!seen[seen.len() - 1].laser);
     }
 }
 
-/// A stock arm switches the laser a tick before a vector: what it burned of small letters was 0.11 mm beside them, where a corner
-/// lay right behind that place, or the ticks came out otherwise than thought.
+/// A stock arm switches the laser a tick before a vector: it burned small letters 0.11 mm off where
+/// a corner was directly after that place, or the ticks differed from the estimate.
 #[test]
 fn a_stock_arm_burns_small_letters_within_the_tolerance() {
     for (height_mm, burn_speed_mm_s) in [(1.0, 3.0), (1.5, 8.0), (1.5, 20.0), (2.0, 30.0)] {
@@ -270,9 +273,10 @@ fn a_stock_arm_burns_small_letters_within_the_tolerance() {
             Personality::Firmware11,
             prepared.plan.start,
         );
-        let burned = ways(&seen, |it| it.laser);
+        let burned = ways(&seen, |sample| sample.laser);
         let found = deviation(&prepared.wanted(), &burned);
-        // Where it is switched at a corner it begins up to 0.04 mm along the way too late or too early, besides what it is aside.
+        // If it is switched at a corner it begins up to 0.04 mm too late or too early along the
+        // path, in addition to the lateral error.
         assert!(
             found.largest_mm() <= settings.tolerance_mm.hypot(0.04),
             "{height_mm} mm at {burn_speed_mm_s} mm/s: {found:?}"
@@ -280,5 +284,5 @@ fn a_stock_arm_burns_small_letters_within_the_tolerance() {
     }
 }
 
-/// A status and a packet one after the other on the line.
+/// A status and a packet, one after the other, on the line.
 const STATUS_AND_PACKET: Duration = Duration::from_millis(88);

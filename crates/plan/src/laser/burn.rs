@@ -37,7 +37,9 @@ impl Planner<'_> {
         let (mut planned, mut is_planned) = (0, false);
         'ways: for way in BurnVariant::all() {
             let is_over_budget = planned > MOST_PLANNED;
-            let goes = |it: BurnAttempt| it.is_within(way.worth_mm) || is_over_budget && !it.fails;
+            let goes = |attempt: BurnAttempt| {
+                attempt.is_within(way.worth_mm) || is_over_budget && !attempt.fails
+            };
             if best.is_some_and(goes) {
                 break;
             }
@@ -59,7 +61,7 @@ impl Planner<'_> {
                 let found = self.lead(before.moves, ticker.clone());
                 tried.off_mm = found.distance_mm(lead);
                 tried.fails = ticker.fails(&self.moves[before.moves..]);
-                if best.is_none_or(|it| tried.is_better(&it)) {
+                if best.is_none_or(|best| tried.is_better(&best)) {
                     best = Some(tried);
                 }
                 if tried.is_within(NEAR_MM) {
@@ -71,7 +73,7 @@ impl Planner<'_> {
                 wanted = wanted.half_way(found);
             }
         }
-        if let Some(best) = best.filter(|it| !it.is_within(NEAR_MM)) {
+        if let Some(best) = best.filter(|best| !best.is_within(NEAR_MM)) {
             self.restore(&before);
             self.burn_once(&points, laser, &best);
         }
@@ -133,7 +135,7 @@ impl Planner<'_> {
             tick_stroke
                 .speeds_mm_s()
                 .last()
-                .map_or(0.0, |it| it * TICK_S)
+                .map_or(0.0, |mm_s| mm_s * TICK_S)
         };
         let mut lead = SwitchLead {
             on_mm: 0.0,
@@ -154,7 +156,7 @@ impl Planner<'_> {
     /// more where it is slower.
     pub(crate) fn even_burning(&mut self, begin: usize) {
         let burns = |vector: &&PlannedVector| vector.kind == MoveKind::Burn;
-        let Some(first) = self.moves[begin..].iter().position(|it| burns(&it)) else {
+        let Some(first) = self.moves[begin..].iter().position(|vector| burns(&vector)) else {
             return;
         };
         let burned = self.moves[begin..].iter().filter(burns).count();
@@ -166,7 +168,7 @@ impl Planner<'_> {
             .skip(first)
             .take(burned);
         let slowest_mm_s = speeds
-            .map(|it| it.start_mm_s.min(it.end_mm_s).min(it.max_mm_s))
+            .map(|speeds| speeds.start_mm_s.min(speeds.end_mm_s).min(speeds.max_mm_s))
             .fold(limit_mm_s, f64::min);
         if slowest_mm_s * MOST_SPREAD >= limit_mm_s {
             let least_mm_s = f64::from(LEAST_BURN_MM_S);
@@ -341,7 +343,7 @@ mod tests {
             }
         }
         let both = burned_s.iter().zip(strokes);
-        both.map(|(burned_s, it)| burned_s * burn_speed_mm_s / it.length_mm())
+        both.map(|(burned_s, stroke)| burned_s * burn_speed_mm_s / stroke.length_mm())
             .collect()
     }
 

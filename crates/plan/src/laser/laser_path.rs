@@ -125,7 +125,7 @@ fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
     }
     let [a, b, next] = [path[corner - 1], path[corner], path[corner + 1]];
     let on = b.lerp(a, left_mm / b.distance(a));
-    let [of_b, of_on, of_next] = [b, on, next].map(|it| [it.x, it.y]);
+    let [of_b, of_on, of_next] = [b, on, next].map(|p| [p.x, p.y]);
     let is_straight = distance_from_chord(of_b, of_on, of_next) <= NEAR_MM;
     if is_straight && on.distance(next) >= LEAST_BURN_MM {
         path[corner] = on;
@@ -200,7 +200,10 @@ pub(crate) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
 /// Returns the speed at which a laser burns a path: a stock arm switches it between ticks, so a
 /// path shorter than a tick is burned for a whole one.
 pub(crate) fn burn_speed_mm_s(points: &[Point], laser: &Laser, arm_limits: &ArmLimits) -> f64 {
-    let length_mm: f64 = points.windows(2).map(|it| it[0].distance(it[1])).sum();
+    let length_mm: f64 = points
+        .windows(2)
+        .map(|pair| pair[0].distance(pair[1]))
+        .sum();
     if arm_limits.has_ticks {
         laser.burn_speed_mm_s.min(length_mm / f64::from(TICK_S))
     } else {

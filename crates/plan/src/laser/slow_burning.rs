@@ -24,22 +24,22 @@ impl Plan {
             return None;
         };
         let moves = self.moves[pass.moves.clone()].iter();
-        let burned = moves.filter(|it| it.kind == MoveKind::Burn);
+        let burned = moves.filter(|vector| vector.kind == MoveKind::Burn);
         let mut burned: Vec<[f64; 2]> = burned
-            .map(|it| {
-                let length_mm = it.length_mm();
-                [length_mm / f64::from(it.duration_s), length_mm]
+            .map(|vector| {
+                let length_mm = vector.length_mm();
+                [length_mm / f64::from(vector.duration_s), length_mm]
             })
             .collect();
         burned.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let sum_mm = |burned: &[[f64; 2]]| burned.iter().map(|it| it[1]).sum::<f64>();
-        let is_slow = |it: &[f64; 2]| it[0] * SLOW < laser.burn_speed_mm_s;
+        let sum_mm = |burned: &[[f64; 2]]| burned.iter().map(|row| row[1]).sum::<f64>();
+        let is_slow = |row: &[f64; 2]| row[0] * SLOW < laser.burn_speed_mm_s;
         let burned_mm = sum_mm(&burned);
         let slow_mm = sum_mm(&burned[..burned.partition_point(is_slow)]);
         let sampled_limit_mm = SEEN_SHARE * burned_mm;
         let mut passed_mm = 0.0;
-        let even = burned.iter().find(|it| {
-            passed_mm += it[1];
+        let even = burned.iter().find(|row| {
+            passed_mm += row[1];
             passed_mm > sampled_limit_mm
         })?;
         (slow_mm > sampled_limit_mm).then_some(SlowBurning {
@@ -72,7 +72,7 @@ mod tests {
     }
 
     fn line(points: &[(f64, f64)]) -> Stroke {
-        Stroke::open(points.iter().map(|it| Point::new(it.0, it.1)).collect())
+        Stroke::open(points.iter().map(|p| Point::new(p.0, p.1)).collect())
     }
 
     #[test]

@@ -22,7 +22,7 @@ impl Plan {
     /// and the message to the person.
     pub fn breaks_in_commands(&self) -> impl Iterator<Item = (usize, &str)> {
         let breaks = self.breaks.iter();
-        breaks.map(|it| (self.command_of(it.before), it.message.as_str()))
+        breaks.map(|pause| (self.command_of(pause.before), pause.message.as_str()))
     }
 
     /// Returns the index in [`commands`](Self::commands) of a vector.
@@ -66,8 +66,8 @@ pub(crate) fn to_start(plan: &Plan) -> MoveTo {
 fn base_span_deg(plan: &Plan) -> [f32; 2] {
     let places = std::iter::once(plan.start).chain(plan.positions());
     let bases_deg = places.map(|[x, y, _]| single(y.atan2(x).to_degrees()));
-    bases_deg.fold([f32::INFINITY, f32::NEG_INFINITY], |[least, most], it| {
-        [least.min(it), most.max(it)]
+    bases_deg.fold([f32::INFINITY, f32::NEG_INFINITY], |[least, most], deg| {
+        [least.min(deg), most.max(deg)]
     })
 }
 
@@ -114,8 +114,9 @@ mod tests {
         let plan = Plan::new(&[pass], &Paper::default(), &ArmLimits::default()).unwrap();
         let commands: Vec<_> = plan.commands().collect();
         assert_eq!(commands[0], LASER_OFF.into());
-        let moves = |it: &Command| matches!(it, Command::MoveTo(_) | Command::WriteVector(_));
-        let first = commands.iter().find(|it| moves(it)).unwrap();
+        let moves =
+            |command: &Command| matches!(command, Command::MoveTo(_) | Command::WriteVector(_));
+        let first = commands.iter().find(|command| moves(command)).unwrap();
         match first {
             Command::MoveTo(to) => assert_eq!((to.x_mm, to.y_mm), (200.0, 0.0)),
             other => panic!("{other:?}"),

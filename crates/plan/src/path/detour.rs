@@ -22,7 +22,7 @@ pub fn detour(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
         return Vec::new();
     }
     // Angles range from -pi to pi, so the path between them passes x > 0.
-    let touches = |it: Vec2| (radius_mm / it.hypot()).min(1.0).acos();
+    let touches = |p: Vec2| (radius_mm / p.hypot()).min(1.0).acos();
     let turn = to.atan2() - from.atan2();
     let arc = turn.abs() - touches(from) - touches(to);
     if arc <= 0.0 {
@@ -52,8 +52,8 @@ mod tests {
 
     /// Returns the minimum distance of a path from the axis, and whether it passes behind it.
     fn nearest_mm(way: &[Point]) -> (f64, bool) {
-        let legs = way.windows(2).map(|it| {
-            let (a, leg) = (it[0].to_vec2(), it[1] - it[0]);
+        let legs = way.windows(2).map(|pair| {
+            let (a, leg) = (pair[0].to_vec2(), pair[1] - pair[0]);
             let along = (-a.dot(leg) / leg.hypot2().max(1e-12)).clamp(0.0, 1.0);
             let behind = a.y * (a.y + leg.y) < 0.0 && {
                 let share = a.y / (a.y - (a.y + leg.y));
@@ -82,12 +82,9 @@ mod tests {
     fn from_one_side_of_the_arm_to_the_other_it_leads_past_the_front() {
         let [a, b] = [Point::new(0.0, -220.0), Point::new(0.0, 220.0)];
         let way = whole(a, b, 150.0);
-        assert!(
-            way[1..way.len() - 1].iter().all(|it| it.x > 100.0),
-            "{way:?}"
-        );
+        assert!(way[1..way.len() - 1].iter().all(|p| p.x > 100.0), "{way:?}");
         // Two tangents and the arc between them.
-        let length_mm: f64 = way.windows(2).map(|it| it[0].distance(it[1])).sum();
+        let length_mm: f64 = way.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
         let touching_mm = (220.0_f64.powi(2) - 150.0_f64.powi(2)).sqrt();
         let arc = PI - 2.0 * (150.0_f64 / 220.0).acos();
         let shortest_mm = 2.0 * touching_mm + 150.0 * arc;
@@ -112,7 +109,7 @@ mod tests {
             prop_assert!(found_mm >= allowed_mm - 1e-9, "{found_mm} mm: {way:?}");
             prop_assert!(!behind || least_mm == 0.0, "{way:?}");
             let farthest_mm = f64::max(f64::max(from.0, to.0), allowed_mm * 1.036);
-            prop_assert!(way.iter().all(|it| it.to_vec2().hypot() <= farthest_mm + 1e-9), "{way:?}");
+            prop_assert!(way.iter().all(|p| p.to_vec2().hypot() <= farthest_mm + 1e-9), "{way:?}");
         }
     }
 }

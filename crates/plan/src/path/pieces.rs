@@ -44,7 +44,7 @@ impl Pieces {
         });
         Self {
             acceleration_mm_s2: arm_limits.planned_acceleration_mm_s2(),
-            arms: arm.map(|it| [it.clone(), it]),
+            arms: arm.map(|arm| [arm.clone(), arm]),
         }
     }
 
@@ -66,7 +66,7 @@ impl Pieces {
         let continues_alike = |pieces: &Vec<PlannedVector>| {
             let mut behind = divided.clone();
             behind.run_all(pieces);
-            next.is_none_or(|it| is_alike(&planned.tick_stroke(it), &behind.tick_stroke(it)))
+            next.is_none_or(|next| is_alike(&planned.tick_stroke(next), &behind.tick_stroke(next)))
         };
         let pieces =
             of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(continues_alike);
@@ -161,7 +161,7 @@ fn of_ticks(
 ) -> impl Iterator<Item = Vec<PlannedVector>> {
     let ways = [false, true]
         .into_iter()
-        .flat_map(|brakes_apart| SHIFTS_MM.map(|it| (brakes_apart, it)));
+        .flat_map(|brakes_apart| SHIFTS_MM.map(|shift_mm| (brakes_apart, shift_mm)));
     ways.filter_map(move |(brakes_apart, shift_mm)| {
         let ends = ends(whole.counts, longest_s, brakes_apart);
         ending_at((&ends, shift_mm), vector, whole, (arm, target))
@@ -179,7 +179,7 @@ fn ending_at(
         return None;
     }
     let (mut arm, start) = (arm.clone(), arm.here);
-    let ways_mm = whole.speeds_mm_s().map(|it| f64::from(it * TICK_S));
+    let ways_mm = whole.speeds_mm_s().map(|mm_s| f64::from(mm_s * TICK_S));
     let ways_mm: Vec<f64> = ways_mm.collect();
     let length_mm: f64 = ways_mm.iter().sum();
     // Each piece starts at the actual end of those before, so that the arm's rounding does not
@@ -215,7 +215,7 @@ fn ending_at(
 
 /// Returns the ticks at which pieces end: constant-speed ticks, except for the last piece.
 fn ends([up, even, down]: [i16; 3], longest_s: f64, brakes_apart: bool) -> Vec<usize> {
-    let [up, even, down] = [up, even, down].map(|it| usize::try_from(it).unwrap_or(0));
+    let [up, even, down] = [up, even, down].map(|ticks| usize::try_from(ticks).unwrap_or(0));
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -260,10 +260,10 @@ fn with_counts(
     };
     // The correction of all ticks makes the arm faster than its packet; the rest needs that speed
     // as its maximum, or it would take more ticks.
-    let slower = SLOWER_STEPS.map(|it| top_mm_s - it * step_mm_s);
+    let slower = SLOWER_STEPS.map(|steps| top_mm_s - steps * step_mm_s);
     let tops_mm_s = iter::once(piece.max_speed_mm_s).chain(slower);
-    let tried = tops_mm_s.flat_map(|it| {
-        let max_speed_mm_s = it.max(least_mm_s);
+    let tried = tops_mm_s.flat_map(|top_mm_s| {
+        let max_speed_mm_s = top_mm_s.max(least_mm_s);
         let near_mm_s = max_speed_mm_s - (downs - NEAR) * step_mm_s;
         let near_mm_s = if piece.end_speed_mm_s > 0.0 {
             near_mm_s.max(LEAST_END_MM_S)
@@ -342,7 +342,7 @@ mod tests {
         let (mut here, mut begin_s) = (plan.start, 0.0);
         let tick_s = f64::from(TICK_S);
         for (vector, there) in plan.moves.iter().zip(plan.positions()) {
-            let direction = vector.increments().map(|it| it / vector.length_mm());
+            let direction = vector.increments().map(|mm| mm / vector.length_mm());
             let mut ways_mm = Vec::new();
             if let Some(ticker) = &mut ticker {
                 let tick_stroke = ticker.run(&write(vector));
@@ -354,13 +354,13 @@ mod tests {
                 let profile = vector.profile(plan.arm_limits().acceleration_mm_s2);
                 let end_s = begin_s + profile.duration_s();
                 let first = (begin_s / tick_s).floor() + 1.0;
-                let ticks = (0..).map(|it| (first + f64::from(it)) * tick_s);
-                let ticks = ticks.take_while(|it| *it <= end_s);
-                ways_mm.extend(ticks.map(|it| profile.distance_at(it - begin_s)));
+                let ticks = (0..).map(|tick| (first + f64::from(tick)) * tick_s);
+                let ticks = ticks.take_while(|tick_s| *tick_s <= end_s);
+                ways_mm.extend(ticks.map(|tick_s| profile.distance_at(tick_s - begin_s)));
                 begin_s = end_s;
             }
             let at = |way_mm: f64| [0, 1, 2].map(|i| here[i] + way_mm * direction[i]);
-            places.extend(ways_mm.into_iter().map(|it| (at(it), vector.kind)));
+            places.extend(ways_mm.into_iter().map(|way_mm| (at(way_mm), vector.kind)));
             here = there;
         }
         places
@@ -376,9 +376,11 @@ mod tests {
     ) -> Result<(), TestCaseError> {
         let mut ticker = Ticker::of(divided.arm_limits(), 0.0);
         for piece in &divided.moves {
-            let evens = ticker.as_mut().map(|it| it.run(&write(piece)).counts[1]);
+            let evens = ticker
+                .as_mut()
+                .map(|ticker| ticker.run(&write(piece)).counts[1]);
             let is_short = f64::from(piece.duration_s) <= 1.002 * longest_s;
-            let may_be_long = piece.kind != kind || evens.is_some_and(|it| it < 2);
+            let may_be_long = piece.kind != kind || evens.is_some_and(|even| even < 2);
             prop_assert!(is_short || may_be_long, "{evens:?} {piece:?}");
         }
         let [was_s, is_s] = [whole, divided].map(Plan::duration_s);
@@ -421,7 +423,10 @@ mod tests {
                 &arm_limits(has_ticks),
             );
             let burned = |plan: &Plan| -> Vec<PlannedVector> {
-                let burned = plan.moves.iter().filter(|it| it.kind == MoveKind::Burn);
+                let burned = plan
+                    .moves
+                    .iter()
+                    .filter(|vector| vector.kind == MoveKind::Burn);
                 burned.copied().collect()
             };
             assert_eq!(burned(&whole).len(), 1);

@@ -61,7 +61,7 @@ impl<'a> Planner<'a> {
                 chain_speeds
             },
             ticker: if tool.burns() {
-                ticker.map(|it| it.with_unknown_speed().with_pieces(LONGEST_BURN_S))
+                ticker.map(|ticker| ticker.with_unknown_speed().with_pieces(LONGEST_BURN_S))
             } else {
                 ticker
             },
@@ -88,7 +88,7 @@ impl<'a> Planner<'a> {
         self.pass = number;
         self.objective = Objective::of(&pass.tool);
         self.travel_mm_s = pass.tool.travel_speed_mm_s();
-        for stroke in pass.drawn().filter(|it| !it.points.is_empty()) {
+        for stroke in pass.drawn().filter(|stroke| !stroke.points.is_empty()) {
             match &pass.tool {
                 DrawingTool::Pen(pen) => self.draw(stroke, pen),
                 DrawingTool::Laser(laser) => self.burn(stroke, laser),
@@ -195,12 +195,12 @@ impl<'a> Planner<'a> {
     /// Raises the speeds of a laser to the allowed minimum if rounding and slow corners lowered
     /// them.
     fn raise_burn_speeds(&mut self, begin: usize) {
-        let fastest_mm_s = self.chain.iter().map(|it| it.limit_mm_s);
+        let fastest_mm_s = self.chain.iter().map(|run| run.limit_mm_s);
         if fastest_mm_s.fold(0.0, f64::max) < LEAST_BURN_MM_S.into() {
             return;
         }
         let burned = self.moves[begin..].iter_mut();
-        for vector in burned.filter(|it| it.kind == MoveKind::Burn) {
+        for vector in burned.filter(|vector| vector.kind == MoveKind::Burn) {
             vector.max_speed_mm_s = vector.max_speed_mm_s.max(LEAST_BURN_MM_S);
         }
     }
@@ -213,9 +213,13 @@ impl<'a> Planner<'a> {
             settled.here = settled.endpoint.after(settled.here, vector);
         }
         settled.count = count;
-        self.here = self.moves[count..].iter().fold(settled.here, |here, it| {
-            settled.endpoint.estimate(here, [it.x_mm, it.y_mm, it.z_mm])
-        });
+        self.here = self.moves[count..]
+            .iter()
+            .fold(settled.here, |here, vector| {
+                settled
+                    .endpoint
+                    .estimate(here, [vector.x_mm, vector.y_mm, vector.z_mm])
+            });
     }
 
     /// Plans the remaining vectors and returns all of them.

@@ -47,7 +47,7 @@ impl PlannedVector {
     pub(crate) fn parts(&self, second_mm: f64) -> [Self; 2] {
         let share = second_mm / self.length_mm();
         // Round to whole parts of this size, so that the difference is exact.
-        let second = |it: f32| single((f64::from(it) * share * PARTS_OF_MM).round() / PARTS_OF_MM);
+        let second = |mm: f32| single((f64::from(mm) * share * PARTS_OF_MM).round() / PARTS_OF_MM);
         let [x_mm, y_mm, z_mm] = [self.x_mm, self.y_mm, self.z_mm].map(second);
         let first = Self {
             x_mm: self.x_mm - x_mm,

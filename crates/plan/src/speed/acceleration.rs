@@ -42,7 +42,7 @@ fn ticks(plan: &Plan) -> Vec<[f64; 3]> {
     let (mut places, mut from) = (vec![plan.start], plan.start);
     for (vector, to) in plan.moves.iter().zip(plan.positions()) {
         let (way, length_mm) = (vector.increments(), vector.length_mm());
-        let direction = way.map(|it| it / length_mm);
+        let direction = way.map(|mm| mm / length_mm);
         places.extend(at_ticks(from, direction, &ticker.run(&write(vector))));
         from = to;
     }

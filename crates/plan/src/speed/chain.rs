@@ -142,14 +142,14 @@ impl ChainSpeeds {
         let changed: Vec<bool> = speeds
             .iter()
             .zip(before)
-            .map(|(now, it)| Some(now) != it)
+            .map(|(now, before)| Some(now) != before)
             .collect();
         let shares = SampledMotion::new(chain, &speeds, a).shares(LEAST_SHARE, &changed);
-        for (corner, share) in shares.iter().enumerate().filter(|it| *it.1 < 1.0) {
+        for (corner, share) in shares.iter().enumerate().filter(|share| *share.1 < 1.0) {
             chain[corner].corner_mm_s = speeds[corner].end_mm_s * share.powi(power);
         }
         self.sampled = speeds;
-        shares.iter().any(|it| *it < 1.0)
+        shares.iter().any(|share| *share < 1.0)
     }
 
     fn plan_motion(&mut self, chain: &[ChainVector]) {

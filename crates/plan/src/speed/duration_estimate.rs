@@ -46,7 +46,7 @@ impl DurationEstimator {
     #[must_use]
     pub fn durations_s(&self, increments: impl Iterator<Item = [f64; 3]>) -> Vec<f64> {
         let chain: Vec<ChainVector> = increments
-            .map(|it| ChainVector::of(it, self.speed_mm_s))
+            .map(|increment| ChainVector::of(increment, self.speed_mm_s))
             .collect();
         self.cornering.durations_s(&chain)
     }

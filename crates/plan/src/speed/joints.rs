@@ -36,7 +36,7 @@ impl JointSpeeds {
         if self.is_easy(here, length_mm, wanted_mm_s) {
             return wanted_mm_s;
         }
-        let direction = way.map(|it| it / length_mm);
+        let direction = way.map(|mm| mm / length_mm);
         // The base turns fastest at the closest point to its axis, the two links at the farthest
         // point, which is an end.
         let [x, y, _] = here;
@@ -149,7 +149,7 @@ mod tests {
         while tick < ticks {
             let (from, to) = (at(tick)?, at(tick + 1.0)?);
             let turns = (0..3).map(|i| (to[i] - from[i] + 540.0).rem_euclid(360.0) - 180.0);
-            fastest = turns.map(|it| it.abs() / 0.02).fold(fastest, f64::max);
+            fastest = turns.map(|turn| turn.abs() / 0.02).fold(fastest, f64::max);
             tick += 1.0;
         }
         Some(fastest)
@@ -188,7 +188,7 @@ mod tests {
         ) {
             let (sin, cos) = base_rad.sin_cos();
             let here = [reach_mm * cos, reach_mm * sin, z];
-            let way = way.map(|it| it * share);
+            let way = way.map(|mm| mm * share);
             let far = [0, 1, 2].map(|i| here[i] + way[i]);
             prop_assume!(joints(here).is_some() && joints(far).is_some() && length(way) > 0.01);
             // Closer positions, with the arm folded, are not allowed for drawing.
@@ -209,7 +209,7 @@ mod tests {
             let speeds = JointSpeeds::new(100.0, PEN_MM);
             let (here, length_mm) = ([reach_mm, 0.0, z], length(way));
             prop_assume!(length_mm > 0.01 && speeds.is_easy(here, length_mm, 80.0));
-            let turns = speeds.turn_per_mm(here, way.map(|it| it / length_mm));
+            let turns = speeds.turn_per_mm(here, way.map(|mm| mm / length_mm));
             prop_assert!(turns <= EASY_PER_MM, "{turns}");
         }
     }

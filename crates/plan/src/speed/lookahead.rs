@@ -22,7 +22,7 @@ impl ChainVector {
     pub fn of(increments: [f64; 3], limit_mm_s: f64) -> Self {
         let length_mm = length(increments);
         Self {
-            direction: increments.map(|it| it / length_mm),
+            direction: increments.map(|mm| mm / length_mm),
             length_mm,
             limit_mm_s,
             corner_mm_s: f64::INFINITY,
@@ -248,7 +248,7 @@ impl Junction {
         if self.tangent_mm == 0.0 {
             return 0.0;
         }
-        let [sin, cos] = [1.0 - self.cos, 1.0 + self.cos].map(|it| (0.5 * it).sqrt());
+        let [sin, cos] = [1.0 - self.cos, 1.0 + self.cos].map(|x| (0.5 * x).sqrt());
         let half_turn = sin.atan2(cos);
         let length_mm = self.cap_v2 / acceleration_mm_s2 * half_turn;
         let inner_mm_s = self.speed_mm_s();

@@ -38,7 +38,7 @@ impl Motion {
     ) -> Self {
         let cornering = estimator.cornering;
         let chain: Vec<ChainVector> = increments
-            .map(|it| ChainVector::of(it, estimator.speed_mm_s))
+            .map(|increment| ChainVector::of(increment, estimator.speed_mm_s))
             .collect();
         let mut junctions = Vec::with_capacity(chain.len() + 1);
         cornering.speeds(0.0, &chain, &mut junctions);
@@ -79,7 +79,7 @@ impl Motion {
     /// Returns the distance along the path at a time, in mm.
     #[must_use]
     pub fn gone_mm(&self, t_s: f64) -> f64 {
-        let after = self.vectors.partition_point(|it| it.begin_s <= t_s);
+        let after = self.vectors.partition_point(|vector| vector.begin_s <= t_s);
         after.checked_sub(1).map_or(0.0, |i| {
             let vector = &self.vectors[i];
             let since_s = ((t_s - vector.begin_s) / vector.slower).min(vector.duration_s);
@@ -91,7 +91,9 @@ impl Motion {
     /// Returns the time at a distance along the path, in s.
     #[must_use]
     pub fn reached_s(&self, gone_mm: f64) -> f64 {
-        let after = self.vectors.partition_point(|it| it.begin_mm <= gone_mm);
+        let after = self
+            .vectors
+            .partition_point(|vector| vector.begin_mm <= gone_mm);
         after.checked_sub(1).map_or(0.0, |i| {
             let vector = &self.vectors[i];
             let along_mm = (gone_mm - vector.begin_mm).min(vector.length_mm);

@@ -52,7 +52,7 @@ pub fn respeed(
         ticker: Ticker::of(arm_limits, begin.speed_mm_s),
     };
     vectors
-        .split_inclusive(|it| it.end_speed_mm_s == 0.0)
+        .split_inclusive(|vector| vector.end_speed_mm_s == 0.0)
         .flat_map(|chain| respeeding.chain(chain))
         .collect()
 }
@@ -62,7 +62,9 @@ pub fn respeed(
 #[must_use]
 pub fn end_speed_mm_s(vector: &WriteVector, begin_speed_mm_s: f32, arm_limits: &ArmLimits) -> f32 {
     let ticker = Ticker::of(arm_limits, begin_speed_mm_s);
-    ticker.map_or(vector.end_speed_mm_s, |mut it| it.run(vector).end_mm_s)
+    ticker.map_or(vector.end_speed_mm_s, |mut ticker| {
+        ticker.run(vector).end_mm_s
+    })
 }
 
 struct Respeeding<'a> {
@@ -90,7 +92,7 @@ impl Respeeding<'_> {
         } else {
             slower(chain, self.share)
         };
-        let most = targets.iter().map(|it| it[1]).fold(0.0, f64::max);
+        let most = targets.iter().map(|target| target[1]).fold(0.0, f64::max);
         let most_mm_s = round_down(most).max(self.speed_mm_s);
         let pairs = chain.iter().zip(targets);
         pairs
@@ -134,7 +136,9 @@ impl Respeeding<'_> {
         }
         let mut chain_speeds = ChainSpeeds::new(self.arm_limits);
         let speeds = chain_speeds.plan_from(self.speed_mm_s.into(), &mut runs, Objective::Even);
-        speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
+        speeds
+            .map(|speeds| [speeds.end_mm_s, speeds.max_mm_s])
+            .collect()
     }
 
     /// Records the execution of a vector.
@@ -151,7 +155,7 @@ impl Respeeding<'_> {
 /// Returns the end speed and the maximum speed of each vector at a lower share.
 fn slower(chain: &[WriteVector], share: f64) -> Vec<[f64; 2]> {
     let scaled = |vector: &WriteVector| {
-        [vector.end_speed_mm_s, vector.max_speed_mm_s].map(|it| share * f64::from(it))
+        [vector.end_speed_mm_s, vector.max_speed_mm_s].map(|mm_s| share * f64::from(mm_s))
     };
     chain.iter().map(scaled).collect()
 }
@@ -263,7 +267,7 @@ mod tests {
         let planned = planned(&[(150.0, 0.0), (250.0, 0.0)]);
         assert_eq!(planned[1].max_speed_mm_s, 40.0);
         let faster = respeed(&planned, &begin(0.0), 2.0, &ArmLimits::default());
-        let fastest = faster.iter().map(|it| it.max_speed_mm_s);
+        let fastest = faster.iter().map(|vector| vector.max_speed_mm_s);
         assert_eq!(fastest.fold(0.0, f32::max), 80.0);
         let drawn = &faster[1..faster.len() - 1];
         assert_eq!(drawn[0].start_speed_mm_s, 0.0);
@@ -319,17 +323,17 @@ mod tests {
             let pass = Pass::new(DrawingTool::default(), vec![Stroke::open(points)]);
             let plan = Plan::new(&[pass], &Paper::default(), &arm_limits).unwrap();
             let planned: Vec<WriteVector> = plan.moves.iter().map(crate::path::commands::write).collect();
-            let steeper = |it: &WriteVector| {
-                let z_mm = it.z_mm + slope * it.x_mm.hypot(it.y_mm);
-                WriteVector { z_mm, ..*it }
+            let steeper = |vector: &WriteVector| {
+                let z_mm = vector.z_mm + slope * vector.x_mm.hypot(vector.y_mm);
+                WriteVector { z_mm, ..*vector }
             };
             let steeper: Vec<WriteVector> = planned.iter().map(steeper).collect();
             let next = respeed(&steeper, &begin(at_mm_s), 1.0, &arm_limits);
             prop_assert!(Ticker::new(&arm_limits, at_mm_s).runs_exactly(&next));
             let same = next.iter().zip(&steeper);
-            prop_assert!(same.clone().all(|(it, was)| it.z_mm == was.z_mm));
-            let ends = |it: &WriteVector| it.end_speed_mm_s == 0.0;
-            prop_assert!(same.clone().all(|(it, was)| ends(it) == ends(was)));
+            prop_assert!(same.clone().all(|(vector, was)| vector.z_mm == was.z_mm));
+            let ends = |vector: &WriteVector| vector.end_speed_mm_s == 0.0;
+            prop_assert!(same.clone().all(|(vector, was)| ends(vector) == ends(was)));
         }
 
         #[test]

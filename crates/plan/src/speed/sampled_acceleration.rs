@@ -56,7 +56,7 @@ impl<'a> SampledMotion<'a> {
             for share_of_window in AROUND {
                 let t_s = at_s + share_of_window * WINDOW_S;
                 let moments = [-WINDOW_S, 0.0, WINDOW_S];
-                let [before, now, after] = moments.map(|it| self.at(t_s + it, corner));
+                let [before, now, after] = moments.map(|moment_s| self.at(t_s + moment_s, corner));
                 let turned_mm2 = squared(change(before, now, after));
                 if turned_mm2 > most_mm2 {
                     let seen = &mut shares[self.nearest(t_s, corner) - 1];
@@ -70,16 +70,20 @@ impl<'a> SampledMotion<'a> {
     /// Returns the corners within the sampling window of a changed vector.
     fn corners_near(&self, changed: &[bool]) -> impl Iterator<Item = usize> {
         let mut near = vec![false; self.chain.len()];
-        for vector in (0..near.len()).filter(|&it| changed[it]) {
+        for vector in (0..near.len()).filter(|&vector| changed[vector]) {
             let [from_s, to_s] = [self.begins[vector].0, self.begins[vector + 1].0];
-            let from = self.begins.partition_point(|it| it.0 < from_s - AROUND_S);
-            let to = self.begins.partition_point(|it| it.0 <= to_s + AROUND_S);
+            let from = self
+                .begins
+                .partition_point(|begin| begin.0 < from_s - AROUND_S);
+            let to = self
+                .begins
+                .partition_point(|begin| begin.0 <= to_s + AROUND_S);
             near[from.max(1)..to.min(self.chain.len())].fill(true);
         }
         near.into_iter()
             .enumerate()
-            .filter(|it| it.1)
-            .map(|it| it.0)
+            .filter(|corner| corner.1)
+            .map(|corner| corner.0)
     }
 
     /// Returns the tool position at a time close to a corner. Before the chain the tool moves
@@ -154,10 +158,10 @@ impl TickPositions {
         let mut shares = vec![1.0_f64; self.ends.len()];
         let allowed_mm = sampled_limit_mm(acceleration_mm_s2);
         let last = self.places.len() - 1;
-        let corners = self.ends.split_last().map_or(&[][..], |it| it.1);
+        let corners = self.ends.split_last().map_or(&[][..], |split| split.1);
         let mut corner = 0;
         for tick in (0..=last).take_while(|_| !corners.is_empty()) {
-            let away = |corner: usize| corners.get(corner).map(|it| it.abs_diff(tick));
+            let away = |corner: usize| corners.get(corner).map(|end| end.abs_diff(tick));
             if away(corner + 1).is_some_and(|next| Some(next) <= away(corner)) {
                 corner += 1;
             }

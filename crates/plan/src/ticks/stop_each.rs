@@ -74,13 +74,13 @@ mod tests {
         mut kept_mm_s: f32,
         arm_limits: &ArmLimits,
     ) -> Vec<TickStroke> {
-        let tick_stroke = |it: &WriteVector| {
-            let factor = if is_rapid(it) { 100.0 } else { 1.0 };
+        let tick_stroke = |vector: &WriteVector| {
+            let factor = if is_rapid(vector) { 100.0 } else { 1.0 };
             let tick_stroke = TickStroke::of(
-                it.x_mm,
+                vector.x_mm,
                 kept_mm_s,
-                it.end_speed_mm_s,
-                it.max_speed_mm_s,
+                vector.end_speed_mm_s,
+                vector.max_speed_mm_s,
                 factor * single(arm_limits.acceleration_mm_s2),
             );
             kept_mm_s = tick_stroke.end_mm_s;
@@ -148,14 +148,14 @@ mod tests {
             acceleration_mm_s2 in 20.0..200.0_f64,
             max_mm_s in 1.0..100.0_f32,
             share in 0.1..2.0_f64,
-            kept in prop_oneof![0.0..0.9_f32, (-9.0..0.0_f32).prop_map(|it| 0.9 * 10.0_f32.powf(it))],
+            kept in prop_oneof![0.0..0.9_f32, (-9.0..0.0_f32).prop_map(|power| 0.9 * 10.0_f32.powf(power))],
         ) {
             let arm_limits = ArmLimits { acceleration_mm_s2, ..STOCK };
             let step_mm_s = single(acceleration_mm_s2) * 0.02;
             // From the middle of a stroke.
-            let vector = |it: &f32| WriteVector {
+            let vector = |length_mm: &f32| WriteVector {
                 start_speed_mm_s: 1.0,
-                ..WriteVector::by(*it, 0.0, 0.0, max_mm_s)
+                ..WriteVector::by(*length_mm, 0.0, 0.0, max_mm_s)
             };
             let planned: Vec<_> = lengths_mm.iter().map(vector).collect();
             let vectors = stop_each(&planned, share, &arm_limits);
@@ -165,7 +165,7 @@ mod tests {
                 let most_ticks = 50.0 * vector.x_mm / (0.1 * step_mm_s) + 10.0;
                 let off_mm = tick_stroke.length_mm() - vector.x_mm;
                 prop_assert!(off_mm.abs() < 0.02, "{off_mm} mm: {vector:?}: {tick_stroke:?}");
-                prop_assert!(tick_stroke.counts.iter().all(|it| *it >= 0), "{tick_stroke:?}");
+                prop_assert!(tick_stroke.counts.iter().all(|count| *count >= 0), "{tick_stroke:?}");
                 prop_assert!((1.0..=most_ticks).contains(&f32::from(tick_stroke.ticks())), "{vector:?}: {tick_stroke:?}");
             }
         }

@@ -63,7 +63,7 @@ impl LastPositions {
 
     /// Returns the oldest position and the one a window later.
     fn before_and_now(&self) -> [[f64; 3]; 2] {
-        [0, SAMPLED_TICKS / 2].map(|it| self.places[(self.oldest + it) % SAMPLED_TICKS])
+        [0, SAMPLED_TICKS / 2].map(|age| self.places[(self.oldest + age) % SAMPLED_TICKS])
     }
 }
 
@@ -130,7 +130,7 @@ impl TickChain<'_> {
             }
             let candidate = Candidate::new(&here, self.positions_before(begin, fits));
             let goes_on = |i: usize, candidates: &[Candidate]| {
-                let ends = (i + 1..changed.len().min(i + 1 + MARGIN)).all(|it| !changed[it]);
+                let ends = (i + 1..changed.len().min(i + 1 + MARGIN)).all(|i| !changed[i]);
                 let next = fits.get(i + 1).filter(|_| i >= change && ends)?;
                 let max_cost = candidates[0].cost + MOST_LOSS;
                 candidates.iter().position(|candidate| {
@@ -192,7 +192,7 @@ impl TickChain<'_> {
         }
         let mut fits = Vec::new();
         let mut last = candidates[0].last;
-        while let Some(step) = last.map(|it| &steps[it]) {
+        while let Some(step) = last.map(|step| &steps[step]) {
             fits.push(step.fit);
             last = step.before;
         }
@@ -219,10 +219,11 @@ impl TickChain<'_> {
         let turned = |candidate: &Candidate| {
             let mut candidate = candidate.clone();
             let change = candidate.ticker.step_mm_s();
-            let faster =
-                std::iter::successors(Some(candidate.ticker.stored_mm_s()), |it| Some(it + change));
+            let faster = std::iter::successors(Some(candidate.ticker.stored_mm_s()), |mm_s| {
+                Some(mm_s + change)
+            });
             let most = single(speeds.peak_mm_s);
-            candidate.sample_ticks(self.chain[i].direction, faster.map(|it| it.min(most)));
+            candidate.sample_ticks(self.chain[i].direction, faster.map(|mm_s| mm_s.min(most)));
             candidate.cost + candidate.recovery
         };
         let mut turned: Vec<(f64, Candidate)> = candidates
@@ -230,7 +231,7 @@ impl TickChain<'_> {
             .map(|candidate| (turned(&candidate), candidate))
             .collect();
         turned.sort_by(|a, b| a.0.total_cmp(&b.0));
-        candidates.extend(turned.into_iter().take(ALONG_LONG).map(|it| it.1));
+        candidates.extend(turned.into_iter().take(ALONG_LONG).map(|turned| turned.1));
     }
 
     /// Returns the cheapest candidates after a vector that leave different speeds, the best first.
@@ -480,7 +481,7 @@ mod tests {
             let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
             let ticker = Ticker::new(&arm_limits, 0.0);
             let moves: Vec<PlannedVector> = candidates.into_iter().map(vector).collect();
-            let run = |it: &PlannedVector| ChainVector::of(it.increments(), 40.0);
+            let run = |vector: &PlannedVector| ChainVector::of(vector.increments(), 40.0);
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
             let (over, most_mm_s) = (vec![1.0; moves.len()], vec![40.0; moves.len()]);
             let before: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Objective::Fast).collect();

@@ -69,7 +69,7 @@ impl TickFit {
         if place == MOST_FITS
             || fits[..place]
                 .iter()
-                .any(|it| it.leaves_same_speed(&self, same_share))
+                .any(|other| other.leaves_same_speed(&self, same_share))
         {
             return;
         }
@@ -112,7 +112,7 @@ impl TickTarget {
         let mut fits = Vec::with_capacity(MOST_FITS + 1);
         self.try_slower(stored_mm_s, &mut fits);
         self.try_faster(stored_mm_s, &mut fits);
-        if self.rests && fits.first().is_none_or(|it| self.creeps(it)) {
+        if self.rests && fits.first().is_none_or(|fit| self.creeps(fit)) {
             // At a rest the next vector may arrive late.
             let soon = Self {
                 least_ticks: 1,
@@ -222,7 +222,7 @@ impl TickTarget {
             return;
         }
         let possible_mm_s = self.possible_ends_mm_s(end_mm_s, max_mm_s, &tick_stroke);
-        let apart_mm_s = |it: &f32| (it - tick_stroke.end_mm_s).abs();
+        let apart_mm_s = |mm_s: &f32| (mm_s - tick_stroke.end_mm_s).abs();
         let unsure_mm_s = possible_mm_s.iter().flatten().map(apart_mm_s);
         let unsure = UNSURE * f64::from(unsure_mm_s.fold(0.0, f32::max) / tick_stroke.change_mm_s);
         let cost = self.cost(stored_mm_s, &tick_stroke) + self.slow_burn_cost(slow_mm_s) + unsure;
@@ -333,8 +333,8 @@ impl TickTarget {
         tick_stroke: &TickStroke,
     ) -> Option<[f32; 3]> {
         let possible = |stored_mm_s| self.tick_stroke(stored_mm_s, end_mm_s, max_mm_s);
-        let ends_mm_s = self.possible_mm_s?.map(|it| possible(it).end_mm_s);
-        let is_same = |it: &f32| (it - tick_stroke.end_mm_s).abs() <= KNOWN_MM_S;
+        let ends_mm_s = self.possible_mm_s?.map(|mm_s| possible(mm_s).end_mm_s);
+        let is_same = |mm_s: &f32| (mm_s - tick_stroke.end_mm_s).abs() <= KNOWN_MM_S;
         (!ends_mm_s.iter().all(is_same)).then_some(ends_mm_s)
     }
 
@@ -425,7 +425,9 @@ mod tests {
         // (31 b - 18 * 19) / 50 with b = 36.7 mm/s, which leaves 0.7 mm/s.
         let wanted = target(15.9, [40.0, 0.5, 40.0], false);
         let fits = wanted.fits(40.0);
-        let found = fits.iter().find(|it| it.tick_stroke.counts == [0, 13, 18]);
+        let found = fits
+            .iter()
+            .find(|fit| fit.tick_stroke.counts == [0, 13, 18]);
         let left_mm_s = found.expect("among the choices").tick_stroke.end_mm_s;
         assert!((left_mm_s - 0.68).abs() < 0.01, "{left_mm_s}");
     }
@@ -434,7 +436,7 @@ mod tests {
         #[test]
         fn every_vector_is_as_long_as_it_should_be(
             length_mm in 0.012..150.0_f32,
-            stored in prop_oneof![0.0..60.0_f32, (-9.0..0.0_f32).prop_map(|it| 10.0_f32.powf(it))],
+            stored in prop_oneof![0.0..60.0_f32, (-9.0..0.0_f32).prop_map(|power| 10.0_f32.powf(power))],
             end in 0.0..60.0_f64,
             max in 0.1..80.0_f64,
             rests: bool,
@@ -457,7 +459,7 @@ mod tests {
         #[test]
         fn a_vector_to_a_rest_does_not_creep_however_long_the_link_takes(
             length_mm in 0.012..10.0_f32,
-            stored in (-9.0..0.0_f32).prop_map(|it| 10.0_f32.powf(it)),
+            stored in (-9.0..0.0_f32).prop_map(|power| 10.0_f32.powf(power)),
             max in 0.2..80.0_f64,
             least_ticks in 1..6_i16,
             evenly: bool,

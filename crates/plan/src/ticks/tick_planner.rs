@@ -106,7 +106,7 @@ impl Planner<'_> {
     /// Returns the first of the collinear vectors that end with this one.
     fn straight_start(&self, mut i: usize) -> usize {
         let is_straight = |i: usize| {
-            let [a, b] = [i - 1, i].map(|it| self.chain[it].direction);
+            let [a, b] = [i - 1, i].map(|i| self.chain[i].direction);
             a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() > STRAIGHT_COS
         };
         while i > 0 && is_straight(i) {
@@ -190,7 +190,7 @@ impl Planner<'_> {
     fn slow_corners(&mut self, plan: &mut TickPlan, attempt: &Attempt) {
         let step_mm_s = f64::from(plan.ticker.step_mm_s());
         let shares = attempt.shares.iter().enumerate();
-        for (i, share) in shares.filter(|it| *it.1 < 1.0) {
+        for (i, share) in shares.filter(|share| *share.1 < 1.0) {
             plan.over[i] = (2.0 * plan.over[i]).min(MOST_OVER);
             let slower_mm_s = attempt.speeds[i].end_mm_s * share;
             let stops = plan.over[i] == MOST_OVER && slower_mm_s < step_mm_s;
@@ -223,7 +223,7 @@ impl TickPlan {
         chain: &[ChainVector],
         travel_mm_s: f32,
     ) -> Self {
-        let limits_mm_s: Vec<f64> = chain.iter().map(|it| it.limit_mm_s).collect();
+        let limits_mm_s: Vec<f64> = chain.iter().map(|run| run.limit_mm_s).collect();
         let most_mm_s = round_down(limits_mm_s.iter().copied().fold(0.0, f64::max));
         // From rest, an arm reaches only whole steps of speed, and a laser must not burn slower
         // because of that.
@@ -278,17 +278,20 @@ impl Attempt {
 
     /// Whether the sampled acceleration exceeds the limit.
     fn is_sharp(&self) -> bool {
-        self.shares.iter().any(|it| *it < 1.0)
+        self.shares.iter().any(|share| *share < 1.0)
     }
 
     /// Returns the squared excess of the sampled acceleration, summed over all corners.
     fn sharpness(&self) -> f64 {
-        self.shares.iter().map(|it| (1.0 / it - 1.0).powi(2)).sum()
+        self.shares
+            .iter()
+            .map(|share| (1.0 / share - 1.0).powi(2))
+            .sum()
     }
 
     /// Returns the excess duration as a share of the target.
     fn late_share(&self) -> f64 {
-        let wanted_s: f64 = self.speeds.iter().map(|it| it.duration_s).sum();
+        let wanted_s: f64 = self.speeds.iter().map(|speeds| speeds.duration_s).sum();
         let took_s: f64 = self.fits.iter().map(TickFit::duration_s).sum();
         took_s / wanted_s - 1.0
     }

@@ -164,7 +164,7 @@ impl Ticker {
             })
         };
         let mut possible_mm_s = self.possible_mm_s.iter().flatten();
-        wrong(self.stored_mm_s, true) || possible_mm_s.any(|&it| wrong(it, false))
+        wrong(self.stored_mm_s, true) || possible_mm_s.any(|&mm_s| wrong(mm_s, false))
     }
 
     /// Returns the link credit before each vector of a chain with these fits.

@@ -132,7 +132,7 @@ impl Defaults {
             if let Some(other) = used[..i].iter().find(|other| excludes(&other.id, &one.id)) {
                 let (file, line) = (self.file.display(), one.line);
                 return Err(anyhow!(
-                    "{file}, line {line}: {} and {} exclude each other; give only one",
+                    "{file}, line {line}: {} and {} exclude each other; use only one",
                     one.option,
                     other.option
                 )

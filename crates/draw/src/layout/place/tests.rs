@@ -25,7 +25,7 @@ fn line(points: &[(f64, f64)]) -> Stroke {
 fn right_on_the_sheet_is_to_the_right_of_the_arm_and_down_is_towards_it() {
     let sheet = line(&[(0.0, 0.0), (20.0, 0.0), (20.0, 10.0)]);
     let placed = place(&Placement::default(), sheet).unwrap();
-    // The middle of the area is x 210, y 0.
+    // The centre of the area is x 210, y 0.
     let expected = line(&[(215.0, 10.0), (215.0, -10.0), (205.0, -10.0)]);
     assert_eq!(placed, (vec![expected], 1.0));
 }
@@ -141,7 +141,7 @@ fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
     assert!(
         error
             .to_string()
-            .starts_with("the pen would have to go to x 0.0, y 1"),
+            .starts_with("the pen cannot reach x 0.0, y 1"),
         "{error}"
     );
     assert!(
@@ -169,7 +169,7 @@ fn a_way_through_the_hole_around_the_base_is_reported_from_a_line_through_it() {
         .unwrap_err()
         .to_string();
     assert!(
-        error.starts_with("the way from one stroke to the next leads through x "),
+        error.starts_with("the travel between two strokes passes through x "),
         "{error}"
     );
     assert!(
@@ -191,14 +191,14 @@ fn a_place_beyond_the_reach_is_reported_as_a_place_and_not_as_a_way_however_the_
     assert!(
         error
             .to_string()
-            .starts_with("the pen would have to go to x 330.0, y 0.0"),
+            .starts_with("the pen cannot reach x 330.0, y 0.0"),
         "{error}"
     );
 }
 
 #[test]
 fn a_laser_whose_run_leads_beyond_the_reach_is_reported_to_burn_slower() {
-    // At 100 mm/s it takes some 55 mm to get there.
+    // At 100 mm/s the run-up takes some 55 mm.
     let laser = |burn_speed_mm_s| {
         DrawingTool::Laser(dobot_plan::Laser {
             burn_speed_mm_s,
@@ -221,7 +221,7 @@ fn a_laser_whose_run_leads_beyond_the_reach_is_reported_to_burn_slower() {
         );
         check(20.0, ends).unwrap();
     }
-    // Where the line itself is out of reach no speed helps.
+    // If the line itself is out of reach, no speed helps.
     for ends in [[(250.0, 0.0), (330.0, 0.0)], [(330.0, 0.0), (250.0, 0.0)]] {
         let error = check(20.0, ends).unwrap_err();
         assert!(matches!(error, PlaceError::OutOfReach { .. }), "{error}");
@@ -236,7 +236,7 @@ fn within_320(p: Position) -> Result<(), &'static str> {
     }
 }
 
-/// A page with ink in one corner.
+/// Returns a page with ink in one corner.
 fn page(width_mm: f64, height_mm: f64) -> Artwork {
     let layer = Layer {
         strokes: vec![line(&[(5.0, 5.0), (15.0, 10.0)])],
@@ -294,7 +294,8 @@ fn a_page_whose_ink_reaches_all_its_edges_keeps_its_corner_and_ink_without_a_pag
         let ink = bounds_of_strokes(&placed.layers[0].strokes);
         (ink.x1, ink.y1)
     };
-    // The sheet is 210 mm wide and 148 high, its middle at 225, 0: its upper left corner lies at 299, 105.
+    // The sheet is 210 mm wide and 148 mm high, centred at 225, 0: its upper left corner is at 299,
+    // 105.
     assert_eq!(frame(true), (299.0, 105.0));
     assert_eq!(frame(false), (235.0, 20.0));
 }
@@ -305,13 +306,13 @@ fn a_page_keeps_its_corner_on_the_sheet() {
     let corner = (Point::new(294.0, 100.0), 1.0);
     assert_eq!(first(&on_a5(|_| {}), page(210.0, 148.0)), corner);
     assert_eq!(first(&on_a5(|_| {}), page(85.0, 54.0)), corner);
-    let margin = on_a5(|it| it.margin_mm = 10.0);
+    let margin = on_a5(|placement| placement.margin_mm = 10.0);
     assert_eq!(first(&margin, page(85.0, 54.0)).0, Point::new(284.0, 90.0));
-    // A page larger than the sheet is made to fit, and stays in the corner.
+    // A page larger than the sheet is fitted and stays in the corner.
     let half = first(&on_a5(|_| {}), page(420.0, 148.0));
     assert_eq!(half, (Point::new(296.5, 102.5), 0.5));
     // The right edge of the mirrored page is its left one.
-    let mirrored = on_a5(|it| it.mirrors = true);
+    let mirrored = on_a5(|placement| placement.mirrors = true);
     assert_eq!(
         first(&mirrored, page(85.0, 54.0)).0,
         Point::new(294.0, 25.0)
@@ -320,9 +321,9 @@ fn a_page_keeps_its_corner_on_the_sheet() {
 
 #[test]
 fn what_is_to_fit_a_sheet_fills_it_with_its_ink() {
-    let fitting = on_a5(|it| {
-        it.size = Size::Fit;
-        it.margin_mm = 4.0;
+    let fitting = on_a5(|placement| {
+        placement.size = Size::Fit;
+        placement.margin_mm = 4.0;
     });
     // 10 x 5 mm of ink on 202 x 140 mm.
     let (at, scale) = first(&fitting, page(210.0, 148.0));
@@ -343,7 +344,7 @@ fn what_is_larger_than_the_area_goes_where_the_arm_reaches_all_of_it() {
         placed.x0 >= 130.0 && placed.x1.hypot(100.0) <= 320.0,
         "{placed:?}"
     );
-    // One that is larger is as large as can be.
+    // A larger one becomes as large as possible.
     let within = Placement {
         size: Size::Within,
         ..placement

@@ -1,26 +1,26 @@
-//! What the colours of a picture mean.
+//! The colours of a picture.
 
 use dobot_lettering::ShapeStyle;
 use dobot_plan::Plan;
 
 use crate::output::ink::InkLine;
 
-/// What the colours of the ink mean.
+/// The meaning of the ink's colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Colors {
-    /// How far it lies from the wanted path: green up to half the tolerance, amber up to all of it,
-    /// red and wide beyond.
+    /// The distance from the wanted path: green up to half the tolerance, amber up to the
+    /// tolerance, red and wide beyond.
     Error {
         /// The tolerance, in mm.
         tolerance_mm: f64,
     },
-    /// Which pass left it: the colour that its file tells, darker if it could not be seen on white,
-    /// and one of eight where it tells none.
+    /// The pass: the colour in its file, darkened if it would be invisible on white, or one of
+    /// eight colours.
     Passes,
 }
 
 impl Colors {
-    /// The class of a place: the number of its style.
+    /// Returns the class of a point: the number of its style.
     pub(super) fn class(self, line: &InkLine, point: usize) -> usize {
         let Self::Error { tolerance_mm } = self else {
             return line.pass as usize;
@@ -29,7 +29,7 @@ impl Colors {
         usize::from(error_mm > tolerance_mm / 2.0) + usize::from(error_mm > tolerance_mm)
     }
 
-    /// The colour of a class, and how wide its lines are in mm.
+    /// Returns the colour and line width in mm of a class.
     pub(super) fn style(self, class: usize, plan: &Plan) -> (String, f64) {
         match self {
             Self::Error { .. } => (ERRORS[class].0.to_owned(), ERRORS[class].1),
@@ -37,7 +37,7 @@ impl Colors {
         }
     }
 
-    /// What the legend says of the ink: names and looks.
+    /// Returns the names and styles in the legend.
     pub(super) fn legend(self) -> Vec<(String, ShapeStyle<'static>)> {
         let Self::Error { tolerance_mm } = self else {
             return Vec::new();
@@ -52,9 +52,9 @@ impl Colors {
     }
 }
 
-/// The colour of a pass.
+/// Returns the colour of a pass.
 pub(super) fn pass_color(plan: &Plan, pass: usize) -> String {
-    match plan.passes.get(pass).and_then(|it| it.color) {
+    match plan.passes.get(pass).and_then(|pass| pass.color) {
         Some(color) => {
             let [red, green, blue] = seen_on_white(color);
             format!("#{red:02x}{green:02x}{blue:02x}")
@@ -63,7 +63,7 @@ pub(super) fn pass_color(plan: &Plan, pass: usize) -> String {
     }
 }
 
-/// The colour, darker if it is too bright.
+/// Darkens a colour that is too bright.
 fn seen_on_white(rgb: [u8; 3]) -> [u8; 3] {
     let [red, green, blue] = rgb.map(f64::from);
     let brightness = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
@@ -76,10 +76,10 @@ fn seen_on_white(rgb: [u8; 3]) -> [u8; 3] {
         clippy::cast_sign_loss,
         reason = "less than it was"
     )]
-    [red, green, blue].map(|it| (it * darker) as u8)
+    [red, green, blue].map(|shade| (shade * darker) as u8)
 }
 
-/// Colours that people who do not see all colours tell apart too; the width says it once more.
+/// Colours that can be distinguished with colour blindness; the width is a second cue.
 const ERRORS: [(&str, f64); 3] = [("#007a5a", 0.34), ("#e69f00", 0.42), ("#d1341f", 0.95)];
 const PASSES: [&str; 8] = [
     "#1b2a41", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a5195",
@@ -122,7 +122,7 @@ mod tests {
         let passes = [Some([204, 0, 16]), Some([255, 255, 250]), None].map(pass);
         let plan = Plan::new(&passes, &Paper::default(), &ArmLimits::default()).unwrap();
         assert_eq!(pass_color(&plan, 0), "#cc0010");
-        // All three are as much darker as 130 is than 255.
+        // All three are darkened in the ratio of 130 to 255.
         assert_eq!(pass_color(&plan, 1), "#82827f");
         assert_eq!(pass_color(&plan, 2), PASSES[2]);
     }

@@ -1,4 +1,4 @@
-//! The lines of a picture, sorted by what they are.
+//! The lines of a picture, by kind.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use dobot_geometry::{Line, ParamCurveNearest, Point, Rect};
 
 use crate::output::ink::InkLine;
 
-/// X up, Y to the left.
+/// Converts a point to the picture: X up, Y to the left.
 pub(super) fn on_picture(p: Point) -> Point {
     Point::new(-p.y, -p.x)
 }
@@ -15,12 +15,12 @@ pub(super) fn area_on_picture(area: Rect) -> Rect {
     Rect::new(-area.y1, -area.x1, -area.y0, -area.x0)
 }
 
-/// The points of a line on the picture.
+/// Returns the points of a line on the picture.
 pub(super) fn seen(line: &[Point]) -> impl Iterator<Item = [f64; 2]> {
     line.iter().map(|p| [-p.y, -p.x])
 }
 
-/// The ink in pieces of one class each: where the class changes, one piece ends and another begins.
+/// Splits the ink into pieces of one class each.
 pub(super) fn by_class(
     ink: &[InkLine],
     class: impl Fn(&InkLine, usize) -> usize,
@@ -28,7 +28,7 @@ pub(super) fn by_class(
     let mut pieces: BTreeMap<usize, Vec<Vec<Point>>> = BTreeMap::new();
     for line in ink {
         let points = &line.stroke.points;
-        // A piece between two places is as bad as the worse of them.
+        // The worse end determines the class of a piece.
         let of = |i: usize| class(line, i).max(class(line, (i + 1).min(points.len() - 1)));
         let mut from = 0;
         while from < points.len() {
@@ -46,7 +46,7 @@ pub(super) fn by_class(
     pieces
 }
 
-/// The line without the points that are hardly off the straight way.
+/// Removes points that barely deviate from a straight line.
 fn straightened(points: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = points.first().copied().into_iter().collect();
     let mut here = 0;
@@ -91,7 +91,7 @@ mod tests {
         let class = |line: &InkLine, i: usize| usize::from(line.errors_mm[i] > 0.5);
         by_class(&[ink(errors_mm)], class)
             .into_iter()
-            .flat_map(|(class, pieces)| pieces.into_iter().map(move |it| (class, it)))
+            .flat_map(|(class, pieces)| pieces.into_iter().map(move |piece| (class, piece)))
             .map(|(class, piece)| (class, piece.iter().map(|p| p.x).collect()))
             .collect()
     }

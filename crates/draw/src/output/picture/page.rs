@@ -1,4 +1,4 @@
-//! The page under the lines: what the arm reaches, its base, and the drawing area.
+//! The page below the lines: reach, base and drawing area.
 
 use dobot_geometry::{Point, Rect, steps};
 use dobot_lettering::{Rectangle, ShapeStyle, Sheet, paper_style};
@@ -7,7 +7,7 @@ use super::REACH_MM;
 use super::lines::{area_on_picture, seen};
 use crate::layout::sheet::SheetPlace;
 
-/// The ring that the arm reaches, its base, and the drawing area or the sheet.
+/// Draws the reachable ring, the base, and the drawing area or the sheet.
 pub(super) fn workspace(sheet: &mut Sheet, area: Rect, place: Option<&SheetPlace>, unit: f64) {
     sheet.reach(REACH_MM, [-2.2, 4.2], unit);
     if let Some(place) = place {
@@ -24,17 +24,17 @@ pub(super) fn workspace(sheet: &mut Sheet, area: Rect, place: Option<&SheetPlace
     sheet.path("M-5 0H5M0 -5V5", &ShapeStyle::line("#7d8f9b", 0.5));
 }
 
-/// The sheet, striped where the arm does not reach it.
+/// Draws the sheet, striped where it is out of reach.
 fn drawn_on(sheet: &mut Sheet, place: &SheetPlace) {
     let corners = place.corners();
     let edges: Vec<[f64; 2]> = seen(&corners).collect();
     sheet.area(&edges, &ShapeStyle::area("#ffffff").edged("#7d8f9b", 0.4));
     let stripes = stripes(place);
-    let stripes = stripes.iter().map(|it| seen(it));
+    let stripes = stripes.iter().map(|stripe| seen(stripe));
     sheet.curves(stripes, &ShapeStyle::line("#d98880", 0.35));
 }
 
-/// Lines across a sheet, where the arm does not reach it.
+/// Returns lines across a sheet where it is out of reach.
 fn stripes(place: &SheetPlace) -> Vec<Vec<Point>> {
     let [near, far] = REACH_MM;
     let reached = |p: &Point| (near..=far).contains(&p.to_vec2().length());
@@ -43,8 +43,8 @@ fn stripes(place: &SheetPlace) -> Vec<Vec<Point>> {
     while down_mm < place.size.height_mm {
         let [from, to] = [0.0, place.size.width_mm].map(|x| place.place(Point::new(x, down_mm)));
         let places: Vec<Point> = steps(from, to, 0.5).collect();
-        let pieces = places.split(reached).filter(|it| it.len() > 1);
-        stripes.extend(pieces.map(|it| vec![it[0], it[it.len() - 1]]));
+        let pieces = places.split(reached).filter(|piece| piece.len() > 1);
+        stripes.extend(pieces.map(|piece| vec![piece[0], piece[piece.len() - 1]]));
         down_mm += STRIPES_MM;
     }
     stripes

@@ -1,4 +1,4 @@
-//! The words of a picture: title, legend, figures, and a row for each pass.
+//! The text of a picture: title, legend, statistics, and a row per pass.
 
 use dobot_geometry::Rect;
 use dobot_lettering::paper_style::{INK, MUTED};
@@ -9,7 +9,7 @@ use super::{Colors, Picture, TRAVEL, unit};
 use crate::output::estimate::PassFigures;
 
 impl Picture<'_> {
-    /// Title, legend, figures and passes around the paper.
+    /// Writes title, legend, statistics and passes around the paper.
     pub(super) fn words(&self, sheet: &mut Sheet, paper: Rect) {
         let unit = unit(paper);
         let (left, above, below) = (paper.x0, paper.y0 - 4.5 * unit, paper.y1);
@@ -23,7 +23,7 @@ impl Picture<'_> {
         }
     }
 
-    /// How much room the words below the paper take, in units.
+    /// Returns the height of the text below the paper, in units.
     pub(super) fn words_high(&self) -> f64 {
         let rows = self.rows();
         let table = if rows == 0 {
@@ -42,7 +42,7 @@ impl Picture<'_> {
         }
     }
 
-    /// What the lines mean, right-aligned at a place.
+    /// Draws the legend, right-aligned at a point.
     fn legend(&self, sheet: &mut Sheet, [mut x, y]: [f64; 2], unit: f64) {
         let kind = TextStyle::new(1.9 * unit, MUTED);
         let mut entries = vec![("travel".to_owned(), TRAVEL)];
@@ -56,13 +56,13 @@ impl Picture<'_> {
         }
     }
 
-    /// One pass has its figures above already.
+    /// Returns the number of rows; a single pass needs none because the totals are above.
     fn rows(&self) -> u32 {
         let passes = u32::try_from(self.passes.len()).unwrap_or(u32::MAX);
         if passes < 2 { 0 } else { passes.min(MOST_ROWS) }
     }
 
-    /// A row for each pass: name, strokes, vectors, ink, travel, time and error.
+    /// Draws a row for each pass: name, strokes, vectors, ink, travel, time and error.
     fn table(&self, sheet: &mut Sheet, [left, top]: [f64; 2], wide: f64, unit: f64) {
         let (head, body) = (
             TextStyle::new(1.9 * unit, MUTED),
@@ -95,7 +95,7 @@ impl Picture<'_> {
     }
 }
 
-/// Names to the left, figures in columns to the right.
+/// Writes cells: names on the left, values in columns on the right.
 fn cells(
     sheet: &mut Sheet,
     row: &[String; 7],
@@ -125,7 +125,7 @@ fn row(pass: &PassFigures) -> [String; 7] {
     ]
 }
 
-/// A name that fits into its column.
+/// Shortens a name to its column.
 fn shortened(name: &str) -> String {
     if name.is_empty() {
         return "-".to_owned();
@@ -137,7 +137,7 @@ fn shortened(name: &str) -> String {
     start + ".."
 }
 
-/// Minutes and seconds.
+/// Formats minutes and seconds.
 fn clock(time_s: f64) -> String {
     #[expect(
         clippy::cast_possible_truncation,

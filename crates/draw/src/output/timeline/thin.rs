@@ -1,10 +1,10 @@
-//! Which moments are needed so that what lies between them can be told.
+//! Selection of the moments that are needed to interpolate the others.
 
 use crate::output::trace::{Ink, TracePoint};
 
-/// The moments between which the tool goes straight and evenly: what is left out is never farther
-/// than 0.05 mm from where it would be at that time, and its error no more than 0.02 mm from what
-/// it would be. Where ink begins and ends is told exactly.
+/// Returns the moments between which the tool moves straight at constant speed: omitted moments are
+/// within 0.05 mm of the interpolation, and their errors within 0.02 mm. Starts and ends of ink are
+/// exact.
 pub(super) fn thin(moments: &[TracePoint]) -> impl Iterator<Item = &TracePoint> {
     let mut next = Some(0);
     std::iter::from_fn(move || {
@@ -14,7 +14,7 @@ pub(super) fn thin(moments: &[TracePoint]) -> impl Iterator<Item = &TracePoint> 
     })
 }
 
-/// The farthest moment to which the way from `here` may be told as straight.
+/// Returns the farthest moment to which the path from `here` is straight enough.
 fn last_before_a_bend(moments: &[TracePoint], here: usize) -> usize {
     let most = (moments.len() - 1).min(here + MOST);
     let mut last = here + 1;
@@ -27,14 +27,14 @@ fn last_before_a_bend(moments: &[TracePoint], here: usize) -> usize {
     last
 }
 
-/// Whether nothing begins or ends here.
+/// Whether no line begins or ends here.
 fn goes_on(here: &TracePoint, next: &TracePoint) -> bool {
     here.ink == next.ink && here.ink != Ink::Begin
 }
 
 fn is_straight(way: &[TracePoint]) -> bool {
     let (from, to) = (&way[0], &way[way.len() - 1]);
-    // A line begins with the error of its first point, whatever the way there was.
+    // A line begins with the error of its first point, regardless of the travel before.
     let errs = from.ink != Ink::None && to.ink != Ink::None;
     let span_s = to.t_s - from.t_s;
     way.iter().all(|moment| {
@@ -50,7 +50,7 @@ fn is_straight(way: &[TracePoint]) -> bool {
     })
 }
 
-/// So many moments are looked at at most: a row each 1.3 seconds is little enough.
+/// The maximum number of moments skipped: a row every 1.3 seconds is few enough.
 const MOST: usize = 64;
 const WAY_MM: f64 = 0.05;
 const ERROR_MM: f64 = 0.02;

@@ -1,12 +1,12 @@
-//! Areas filled with their own outline, farther and farther inside.
+//! Concentric hatching: the outline repeated inwards.
 
 use dobot_geometry::{Area, Line, ParamCurveNearest, Point, SegmentIndex, Stroke, bounds};
 
 use super::{Hatch, HatchError};
 use crate::strokes::offset::{SimpleArea, closed};
 
-/// Closed lines inside of each other, so far apart. The edge of the area is drawn already: where no
-/// inset is asked for, the first lies one spacing inside.
+/// Returns nested closed lines at the spacing. The edge of the area is drawn already: without an
+/// inset, the first lies one spacing inside.
 pub(super) fn contours(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
     let first_mm = if hatch.inset_mm > 0.0 {
         hatch.inset_mm
@@ -17,8 +17,8 @@ pub(super) fn contours(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchE
     Ok(levels.into_iter().flatten().map(closed).collect())
 }
 
-/// The same lines, joined: while the pen goes around one it moves on to the next, as far as each has
-/// but one that follows it. The innermost goes all around.
+/// Joins the nested lines to spirals: while the pen goes around one it moves on to the next, as
+/// long as each has a single follower. The innermost is complete.
 ///
 /// ```text
 ///   .-----------.
@@ -52,7 +52,7 @@ pub(super) fn spirals(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchEr
             }
             let is_edge = at.0 == 0 && hatch.inset_mm <= 0.0;
             if points.is_empty() && is_edge {
-                // The edge alone is drawn already.
+                // Only the edge, which is drawn already.
                 continue;
             }
             points.extend(here.iter().chain(here.first()));
@@ -65,8 +65,8 @@ pub(super) fn spirals(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchEr
     Ok(strokes)
 }
 
-/// The rings of the area made smaller by the first distance, then by a spacing more each, until
-/// nothing is left.
+/// Returns the rings of the area reduced by the first distance, then by one more spacing each,
+/// until nothing is left.
 fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Point>>>, HatchError> {
     let ink = bounds(area.rings.iter().flatten().copied());
     let corners: usize = area.rings.iter().map(Vec::len).sum();
@@ -79,9 +79,9 @@ fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Poi
     }
     let whole = SimpleArea::of(area.rings.iter().map(Vec::as_slice), area.rule);
     let (mut levels, mut round) = (Vec::new(), 0.0);
-    // The narrower side is used up after so many, whatever becomes of tips that are thinner than numbers tell.
+    // The narrower side is used up after this number of rounds, even if rounding leaves thin tips.
     while round <= rounds + 1.0 {
-        // Each from the area itself: corners that are rounded again and again have ever more points.
+        // Offset the original area each time: repeated rounding would add ever more corners.
         let rings = whole.offset(-(first_mm + round * spacing_mm), ROUND_MM);
         if rings.is_empty() {
             break;
@@ -92,9 +92,10 @@ fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Poi
     Ok(levels)
 }
 
-/// For each ring the one of the next level that is its only follower, and that follows no other.
+/// Returns for each ring its single follower on the next level, if that follows no other ring.
 fn followers(levels: &[Vec<Vec<Point>>]) -> Vec<Vec<Option<usize>>> {
-    let mut next: Vec<Vec<Option<usize>>> = levels.iter().map(|it| vec![None; it.len()]).collect();
+    let mut next: Vec<Vec<Option<usize>>> =
+        levels.iter().map(|level| vec![None; level.len()]).collect();
     for (level, pair) in levels.windows(2).enumerate() {
         let (owners, edges): (Vec<usize>, Vec<(Point, Point)>) = pair[0]
             .iter()
@@ -117,7 +118,7 @@ fn followers(levels: &[Vec<Vec<Point>>]) -> Vec<Vec<Option<usize>>> {
     next
 }
 
-/// Once around a ring, on the way to the one inside, a spacing from it: at the end there.
+/// Returns a turn around a ring that ends on the inner one, a spacing away.
 fn coil(ring: &[Point], inner: &[Point], spacing_mm: f64) -> Vec<Point> {
     let length_mm: f64 = edges(ring).map(|(a, b)| a.distance(b)).sum();
     let index = SegmentIndex::new(edges(inner).collect());
@@ -129,7 +130,8 @@ fn coil(ring: &[Point], inner: &[Point], spacing_mm: f64) -> Vec<Point> {
             nearest_on((p, q), a).0
         });
         let moved = a.lerp(there, gone_mm / length_mm);
-        // Within a spacing of the ring inside all is area; beyond, as in a thin tip, only the ring itself is for sure.
+        // Within a spacing of the inner ring everything is area; farther away, as in a thin tip,
+        // only the ring itself is certain.
         let is_inside = moved.distance(there) <= spacing_mm;
         points.push(if is_inside { moved } else { a });
         gone_mm += a.distance(b);
@@ -137,7 +139,7 @@ fn coil(ring: &[Point], inner: &[Point], spacing_mm: f64) -> Vec<Point> {
     points
 }
 
-/// The same ring from its place nearest to a point on.
+/// Returns the ring with its start at the place closest to a point.
 fn begun_near(ring: &[Point], p: Point) -> Vec<Point> {
     let near = |&(_, edge): &(usize, (Point, Point))| nearest_on(edge, p).1;
     let nearest = edges(ring)
@@ -150,11 +152,11 @@ fn begun_near(ring: &[Point], p: Point) -> Vec<Point> {
     let behind = &ring[number + 1..];
     let before = &ring[..=number];
     let mut begun = vec![begin];
-    begun.extend(behind.iter().chain(before).filter(|&&it| it != begin));
+    begun.extend(behind.iter().chain(before).filter(|&&p| p != begin));
     begun
 }
 
-/// The place on an edge that is nearest to a point, and its squared distance.
+/// Returns the place on an edge closest to a point, and its squared distance.
 fn nearest_on((a, b): (Point, Point), p: Point) -> (Point, f64) {
     if a == b {
         return (a, (p - a).hypot2());
@@ -168,7 +170,7 @@ fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
     ring.iter().copied().zip(ends.copied())
 }
 
-/// How far a rounded corner may be from round, in mm.
+/// The maximum deviation of a rounded corner, in mm.
 const ROUND_MM: f64 = 0.01;
-/// As many as 100 MB hold.
+/// As many as fit in 100 MB.
 const MOST_CORNERS: u32 = 2_000_000;

@@ -1,18 +1,18 @@
-//! Lines of a hatch, joined to strokes to and fro.
+//! Joining of hatch lines to back-and-forth strokes.
 
 use dobot_geometry::{Point, Rect, SegmentIndex, Stroke};
 
 use super::scan::Span;
 
-/// The parts of the lines to draw, each a stroke of its own.
+/// Returns the visible parts of the lines as separate strokes.
 pub(super) fn each(spans: &[Span]) -> Vec<Stroke> {
-    let drawn = spans.iter().filter(|it| it.line % 2 == 0);
+    let drawn = spans.iter().filter(|span| span.line % 2 == 0);
     drawn
-        .map(|it| Stroke::open(ends(*it, false).to_vec()))
+        .map(|span| Stroke::open(ends(*span, false).to_vec()))
         .collect()
 }
 
-/// Strokes in the making, line by line.
+/// Builds strokes line by line.
 #[derive(Debug)]
 pub(super) struct Joined<'a> {
     spans: &'a [Span],
@@ -23,11 +23,11 @@ pub(super) struct Joined<'a> {
     open: Vec<OpenEnd>,
 }
 
-/// Where a stroke may go on.
+/// The end of a stroke that may continue.
 #[derive(Clone, Copy, Debug)]
 struct OpenEnd {
     stroke: usize,
-    /// It ends at the right end of its line.
+    /// Whether it is the right end of its line.
     right: bool,
 }
 
@@ -52,14 +52,14 @@ impl<'a> Joined<'a> {
             if before + 2 != line[0].line {
                 self.open.clear();
             }
-            let halfway = between.first().is_some_and(|it| it.line == before + 1);
+            let halfway = between.first().is_some_and(|span| span.line == before + 1);
             self.draw(line, if halfway { between } else { &[] });
             before = line[0].line;
         }
         self.strokes
     }
 
-    /// Draws a line: goes on with the strokes that end near its parts, and begins others.
+    /// Adds a line: continues strokes that end near its parts, and begins others.
     fn draw(&mut self, line: &[Span], between: &[Span]) {
         let mut drawn = vec![false; line.len()];
         let mut open = Vec::with_capacity(line.len());
@@ -85,8 +85,8 @@ impl<'a> Joined<'a> {
         self.open = open;
     }
 
-    /// The part of the line that the end of a stroke can go on with: the one with the nearest end
-    /// on the same side, if the way there is short and inside.
+    /// Returns the part of the line with which a stroke can continue: the one whose end on the same
+    /// side is closest, if the connection is short and inside.
     fn next(&self, end: OpenEnd, line: &[Span], between: &[Span], drawn: &[bool]) -> Option<usize> {
         let here = self.strokes[end.stroke].last()?;
         let side = |span: &Span| if end.right { span.to } else { span.from };
@@ -118,7 +118,7 @@ impl<'a> Joined<'a> {
     }
 }
 
-/// The ends of a part of a line, in the order in which they are drawn.
+/// Returns the ends of a part of a line, in drawing order.
 const fn ends(span: Span, from_right: bool) -> [Point; 2] {
     let (left, right) = (Point::new(span.from, span.y), Point::new(span.to, span.y));
     if from_right {
@@ -128,14 +128,14 @@ const fn ends(span: Span, from_right: bool) -> [Point; 2] {
     }
 }
 
-/// Whether a way meets an edge between its ends, be it only the edge's end.
+/// Whether a path meets an edge between its ends, including the edge's own ends.
 fn meets(way: (Point, Point), edge: (Point, Point)) -> bool {
     let [from, to] = sides(edge, way);
     let [one, other] = sides(way, edge);
     from * to < 0 && one != other
 }
 
-/// On which side of the line through a segment the ends of another lie; 0 for on it.
+/// Returns the sides of a segment's line on which the ends of another lie; 0 if on the line.
 fn sides((a, b): (Point, Point), (p, q): (Point, Point)) -> [i8; 2] {
     let along = b - a;
     let touch = TOUCH_MM * along.length();
@@ -146,6 +146,6 @@ fn sides((a, b): (Point, Point), (p, q): (Point, Point)) -> [i8; 2] {
     })
 }
 
-/// The way to the next line may be this many spacings long.
+/// The maximum length of a connection to the next line, in spacings.
 const JOIN_SPACINGS: f64 = 3.0;
 const TOUCH_MM: f64 = 1e-9;

@@ -1,24 +1,24 @@
-//! Which parts of parallel lines lie inside of rings.
+//! Intersection of parallel lines with the inside of rings.
 
 use dobot_geometry::{FillRule, Point};
 
 use super::HatchError;
 
-/// Rings cut by lines along x. The lines to draw have even numbers; halfway between them lie odd
-/// ones, which tell whether the way from one to the next is inside.
+/// Rings intersected with lines along x. The lines to draw have even numbers; the odd ones halfway
+/// between decide whether a connection is inside.
 #[derive(Debug)]
 pub(super) struct Scan {
     /// The edges of all rings.
     pub(super) edges: Vec<(Point, Point)>,
-    /// What counts as inside.
+    /// The rule for the inside.
     pub(super) rule: FillRule,
-    /// How far apart the lines to draw are.
+    /// The spacing of the lines to draw.
     pub(super) spacing_mm: f64,
-    /// How far they stay away from the edges.
+    /// The distance of the lines from the edges.
     pub(super) inset_mm: f64,
 }
 
-/// The part of a line that lies inside.
+/// A part of a line that lies inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Span {
     /// Even for a line to draw.
@@ -29,7 +29,7 @@ pub(super) struct Span {
 }
 
 impl Scan {
-    /// The parts that lie inside, by line and from left to right.
+    /// Returns the parts inside, by line and from left to right.
     pub(super) fn spans(&self) -> Result<Vec<Span>, HatchError> {
         self.check_count()?;
         let mut events = Vec::new();
@@ -58,8 +58,8 @@ impl Scan {
         Err(HatchError::TooMany { crossings, most })
     }
 
-    /// The first line at or above a height. Edges own the lines from their lower end up to, but
-    /// without, their upper one, so that rings are tight at their corners.
+    /// Returns the first line at or above a height. Edges own the lines from their lower end up to,
+    /// but excluding, their upper one, so that rings are tight at their corners.
     #[expect(clippy::cast_possible_truncation, reason = "few lines, as was checked")]
     fn first_line(&self, y: f64) -> i64 {
         (2.0 * y / self.spacing_mm).ceil() as i64 - 1
@@ -70,7 +70,7 @@ impl Scan {
         (line + 1) as f64 * self.spacing_mm / 2.0
     }
 
-    /// Where lines cross an edge.
+    /// Adds the crossings of lines with an edge.
     fn cross(&self, (a, b): (Point, Point), events: &mut Vec<Event>) {
         let (low, high, winding) = if a.y < b.y { (a, b, 1) } else { (b, a, -1) };
         for line in self.first_line(low.y)..self.first_line(high.y) {
@@ -84,7 +84,7 @@ impl Scan {
         }
     }
 
-    /// Where lines are too near to an edge.
+    /// Adds the parts of lines that are too close to an edge.
     fn block(&self, (a, b): (Point, Point), events: &mut Vec<Event>) {
         let (low, high) = (a.y.min(b.y) - self.inset_mm, a.y.max(b.y) + self.inset_mm);
         for line in self.first_line(low)..self.first_line(high) {
@@ -101,8 +101,8 @@ impl Scan {
         }
     }
 
-    /// The part of the line at height `y` that is nearer to an edge than the inset: what it has in
-    /// common with discs around the ends and the rectangle between them.
+    /// Returns the part of the line at height `y` that is closer to an edge than the inset: its
+    /// intersection with discs around the ends and the rectangle between them.
     fn near(&self, (a, b): (Point, Point), y: f64) -> Option<(f64, f64)> {
         let discs = [a, b].into_iter().filter_map(|p| {
             let half2 = self.inset_mm * self.inset_mm - (y - p.y) * (y - p.y);
@@ -122,7 +122,7 @@ impl Scan {
         })
     }
 
-    /// Goes along one line and notes what is inside.
+    /// Sweeps along a line and records the parts inside.
     fn sweep(&self, events: &[Event], spans: &mut Vec<Span>) {
         let (mut winding, mut blocked) = (0_i32, 0_i32);
         let first = spans.len();
@@ -150,16 +150,16 @@ impl Scan {
     }
 }
 
-/// What happens on a line at one place.
+/// An event at a place on a line.
 #[derive(Clone, Copy, Debug)]
 struct Event {
     line: i64,
     x: f64,
-    /// An edge that goes up or down.
+    /// The winding change at an edge.
     winding: i8,
-    /// An edge comes near, or is left behind.
+    /// The start or end of a blocked part close to an edge.
     blocked: i8,
 }
 
-/// As many as 100 MB hold.
+/// As many as fit in 100 MB.
 const MOST_CROSSINGS: u32 = 2_000_000;

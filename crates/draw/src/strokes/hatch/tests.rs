@@ -31,7 +31,7 @@ fn length_mm(strokes: &[Stroke]) -> f64 {
     strokes.iter().map(Stroke::length_mm).sum()
 }
 
-/// Whether a point is inside by the rule, or within a hair of the border.
+/// Whether a point is inside by the rule, or extremely close to the border.
 fn holds(area: &Area, p: Point) -> bool {
     let edges = || {
         let rings = area.rings.iter();
@@ -108,7 +108,7 @@ fn lines_that_stay_apart_are_the_same_lines_each_for_itself() {
         ..along_x(1.0)
     };
     let strokes = hatch(&ringed, &apart).unwrap();
-    assert!(strokes.iter().all(|it| it.points.len() == 2));
+    assert!(strokes.iter().all(|stroke| stroke.points.len() == 2));
     let level = |strokes: &[Stroke]| -> f64 {
         let segments = strokes.iter().flat_map(Stroke::segments);
         let level = segments.filter(|(a, b)| (a.y - b.y).abs() < 1e-9);
@@ -126,7 +126,7 @@ fn wound(style: HatchStyle, spacing_mm: f64) -> Hatch {
     }
 }
 
-/// How far a point is from the nearest line.
+/// Returns the distance of a point from the nearest line.
 fn far_from(strokes: &[Stroke], p: Point) -> f64 {
     let pieces = strokes.iter().flat_map(Stroke::segments);
     let far2 = pieces.map(|(a, b)| Line::new(a, b).nearest(p, 0.0).distance_sq);
@@ -137,10 +137,13 @@ fn far_from(strokes: &[Stroke], p: Point) -> f64 {
 fn concentric_lines_are_the_outline_farther_and_farther_inside() {
     let settings = wound(HatchStyle::Concentric, 1.0);
     let strokes = hatch(&area(&[SQUARE], FillRule::NonZero), &settings).unwrap();
-    let mut lengths: Vec<f64> = strokes.iter().map(|it| it.length_mm().round()).collect();
+    let mut lengths: Vec<f64> = strokes
+        .iter()
+        .map(|stroke| stroke.length_mm().round())
+        .collect();
     lengths.sort_by(f64::total_cmp);
     assert_eq!(lengths, [8.0, 16.0, 24.0, 32.0]);
-    assert!(strokes.iter().all(|it| it.closed));
+    assert!(strokes.iter().all(|stroke| stroke.closed));
 }
 
 #[test]
@@ -153,12 +156,13 @@ fn concentric_lines_go_around_holes_and_begin_at_the_inset() {
     let strokes = hatch(&ringed, &settings).unwrap();
     let bounds = dobot_geometry::bounds_of_strokes(&strokes);
     assert!((bounds.x0 - 0.25).abs() < 1e-3 && (bounds.x1 - 9.75).abs() < 1e-3);
-    for p in strokes.iter().flat_map(|it| &it.points) {
+    for p in strokes.iter().flat_map(|stroke| &stroke.points) {
         // Corners are rounded.
         let beside = |at: f64| (3.0 - at).max(at - 7.0).max(0.0);
         assert!(beside(p.x).hypot(beside(p.y)) > 0.24, "{p:?}");
     }
-    // 0.25, 0.75, 1.25: where the hole is nearest, three millimetres hold three lines on each side.
+    // 0.25, 0.75, 1.25: at the closest point of the hole, three millimetres hold three lines on
+    // each side.
     assert!(strokes.len() >= 6, "{}", strokes.len());
 }
 
@@ -259,7 +263,7 @@ fn more_lines_than_memory_holds_are_refused() {
     assert!(matches!(error, HatchError::TooMany { .. }), "{error}");
 }
 
-/// Corners on a coarse grid, where edges meet lines and each other in every bad way, or anywhere.
+/// Corners on a coarse grid, where edges meet lines and each other in degenerate ways, or anywhere.
 fn rings() -> impl Strategy<Value = Vec<Vec<Point>>> {
     let coarse = (0..9_i32, 0..9_i32).prop_map(|(x, y)| Point::new(f64::from(x), f64::from(y)));
     let fine = (0.0..9.0_f64, 0.0..9.0_f64).prop_map(|(x, y)| Point::new(x, y));
@@ -341,6 +345,6 @@ fn outlines(area: &Area) -> Vec<Stroke> {
     let closed = |ring: &Vec<Point>| ring.iter().chain(ring.first()).copied().collect();
     area.rings
         .iter()
-        .map(|it| Stroke::open(closed(it)))
+        .map(|ring| Stroke::open(closed(ring)))
         .collect()
 }

@@ -1,11 +1,11 @@
-//! A tour to begin with: the shortest ways first.
+//! Construction of an initial tour: the shortest edges first.
 
 use dobot_geometry::SegmentIndex;
 
 use super::nodes::Nodes;
 
-/// Joins nodes with the shortest ways between neighbours, as long as no node gets more than two and
-/// no ring closes, and then the fragments, each time the nearest.
+/// Joins nodes by the shortest edges between neighbours, as long as no node gets more than two and
+/// no ring closes, and then joins the fragments, each time the nearest.
 pub(super) fn greedy(nodes: &Nodes) -> Vec<u32> {
     let mut fragments = Fragments::new(nodes);
     for (a, b) in shortest_first(nodes) {
@@ -17,12 +17,13 @@ pub(super) fn greedy(nodes: &Nodes) -> Vec<u32> {
 fn shortest_first(nodes: &Nodes) -> Vec<(u32, u32)> {
     let mut ways = Vec::new();
     for a in 0..nodes.end() {
-        for b in nodes.near(a).iter().map(|it| it.node) {
-            // Of two that know each other the smaller one tells; equal: no neighbour.
-            if a < b || (a > b && !nodes.near(b).iter().any(|it| it.node == a)) {
+        for b in nodes.near(a).iter().map(|near| near.node) {
+            // Of two mutual neighbours only the smaller one adds the edge; a node listed as its own
+            // neighbour is a filler.
+            if a < b || (a > b && !nodes.near(b).iter().any(|near| near.node == a)) {
                 #[expect(clippy::cast_possible_truncation, reason = "only to sort by it")]
                 let length = (nodes.point(b) - nodes.point(a)).length() as f32;
-                // Numbers that are not negative sort as their bits do.
+                // Non-negative floats sort like their bits.
                 ways.push((length.to_bits(), a, b));
             }
         }
@@ -31,16 +32,16 @@ fn shortest_first(nodes: &Nodes) -> Vec<(u32, u32)> {
     ways.into_iter().map(|(_, a, b)| (a, b)).collect()
 }
 
-/// Fragments of a tour.
+/// The fragments of a tour.
 struct Fragments {
-    /// The up to two neighbours of each node.
+    /// Up to two neighbours of each node.
     joined: Vec<[u32; 2]>,
-    /// For the end of a fragment its other end.
+    /// For each end of a fragment, the other end.
     other_end: Vec<u32>,
 }
 
 impl Fragments {
-    /// Every stroke is a fragment; the way to the start is taken already.
+    /// Creates a fragment per stroke; the edge to the start is set already.
     fn new(nodes: &Nodes) -> Self {
         let mut fragments = Self {
             joined: vec![[NONE; 2]; nodes.len() as usize],
@@ -73,7 +74,7 @@ impl Fragments {
         self.other_end[far_b as usize] = far_a;
     }
 
-    /// From the start through all fragments.
+    /// Returns a tour from the start through all fragments.
     fn in_a_row(&self, nodes: &Nodes) -> Vec<u32> {
         let ends: Vec<u32> = (0..nodes.end())
             .filter(|&node| self.has_room(node) && node != nodes.start())

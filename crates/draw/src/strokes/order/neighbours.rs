@@ -1,12 +1,12 @@
-//! The neighbours that a search tries to join a node with.
+//! The candidate neighbours of each node in the search.
 
 use std::collections::HashMap;
 
 use dobot_geometry::{BoxTree, Point};
 
-/// The nearest few of every node, the nearest first, and then the nearest of those beyond with which a triangulation
-/// joins it: shapes that are dense inside have to know each other. Never the node's mate; where there are fewer, the
-/// node itself stands in.
+/// Returns the nearest nodes of every node, nearest first, followed by the nearest of the others
+/// joined with it by a triangulation: dense groups of nodes need links to each other. A node's mate
+/// is never included; missing neighbours are filled with the node itself.
 pub(super) fn near(tree: &BoxTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> {
     let net = Net::new(at);
     (0..)
@@ -17,8 +17,8 @@ pub(super) fn near(tree: &BoxTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR
             near[..NEAREST].copy_from_slice(&nearest(tree, at, p, not));
             let mut beyond: Vec<(f64, u32)> = net
                 .joined(node)
-                .filter(|it| !not.contains(it) && !near.contains(it))
-                .map(|it| (at[it as usize].distance_squared(p), it))
+                .filter(|other| !not.contains(other) && !near.contains(other))
+                .map(|other| (at[other as usize].distance_squared(p), other))
                 .collect();
             beyond.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
             for (slot, (_, other)) in near[NEAREST..].iter_mut().zip(beyond) {
@@ -29,11 +29,11 @@ pub(super) fn near(tree: &BoxTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR
         .collect()
 }
 
-/// The nearest of all.
+/// Returns the nearest nodes.
 fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [u32; NEAREST] {
     let mut found = [(f64::INFINITY, not[0]); NEAREST];
     tree.around(p, f64::INFINITY, &|_, _| true, &mut |others| {
-        for other in others.filter(|it| !not.contains(it)) {
+        for other in others.filter(|other| !not.contains(other)) {
             let distance2 = at[other as usize].distance_squared(p);
             if distance2 >= found[NEAREST - 1].0 {
                 continue;
@@ -50,13 +50,14 @@ fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [u32; NEARE
     found.map(|(_, other)| other)
 }
 
-/// Triangles between the nodes (Delaunay's): the shortest way between any two groups of nodes is a side of one.
+/// A Delaunay triangulation of the nodes: the shortest edge between any two groups of nodes is one
+/// of its sides.
 struct Net {
-    /// For each node the number of its place: several may lie at one.
+    /// The place of each node; several nodes may share a place.
     place: Vec<u32>,
-    /// For each place the first node there.
+    /// The first node at each place.
     node: Vec<u32>,
-    /// The sides of the triangles as pairs of places, each in both directions, in order.
+    /// The sides of the triangles as pairs of places, in both directions, sorted.
     sides: Vec<(u32, u32)>,
 }
 
@@ -72,15 +73,21 @@ impl Net {
             })
         });
         let place = place.collect();
-        let places = node.iter().map(|&it: &u32| {
-            let Point { x, y } = at[it as usize];
+        let places = node.iter().map(|&node: &u32| {
+            let Point { x, y } = at[node as usize];
             delaunator::Point { x, y }
         });
         let net = delaunator::triangulate(&places.collect::<Vec<_>>());
         let corners = net.triangles.chunks_exact(3);
-        let sides = corners.flat_map(|it| [(it[0], it[1]), (it[1], it[2]), (it[2], it[0])]);
-        // Where all lie on a line there are no triangles, but still a hull.
-        let hull = net.hull.windows(2).map(|it| (it[0], it[1]));
+        let sides = corners.flat_map(|triangle| {
+            [
+                (triangle[0], triangle[1]),
+                (triangle[1], triangle[2]),
+                (triangle[2], triangle[0]),
+            ]
+        });
+        // Collinear points have no triangles, but a hull.
+        let hull = net.hull.windows(2).map(|pair| (pair[0], pair[1]));
         let sides = sides.chain(hull).flat_map(|(a, b)| [(a, b), (b, a)]);
         let mut sides: Vec<_> = sides.map(|(a, b)| (index(a), index(b))).collect();
         sides.sort_unstable();
@@ -88,7 +95,7 @@ impl Net {
         Self { place, node, sides }
     }
 
-    /// The nodes with which a node is joined.
+    /// Returns the nodes joined with a node.
     fn joined(&self, node: u32) -> impl Iterator<Item = u32> {
         let place = self.place[node as usize];
         let begin = self.sides.partition_point(|side| side.0 < place);
@@ -102,7 +109,7 @@ fn index(place: usize) -> u32 {
     u32::try_from(place).expect("fewer than the nodes")
 }
 
-/// How many neighbours a node has.
+/// The number of neighbours of a node.
 pub(super) const NEAR: usize = NEAREST + 4;
 const NEAREST: usize = 7;
 
@@ -117,7 +124,7 @@ mod tests {
         let alone: Vec<u32> = (0..).take(points.len()).collect();
         let found = near(&tree, &points, &alone);
         points.iter().zip(found).any(|(p, near)| {
-            let is_other = |it: u32| other.contains(&points[it as usize]);
+            let is_other = |node: u32| other.contains(&points[node as usize]);
             one.contains(p) && near.into_iter().any(is_other)
         })
     }

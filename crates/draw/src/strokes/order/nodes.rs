@@ -1,4 +1,4 @@
-//! The ends of the strokes as the nodes of a tour.
+//! The ends of the strokes as nodes of a tour.
 
 use dobot_geometry::{BoxTree, Point, Random, Stroke};
 
@@ -7,22 +7,22 @@ use super::stops::Stop;
 use super::travel::{Fare, Travel};
 
 /// The nodes: two for a stroke that may be drawn from either end, one for a dot or a closed stroke,
-/// one for where the pen comes from, and one that ends the tour.
+/// one for the pen's start, and one that ends the tour.
 #[derive(Debug)]
 pub(super) struct Nodes {
-    /// Where they are, neighbours close together; the last one, which ends the tour, is nowhere
-    /// (NaN): the way to it costs nothing.
+    /// The positions, with neighbours close together in memory. The last one, which ends the tour,
+    /// is NaN, so that the way to it costs nothing.
     at: Vec<Point>,
-    /// The other end of the same stroke; a node by itself is its own.
+    /// The other end of the same stroke, or the node itself.
     mate: Vec<u32>,
-    /// The stroke, and the point of it that the node stands for.
+    /// The stroke and its point represented by the node.
     stops: Vec<Stop>,
-    /// The nearest few of each.
+    /// The nearest neighbours of each node.
     near: Vec<[Near; NEAR]>,
     fare: Fare,
 }
 
-/// A neighbour, and what the way to it costs.
+/// A neighbour and the cost of the way to it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Near {
     pub(super) node: u32,
@@ -30,9 +30,9 @@ pub(super) struct Near {
 }
 
 impl Nodes {
-    /// The nodes of strokes in an order, each with the point where it begins.
+    /// Creates the nodes of ordered strokes with their starts.
     pub(super) fn new(strokes: &[Stroke], way: &[Stop], start: Point, travel: Travel) -> Self {
-        // Each node with its place, its stroke (or none) and the point of it.
+        // The position, stroke (if any) and point of each node.
         let mut stops = vec![(
             start,
             Stop {
@@ -52,9 +52,9 @@ impl Nodes {
         let fare = Fare::of(travel);
         let near = (0..).zip(near(&tree, &at, &mates(&stops, strokes.len())));
         let near = near.map(|(node, near)| {
-            near.map(|it| Near {
-                node: it,
-                cost: way_cost(fare, &at, node, it),
+            near.map(|neighbour| Near {
+                node: neighbour,
+                cost: way_cost(fare, &at, node, neighbour),
             })
         });
         let near = near.collect();
@@ -72,12 +72,12 @@ impl Nodes {
         }
     }
 
-    /// How many there are, with the start and the end.
+    /// Returns the number of nodes, including start and end.
     pub(super) fn len(&self) -> u32 {
         u32::try_from(self.at.len()).expect("the tree has numbered them with 32 bits")
     }
 
-    /// What the way between two nodes costs.
+    /// Returns the cost of the way between two nodes.
     #[inline]
     pub(super) fn cost(&self, a: u32, b: u32) -> f64 {
         way_cost(self.fare, &self.at, a, b)
@@ -89,14 +89,14 @@ impl Nodes {
         self.mate[a as usize] == b
     }
 
-    /// The nearest few, beginning with the nearest; never the other end of the same stroke. Where
-    /// there are fewer, the node itself stands in.
+    /// Returns the nearest neighbours in order, without the other end of the same stroke; missing
+    /// ones are filled with the node itself.
     #[inline]
     pub(super) fn near(&self, node: u32) -> &[Near] {
         self.near.get(node as usize).map_or(&[], |near| near)
     }
 
-    /// A neighbour of a node, or the other end of that neighbour's stroke.
+    /// Returns a random neighbour of a node, or the other end of that neighbour's stroke.
     pub(super) fn neighbour(&self, node: u32, random: &mut Random) -> Option<u32> {
         let near = self.near(node);
         let count = u32::try_from(near.len()).expect("a handful");
@@ -118,12 +118,12 @@ impl Nodes {
         self.len() - 1
     }
 
-    /// Where the pen comes from: the start is joined with the end, as if the two were a stroke.
+    /// Returns the start of the pen, which is joined with the end as if both were a stroke.
     pub(super) fn start(&self) -> u32 {
         self.mate(self.end())
     }
 
-    /// The tour that goes through the strokes in an order.
+    /// Returns the tour through the strokes in an order.
     pub(super) fn tour(&self, way: &[Stop]) -> Vec<u32> {
         let most = way.iter().map(|stop| stop.stroke).max().unwrap_or(0);
         let mut of_stroke = vec![NONE; most as usize + 1];
@@ -146,7 +146,7 @@ impl Nodes {
         tour
     }
 
-    /// The order that a tour goes through the strokes.
+    /// Returns the order of the strokes in a tour.
     pub(super) fn way(&self, tour: &[u32]) -> Vec<Stop> {
         let start = tour.iter().position(|&node| node == self.start());
         let start = start.expect("a tour passes its start");
@@ -173,11 +173,11 @@ impl Nodes {
 #[inline]
 fn way_cost(fare: Fare, at: &[Point], a: u32, b: u32) -> f64 {
     let way = at[b as usize] - at[a as usize];
-    // `max` takes the number where the other one is NaN: the way to the end costs nothing.
+    // `max` returns the number if the other value is NaN: the way to the end costs nothing.
     fare.cost(way.hypot2().sqrt().max(0.0))
 }
 
-/// For each node the other one with the same stroke, or itself.
+/// Returns for each node the other node of the same stroke, or itself.
 fn mates(stops: &[Stop], strokes: usize) -> Vec<u32> {
     let mut mate: Vec<u32> = (0..).take(stops.len()).collect();
     let mut first = vec![NONE; strokes + 1];

@@ -1,33 +1,37 @@
-//! Strokes in a row, and what the ways between them cost if each is begun at the end that suits.
+//! A sequence of strokes with the cost of the travel between them, given the best direction of each
+//! stroke.
 
 use super::nodes::Nodes;
 
-/// The strokes in an order that begins with the start. Of any part of it, backwards or not, it knows at once what the
-/// ways cost, whichever ends are used.
+/// An order of strokes that begins with the start. The travel cost of any part, in either direction
+/// and for all directions of its end strokes, is available in logarithmic time.
 #[derive(Clone, Debug)]
 pub(super) struct Row<'a> {
     nodes: &'a Nodes,
-    /// For each stroke the node where it is begun if it is not turned; the first is the start.
+    /// The start node of each stroke if it is not reversed; the first is the pen's start.
     begins: Vec<u32>,
-    /// For each node where its stroke stands in the row.
+    /// The position in the order of each node's stroke.
     places: Vec<u32>,
-    /// The ways to each stroke from the one before.
+    /// The costs from each stroke's predecessor.
     gaps: Vec<Ways>,
-    /// A tree: the ways through a part are those through its two halves and the gap between. The root is at 1; the
-    /// last half are the single strokes, filled up to a power of two.
+    /// A segment tree: the costs through a part are combined from its two halves and the gap
+    /// between them. The root has index 1; the last half are the single strokes, padded to a power
+    /// of two.
     parts: Vec<Ways>,
-    /// What the way to each stroke costs as all are turned now, and nothing after the last.
+    /// The current cost of the travel to each stroke; 0 after the last.
     costs: Vec<f64>,
     cost: f64,
     is_turned: Vec<bool>,
-    /// For each stroke how the one before is turned best if this one is not, and if it is.
+    /// For each stroke the best direction of its predecessor, if this one is not reversed and if it
+    /// is.
     before: Vec<[u8; 2]>,
 }
 
-/// What the ways through a part cost: with its first stroke as it is or turned, and its last as it is or turned.
+/// The travel costs through a part, by the directions of its first and last stroke: not reversed or
+/// reversed.
 type Ways = [[f64; 2]; 2];
 
-/// The strokes from one place to before another.
+/// The strokes of a half-open range of positions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
     pub(super) from: usize,
@@ -36,7 +40,7 @@ pub(super) struct Part {
 }
 
 impl<'a> Row<'a> {
-    /// The strokes of a tour.
+    /// Creates the order of a tour.
     pub(super) fn new(nodes: &'a Nodes, tour: &[u32]) -> Self {
         let begins = begins(nodes, tour);
         let count = begins.len();
@@ -61,7 +65,7 @@ impl<'a> Row<'a> {
         row
     }
 
-    /// The tour through the strokes.
+    /// Returns the tour through the strokes.
     pub(super) fn tour(&self) -> Vec<u32> {
         let mut tour = vec![self.nodes.start()];
         for (&begin, &turned) in self.begins.iter().zip(&self.is_turned).skip(1) {
@@ -75,32 +79,32 @@ impl<'a> Row<'a> {
         tour
     }
 
-    /// How many strokes there are, with the start.
+    /// Returns the number of strokes, including the start.
     pub(super) const fn len(&self) -> usize {
         self.begins.len()
     }
 
-    /// What all ways cost.
+    /// Returns the total travel cost.
     pub(super) const fn cost(&self) -> f64 {
         self.cost
     }
 
-    /// What the way to a stroke costs; nothing after the last.
+    /// Returns the cost of the travel to a stroke; 0 after the last.
     pub(super) fn way(&self, place: usize) -> f64 {
         self.costs[place]
     }
 
-    /// A node of a stroke.
+    /// Returns a node of a stroke.
     pub(super) fn node(&self, place: usize) -> u32 {
         self.begins[place]
     }
 
-    /// Where the stroke of a node stands.
+    /// Returns the position of a node's stroke.
     pub(super) fn place(&self, node: u32) -> usize {
         self.places[node as usize] as usize
     }
 
-    /// The least that a way between two strokes costs; nothing after the last.
+    /// Returns the minimum cost of the travel between two strokes; 0 after the last.
     pub(super) fn least(&self, a: usize, b: usize) -> f64 {
         if a >= self.len() || b >= self.len() {
             return 0.0;
@@ -114,7 +118,7 @@ impl<'a> Row<'a> {
         least
     }
 
-    /// What all ways would cost if these parts, which make up the row, came in this order.
+    /// Returns the total cost if the parts, which must cover the order, were arranged like this.
     pub(super) fn cost_of(&self, parts: &[Part]) -> f64 {
         let mut ways = NONE;
         let mut last = None;
@@ -127,7 +131,8 @@ impl<'a> Row<'a> {
         least(&ways)
     }
 
-    /// Puts parts, which make up the row, in this order. The first, with the start, and the last stay where they are.
+    /// Rearranges the parts, which must cover the order. The first one, with the start, and the
+    /// last one keep their positions.
     pub(super) fn put(&mut self, parts: &[Part]) {
         let [first, moved @ .., rest] = parts else {
             return;
@@ -155,7 +160,7 @@ impl<'a> Row<'a> {
         self.changed(first.to, rest.from);
     }
 
-    /// Takes over another row of the same strokes.
+    /// Restores another order of the same strokes.
     pub(super) fn restore(&mut self, other: &Self) {
         self.begins.copy_from_slice(&other.begins);
         self.places.copy_from_slice(&other.places);
@@ -166,7 +171,7 @@ impl<'a> Row<'a> {
         self.cost = other.cost;
     }
 
-    /// Where a part begins, and where it ends, if neither stroke is turned.
+    /// Returns the first and last node of a part if neither stroke is reversed.
     fn ends(&self, part: &Part) -> (u32, u32) {
         if part.is_backward {
             (self.last(part.to - 1), self.begins[part.from])
@@ -175,10 +180,10 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// Where a stroke ends if it is not turned.
+    /// Returns the last node of a stroke if it is not reversed.
     fn last(&self, place: usize) -> u32 {
         let begin = self.begins[place];
-        // What is joined with the start is the end of the tour.
+        // The mate of the start is the end of the tour.
         if place == 0 {
             begin
         } else {
@@ -186,7 +191,8 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// The ways from a stroke that ends at one node to a stroke that begins at another.
+    /// Returns the costs between a stroke that ends at one node and a stroke that begins at
+    /// another.
     fn gap(&self, last: u32, first: u32) -> Ways {
         let mate = |node| {
             if node == self.nodes.start() {
@@ -199,7 +205,7 @@ impl<'a> Row<'a> {
             .map(|last| [first, mate(first)].map(|first| self.nodes.cost(last, first)))
     }
 
-    /// The ways through a part.
+    /// Returns the costs through a part.
     fn ways(&self, part: &Part) -> Ways {
         let leaves = self.parts.len() / 2;
         let (mut from, mut to, mut size) = (part.from + leaves, part.to + leaves, 1);
@@ -233,7 +239,7 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// The strokes of some places have changed.
+    /// Updates the order after the strokes of a range have changed.
     fn changed(&mut self, from: usize, to: usize) {
         for place in from..to {
             let begin = self.begins[place];
@@ -245,7 +251,7 @@ impl<'a> Row<'a> {
         self.price();
     }
 
-    /// Builds all parts anew that hold strokes of these places.
+    /// Rebuilds all parts of the tree with strokes of a range.
     fn rebuild(&mut self, from: usize, to: usize) {
         let leaves = self.parts.len() / 2;
         let (mut from, mut to) = (from + leaves, to.min(leaves - 1) + leaves);
@@ -253,26 +259,26 @@ impl<'a> Row<'a> {
         while from > 1 {
             (from, to) = (from / 2, to / 2);
             for part in from..=to {
-                // Where the second half of the part begins.
+                // The start of the second half of the part.
                 let middle = (2 * part + 1) * half - leaves;
-                let halves = [2 * part, 2 * part + 1].map(|it| &self.parts[it]);
+                let halves = [2 * part, 2 * part + 1].map(|half| &self.parts[half]);
                 self.parts[part] = through(halves[0], &self.gaps[middle], halves[1]);
             }
             half *= 2;
         }
     }
 
-    /// Finds out what each way costs with all strokes turned as is best for the whole.
+    /// Computes the cost of each travel with the best directions of all strokes.
     fn price(&mut self) {
         let mut costs = [0.0, f64::INFINITY];
         for place in 1..self.len() {
             let gap = &self.gaps[place];
-            let found = [0, 1].map(|it| {
-                let (a, b) = (costs[0] + gap[0][it], costs[1] + gap[1][it]);
+            let found = [0, 1].map(|turned| {
+                let (a, b) = (costs[0] + gap[0][turned], costs[1] + gap[1][turned]);
                 if b < a { (b, 1) } else { (a, 0) }
             });
-            costs = found.map(|it| it.0);
-            self.before[place] = found.map(|it| it.1);
+            costs = found.map(|found| found.0);
+            self.before[place] = found.map(|found| found.1);
         }
         let mut turned = usize::from(costs[1] < costs[0]);
         self.cost = costs[turned];
@@ -285,7 +291,7 @@ impl<'a> Row<'a> {
     }
 }
 
-/// The ways through two parts and the gap between them.
+/// Combines the costs of two parts and the gap between them.
 #[inline]
 fn through(a: &Ways, gap: &Ways, b: &Ways) -> Ways {
     times(&times(a, gap), b)
@@ -293,7 +299,7 @@ fn through(a: &Ways, gap: &Ways, b: &Ways) -> Ways {
 
 #[inline]
 fn times(a: &Ways, b: &Ways) -> Ways {
-    a.map(|a| [0, 1].map(|it| smaller(a[0] + b[0][it], a[1] + b[1][it])))
+    a.map(|a| [0, 1].map(|turned| smaller(a[0] + b[0][turned], a[1] + b[1][turned])))
 }
 
 #[inline]
@@ -301,7 +307,7 @@ fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// The same ways backwards.
+/// Returns the costs in reverse.
 fn turned(ways: &Ways) -> Ways {
     let [[a, b], [c, d]] = *ways;
     [[a, c], [b, d]]
@@ -313,7 +319,7 @@ fn least(ways: &Ways) -> f64 {
         .fold(f64::INFINITY, |a, &b| smaller(a, b))
 }
 
-/// For each stroke of a tour the node where it is begun, after the start.
+/// Returns the start node of each stroke of a tour, beginning with the start.
 fn begins(nodes: &Nodes, tour: &[u32]) -> Vec<u32> {
     let size = tour.len();
     let start = tour.iter().position(|&node| node == nodes.start());
@@ -334,9 +340,9 @@ fn begins(nodes: &Nodes, tour: &[u32]) -> Vec<u32> {
     begins
 }
 
-/// A single stroke costs nothing, and is turned at both of its ends or at none.
+/// A single stroke costs nothing, and is reversed at both ends or at none.
 const NONE: Ways = [[0.0, f64::INFINITY], [f64::INFINITY, 0.0]];
-/// The start cannot be turned.
+/// The start cannot be reversed.
 const START: Ways = [[0.0, f64::INFINITY], [f64::INFINITY, f64::INFINITY]];
 
 #[cfg(test)]
@@ -353,7 +359,7 @@ mod tests {
         Stroke::open(ends.map(point).to_vec())
     }
 
-    /// The least that the strokes cost in this order, by turning them in all ways.
+    /// Returns the minimum cost in this order over all directions.
     fn least_of_all(nodes: &Nodes, strokes: &[Stroke], order: &[u32]) -> f64 {
         let costs = (0..1_u32 << order.len()).map(|turned| {
             let mut tour = vec![nodes.start()];
@@ -385,7 +391,7 @@ mod tests {
             let mut row = Row::new(&nodes, &nodes.tour(&way));
             let count = row.len();
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "few")]
-            let mut cuts = cuts.map(|it| 1 + (it * (count - 1) as f64) as usize);
+            let mut cuts = cuts.map(|share| 1 + (share * (count - 1) as f64) as usize);
             cuts.sort_unstable();
             let [a, b, c] = cuts;
             let part = |from, to, is_backward| Part { from, to, is_backward };

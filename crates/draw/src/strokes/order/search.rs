@@ -1,4 +1,4 @@
-//! The search for shorter tours: exchanges of a few edges at a time, and kicks.
+//! Local search for shorter tours: exchanges of a few edges, and kicks.
 
 use dobot_geometry::Random;
 use std::collections::VecDeque;
@@ -7,17 +7,17 @@ use super::nodes::{Near, Nodes};
 use super::tour::{MOST, Tour};
 use crate::preparation::cancel::CancelToken;
 
-/// Exchanges edges as long as the tour gets shorter (Lin and Kernighan's way): an edge is taken
-/// out, a shorter one to a near node put in, an edge there taken out, and so on, until joining the
-/// two loose ends leaves a gain.
+/// Exchanges edges while the tour gets shorter (Lin-Kernighan): removes an edge, adds a shorter one
+/// to a near node, removes an edge there, and so on, until joining the two loose ends leaves a
+/// gain.
 #[derive(Debug)]
 pub(super) struct LocalSearch<'a> {
     nodes: &'a Nodes,
     tour: Tour,
-    /// The nodes around which something has changed, each once.
+    /// The nodes next to changes, each once.
     queue: VecDeque<u32>,
     queued: Vec<bool>,
-    /// The ends of the edges taken out, in pairs.
+    /// The ends of the removed edges, in pairs.
     ends: [u32; 2 * MOST],
     cancel: &'a CancelToken,
 }
@@ -35,7 +35,7 @@ impl<'a> LocalSearch<'a> {
         }
     }
 
-    /// Searches around every node until there is nothing left to gain.
+    /// Searches around every node until there is no gain left.
     pub(super) fn settle_all(&mut self) {
         for place in 0..self.tour.len() {
             self.touch(self.tour.at(place));
@@ -44,15 +44,16 @@ impl<'a> LocalSearch<'a> {
         self.tour.keep();
     }
 
-    /// Goes on with another tour.
+    /// Continues with another tour.
     pub(super) fn set(&mut self, tour: Vec<u32>) {
         self.tour.set(tour);
         self.settle_all();
     }
 
-    /// Kicks the tour somewhere and settles it again, so many times. What is worse is taken back, but for a little at
-    /// the beginning, less and less of it: so the search leaves a hollow in which it would stay. The best of all stays. `mean` is what a way
-    /// between strokes costs, or less where there are few kicks.
+    /// Applies kicks, each followed by a local search. A worse result is undone, except for losses
+    /// that are accepted with decreasing probability, so that the search leaves local minima. The
+    /// best tour is kept. `mean` is the mean cost of the travel between strokes, or less with few
+    /// kicks.
     pub(super) fn anneal(&mut self, kicks: u32, mean: f64, random: &mut Random) {
         let work = u64::from(kicks) * KICK_WRITES;
         let begin = self.tour.written();
@@ -76,8 +77,8 @@ impl<'a> LocalSearch<'a> {
         }
     }
 
-    /// Kicks the tour somewhere, settles it again, and takes that back where it is worse: by how much it may be worse is
-    /// left to chance, and is `warmth` on average. Returns the gain.
+    /// Kicks the tour, settles it, and undoes a loss beyond a random limit, which is `warmth` on
+    /// average. Returns the gain.
     fn kick(&mut self, warmth: f64, random: &mut Random) -> f64 {
         let Some(places) = self.kick_places(random) else {
             return 0.0;
@@ -88,7 +89,7 @@ impl<'a> LocalSearch<'a> {
             gain += self.nodes.cost(a, b);
         }
         if gain <= EPSILON {
-            // Nothing is cheaper than no way at all.
+            // A zero cost cannot be improved.
             return 0.0;
         }
         let [[a0, b0], [a1, b1], [a2, b2], [a3, b3]] = ends;
@@ -113,8 +114,8 @@ impl<'a> LocalSearch<'a> {
         self.tour.order()
     }
 
-    /// Four places near each other after which the tour may be cut: as often on the paper as in the tour, as what lies
-    /// side by side may be far apart in the tour (hatching).
+    /// Returns four close places after which the tour may be cut: close on paper or in the tour,
+    /// with equal probability, because neighbours on paper may be far apart in the tour (hatching).
     fn kick_places(&self, random: &mut Random) -> Option<[u32; 4]> {
         let mut places = if random.below(2) == 0 {
             self.places_on_paper(random)?
@@ -126,7 +127,7 @@ impl<'a> LocalSearch<'a> {
         distinct.then_some(places)
     }
 
-    /// Places that a walk from neighbour to neighbour comes by.
+    /// Returns places visited by a random walk between neighbours.
     fn places_on_paper(&self, random: &mut Random) -> Option<[u32; 4]> {
         let mut node = self.tour.at(random.below(self.tour.len()));
         let mut places = [0; 4];
@@ -143,7 +144,7 @@ impl<'a> LocalSearch<'a> {
         Some(places)
     }
 
-    /// Places out of so many in a row.
+    /// Returns random places within a window of the tour.
     fn places_in_tour(&self, random: &mut Random) -> [u32; 4] {
         let size = self.tour.len();
         let window = WINDOW.min(size);
@@ -170,7 +171,7 @@ impl<'a> LocalSearch<'a> {
         }
     }
 
-    /// Works off the queue; returns the gain.
+    /// Processes the queue and returns the gain.
     fn settle(&mut self) -> f64 {
         let mut gain = 0.0;
         while let Some(node) = self.queue.pop_front() {
@@ -185,7 +186,7 @@ impl<'a> LocalSearch<'a> {
         gain
     }
 
-    /// Takes out one of the edges of a node, if that leads to a gain.
+    /// Removes an edge of a node, if that leads to a gain.
     fn improve(&mut self, node: u32) -> Option<f64> {
         for other in [self.tour.next(node), self.tour.previous(node)] {
             if !self.nodes.is_stroke(node, other) {
@@ -200,7 +201,7 @@ impl<'a> LocalSearch<'a> {
         None
     }
 
-    /// Puts in an edge from the last loose end and takes one out there.
+    /// Adds an edge from the last loose end and removes one at its other end.
     fn deepen(&mut self, depth: usize, open: f64) -> Option<f64> {
         let (steps, count) = self.steps(depth, open);
         for step in &steps[..count] {
@@ -227,7 +228,7 @@ impl<'a> LocalSearch<'a> {
         None
     }
 
-    /// The most promising next steps.
+    /// Returns the most promising next steps.
     fn steps(&self, depth: usize, open: f64) -> ([Step; MOST_STEPS], usize) {
         let mut steps = [Step::default(); MOST_STEPS];
         let (mut count, most) = (0, BREADTH[depth - 1]);
@@ -264,7 +265,7 @@ impl<'a> LocalSearch<'a> {
         (steps, count)
     }
 
-    /// Whether an edge is taken out already.
+    /// Whether an edge is already removed.
     fn is_out(&self, depth: usize, a: u32, b: u32) -> bool {
         self.ends[..2 * depth]
             .chunks_exact(2)
@@ -272,35 +273,35 @@ impl<'a> LocalSearch<'a> {
     }
 }
 
-/// An edge put in and one taken out.
+/// An added and a removed edge.
 #[derive(Clone, Copy, Debug, Default)]
 struct Step {
-    /// Where the edge goes that is put in.
+    /// The other end of the added edge.
     to: u32,
-    /// The other end of the edge that is taken out there.
+    /// The other end of the edge removed there.
     out: u32,
-    /// The gain while the loose ends are not joined.
+    /// The gain before the loose ends are joined.
     open: f64,
 }
 
-/// How many edges are taken out at most, and how many steps are tried after each.
+/// The maximum number of removed edges, and the number of steps tried after each.
 const DEPTH: usize = MOST;
 const BREADTH: [usize; MOST - 1] = [5, 3, 1];
 
 const MOST_STEPS: usize = 5;
-/// Every other kick cuts the tour in four places out of so many in a row.
+/// Every other kick cuts the tour in four places within this window.
 const WINDOW: u32 = 50;
-/// The others cut it where a walk on the paper comes by after at most so many steps each.
+/// The others cut it at the stops of a walk on paper with at most this many steps each.
 const MOST_STEPS_ASIDE: u32 = 3;
 
-/// How much worse than before the tour may be after a kick, at the beginning and on average: of a way between strokes.
+/// The initial mean loss accepted after a kick, in mean travel costs.
 const WARMTH: f64 = 4.0;
 const CHANCES: u32 = 1 << 30;
-/// A kick takes about as long as writing so many places; in large tours exchanges write far more.
+/// The cost of a kick in written places; exchanges in large tours write far more.
 const KICK_WRITES: u64 = 8_000;
 
-/// What counts as a gain, in mm or s: more than rounding.
+/// The minimum gain, in mm or s: above rounding errors.
 const EPSILON: f64 = 1e-9;
-/// In large drawings an exchange may write so many places, over their number.
+/// The maximum number of places an exchange may write, multiplied by the number of nodes.
 const WRITES: usize = 10_000_000_000;
 const LEAST_REACH: usize = 1000;

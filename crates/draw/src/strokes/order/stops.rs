@@ -1,11 +1,10 @@
-//! An order of strokes, each with the point where it is begun.
+//! An order of strokes with their starts.
 
 use dobot_geometry::{Point, Stroke};
 
 use super::travel::Travel;
 
-/// A stroke and the point of it where it is begun: one of the ends, or any corner where it is
-/// closed.
+/// A stroke and the point at which it is begun: one of its ends, or any corner of a closed stroke.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Stop {
     pub(super) stroke: u32,
@@ -13,17 +12,17 @@ pub(super) struct Stop {
 }
 
 impl Stop {
-    /// Where the pen comes down.
+    /// Returns the point at which the pen is lowered.
     pub(super) fn begin(self, strokes: &[Stroke]) -> Point {
         strokes[self.stroke as usize].points[self.point as usize]
     }
 
-    /// Where it leaves the paper.
+    /// Returns the point at which the pen is lifted.
     pub(super) fn end(self, strokes: &[Stroke]) -> Point {
         self.other_end(strokes).begin(strokes)
     }
 
-    /// The same stroke, begun from its other end; a closed one has none.
+    /// Returns the stroke begun from its other end; a closed stroke has none.
     pub(super) fn other_end(self, strokes: &[Stroke]) -> Self {
         let stroke = &strokes[self.stroke as usize];
         let last = u32::try_from(stroke.points.len() - 1).expect("far fewer than 2^32 points");
@@ -36,13 +35,13 @@ impl Stop {
     }
 }
 
-/// Whether a stroke may be begun anywhere: files do not call all of them closed that end where they
-/// began.
+/// Whether a stroke may begin anywhere: files do not mark all strokes as closed that return to
+/// their start.
 fn is_loop(stroke: &Stroke) -> bool {
     stroke.closed || (stroke.points.len() > 2 && stroke.points.first() == stroke.points.last())
 }
 
-/// The strokes in the order given, without those that have no points.
+/// Returns the strokes in the given order, without empty ones.
 pub(super) fn given(strokes: &[Stroke]) -> Vec<Stop> {
     (0..)
         .zip(strokes)
@@ -51,7 +50,7 @@ pub(super) fn given(strokes: &[Stroke]) -> Vec<Stop> {
         .collect()
 }
 
-/// What the ways between the strokes cost.
+/// Returns the travel cost between the strokes.
 pub(super) fn cost(strokes: &[Stroke], way: &[Stop], start: Point, travel: Travel) -> f64 {
     let mut here = start;
     let mut cost = 0.0;
@@ -62,7 +61,8 @@ pub(super) fn cost(strokes: &[Stroke], way: &[Stop], start: Point, travel: Trave
     cost
 }
 
-/// Begins every closed stroke at the corner that is best between its neighbours. Returns the gain.
+/// Moves the start of every closed stroke to the best corner between its neighbours. Returns the
+/// gain.
 pub(super) fn turn_loops(
     strokes: &[Stroke],
     way: &mut [Stop],
@@ -90,7 +90,7 @@ pub(super) fn turn_loops(
     gain
 }
 
-/// The strokes as the way goes through them; after them those that it leaves out.
+/// Returns the strokes in drawing order, followed by those left out.
 pub(super) fn drawn(mut strokes: Vec<Stroke>, way: &[Stop]) -> Vec<Stroke> {
     let mut drawn = Vec::with_capacity(strokes.len());
     for stop in way {
@@ -102,10 +102,10 @@ pub(super) fn drawn(mut strokes: Vec<Stroke>, way: &[Stop]) -> Vec<Stroke> {
     drawn
 }
 
-/// The stroke, begun at one of its points.
+/// Returns the stroke with its start at one of its points.
 fn begun(mut stroke: Stroke, point: usize) -> Stroke {
     if is_loop(&stroke) && point > 0 {
-        // The last point repeats the first: leave it out while turning.
+        // The last point repeats the first: leave it out while rotating.
         stroke.points.pop();
         let count = stroke.points.len().max(1);
         stroke.points.rotate_left(point % count);

@@ -8,12 +8,12 @@ const SEARCH: Search = Search {
     seed: 1,
 };
 
-/// What all ways between the strokes cost.
+/// Returns the travel cost between the strokes.
 fn cost_of(travel: Travel, strokes: &[Stroke]) -> f64 {
     cost(strokes, &given(strokes), Point::default(), travel)
 }
 
-/// How far the pen travels between the strokes, in mm.
+/// Returns the length of the travel between the strokes, in mm.
 fn travel_mm(strokes: &[Stroke]) -> f64 {
     cost_of(Travel::Length, strokes)
 }
@@ -65,7 +65,7 @@ fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
     proptest::collection::vec(stroke, 0..40)
 }
 
-/// What a stroke draws, whichever way it is drawn.
+/// Returns the segments of a stroke, regardless of direction.
 fn ink(stroke: &Stroke) -> Vec<String> {
     let mut ink: Vec<String> = stroke
         .segments()
@@ -112,7 +112,7 @@ fn small_drawings_get_the_best_order_there_is() {
     }
 }
 
-/// The least travel of all orders, by trying them all.
+/// Returns the minimum travel over all orders.
 fn least(left: &mut Vec<Stroke>, here: Point) -> f64 {
     let mut best = if left.is_empty() { 0.0 } else { f64::INFINITY };
     for i in 0..left.len() {
@@ -130,7 +130,7 @@ fn least(left: &mut Vec<Stroke>, here: Point) -> f64 {
 
 #[test]
 fn a_field_of_dots_is_gone_through_almost_without_a_detour() {
-    // The best way through a square of 30 x 30 from a corner is 899 steps.
+    // The best path through a square of 30 x 30 from a corner is 899 steps.
     let mut random = Random::new(9);
     let mut dots: Vec<Stroke> = (0..900_u32)
         .map(|i| line(&[(f64::from(i % 30), f64::from(i / 30))]))
@@ -158,7 +158,7 @@ fn a_cancelled_search_tries_nothing_more() {
     };
     assert_ne!(ordered(1, &cancel), ordered(2, &cancel));
     cancel.cancel();
-    // Without tries chance decides nothing; nor is anything lost.
+    // Without kicks, chance decides nothing and nothing is lost.
     let found = ordered(1, &cancel);
     assert_eq!(found, ordered(2, &cancel));
     assert_eq!(found.len(), dots.len());
@@ -190,7 +190,8 @@ fn in_arm_time_a_way_costs_its_trapezoid_but_never_less_than_a_packet() {
         acceleration_mm_s2: 100.0,
         least_s: 0.08,
     };
-    // 25 mm are just enough to reach 50 mm/s: half a second up, half a second down.
+    // 25 mm are just enough to reach 50 mm/s: half a second of acceleration, half a second of
+    // braking.
     let expected = [
         (0.0, 0.0),
         (0.01, 0.08),

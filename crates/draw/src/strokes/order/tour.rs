@@ -1,28 +1,28 @@
-//! A round tour as an array, and exchanges of a few of its edges that can be taken back.
+//! A closed tour as an array, with edge exchanges that can be undone.
 
-/// The nodes in the order they are visited; after the last comes the first again.
+/// The nodes in the order of the tour; the first follows the last.
 #[derive(Debug)]
 pub(super) struct Tour {
     order: Vec<u32>,
-    /// For each node where it stands in the order.
+    /// The position of each node in the order.
     place: Vec<u32>,
-    /// What stood where it was written over, since the last `keep`.
+    /// The overwritten content since the last `keep`.
     undo: Vec<u32>,
-    /// For each writing where it began and where its `undo` begins.
+    /// The start of each write and of its part of `undo`.
     writings: Vec<(usize, usize)>,
-    /// The most places that one exchange may write.
+    /// The maximum number of places that an exchange may write.
     reach: usize,
-    /// How many places were written so far.
+    /// The number of places written in total.
     written: u64,
 }
 
-/// An exchange that leaves one tour: where the tour is cut, and how the pieces follow each other.
+/// An exchange that yields a single tour: where it is cut, and the order of the pieces.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Exchange {
     count: usize,
     /// The places before the cuts, ascending; piece i begins after cut i.
     cuts: [u32; MOST],
-    /// Twice the piece, and one more where it is passed backwards.
+    /// Twice the piece number, plus one if it is reversed.
     pieces: [u8; MOST],
 }
 
@@ -40,7 +40,7 @@ impl Tour {
         tour
     }
 
-    /// The same nodes in another order; what was done so far cannot be taken back any more.
+    /// Replaces the order; earlier changes cannot be undone any more.
     pub(super) fn set(&mut self, order: Vec<u32>) {
         for (i, &node) in (0..).zip(&order) {
             self.place[node as usize] = i;
@@ -49,7 +49,7 @@ impl Tour {
         self.keep();
     }
 
-    /// How many places were written so far: what the search costs beside looking.
+    /// Returns the number of places written: the search's cost besides evaluation.
     pub(super) const fn written(&self) -> u64 {
         self.written
     }
@@ -84,8 +84,8 @@ impl Tour {
         self.order[if place == 0 { self.order.len() } else { place } - 1]
     }
 
-    /// The exchange that takes out the edges (0, 1), (2, 3) and so on of `ends` and puts in (1, 2),
-    /// (3, 4), ... and from the last to the first; none where the tour would fall apart.
+    /// Returns the exchange that removes the edges (0, 1), (2, 3) and so on of `ends` and adds (1,
+    /// 2), (3, 4), ... and from the last to the first; `None` if the tour would fall apart.
     pub(super) fn exchange(&self, ends: &[u32]) -> Option<Exchange> {
         let sides = self.sides(ends);
         let count = ends.len() / 2;
@@ -110,7 +110,7 @@ impl Tour {
     /// Cuts the tour at the edges (0, 1), (2, 3) and so on.
     fn sides(&self, ends: &[u32]) -> Sides {
         let count = ends.len() / 2;
-        // The cuts in the order of the tour, each with its edge, and whether that lies backwards.
+        // The cuts in tour order, each with its edge and whether that is reversed.
         let mut sorted = [(0, 0, false); MOST];
         for (i, edge) in ends.chunks_exact(2).enumerate() {
             let backward = self.next(edge[0]) != edge[1];
@@ -129,7 +129,7 @@ impl Tour {
             (0..).step_by(2).zip(sorted).zip(&mut sides.cuts[..count])
         {
             *cut_at = cut;
-            // The first node of the edge is where a piece is left, the second where one is entered.
+            // A piece is left at the first node of the edge and entered at the second.
             for (side, end) in [
                 (left, edge + usize::from(backward)),
                 (entry, edge + usize::from(!backward)),
@@ -142,8 +142,8 @@ impl Tour {
         sides
     }
 
-    /// Three pieces in a row change places: cut after four places, ascending, the second, third and
-    /// fourth piece follow each other in opposite order, each forwards (a double bridge).
+    /// Returns a double bridge: cut after four places, ascending, the second, third and fourth
+    /// piece follow in opposite order, none reversed.
     pub(super) const fn bridge(cuts: [u32; 4]) -> Exchange {
         Exchange {
             count: 4,
@@ -176,13 +176,13 @@ impl Tour {
         }
     }
 
-    /// Everything done so far stays.
+    /// Makes all changes permanent.
     pub(super) fn keep(&mut self) {
         self.undo.clear();
         self.writings.clear();
     }
 
-    /// Takes back everything since the last `keep`.
+    /// Undoes all changes since the last `keep`.
     pub(super) fn take_back(&mut self) {
         while let Some((begin, saved)) = self.writings.pop() {
             self.written += (self.undo.len() - saved) as u64;
@@ -199,7 +199,7 @@ impl Tour {
         }
     }
 
-    /// Where a piece begins, and how many places it has.
+    /// Returns the start and the number of places of a piece.
     fn piece(&self, exchange: &Exchange, piece: usize) -> (usize, usize) {
         let size = self.order.len();
         let cut = exchange.cuts[piece] as usize;
@@ -211,7 +211,7 @@ impl Tour {
         }
     }
 
-    /// The longest piece and its length.
+    /// Returns the longest piece and its length.
     fn longest(&self, exchange: &Exchange) -> (usize, usize) {
         let lengths = (0..exchange.count).map(|i| (i, self.piece(exchange, i).1));
         lengths
@@ -219,7 +219,7 @@ impl Tour {
             .expect("an exchange has pieces")
     }
 
-    /// How many places an exchange writes: all but its longest piece.
+    /// Returns the number of places that an exchange writes: all but its longest piece.
     fn writes(&self, exchange: &Exchange) -> usize {
         self.order.len() - self.longest(exchange).1
     }
@@ -235,7 +235,7 @@ impl Tour {
         saved
     }
 
-    /// Copies a piece of what was saved to the tour; returns the place after it.
+    /// Copies a saved piece to the tour and returns the place after it.
     fn write(&mut self, mut to: usize, from: usize, length: usize, backward: bool) -> usize {
         for i in 0..length {
             let i = if backward { length - 1 - i } else { i };
@@ -251,22 +251,22 @@ impl Tour {
     }
 }
 
-/// The two sides of each piece: 2 p where piece p begins, 2 p + 1 where it ends.
+/// The two sides of each piece: 2 p at the start of piece p, 2 p + 1 at its end.
 #[derive(Default)]
 struct Sides {
     cuts: [u32; MOST],
-    /// Which side of a piece an end of an edge is.
+    /// The side of a piece for each end of an edge.
     of_end: [u8; 2 * MOST],
-    /// Which end of an edge a side of a piece is.
+    /// The end of an edge for each side of a piece.
     end_at: [usize; 2 * MOST],
 }
 
-/// The side where the last of so many pieces ends.
+/// Returns the side at the end of the last piece.
 fn last_side(count: usize) -> u8 {
     u8::try_from(2 * count - 1).expect("at most MOST pieces")
 }
 
-/// The end that is joined with this one: an odd one with the next, an even one with the one before.
+/// Returns the end joined with this one: the next for an odd end, the one before for an even end.
 const fn joined(end: usize, count: usize) -> usize {
     if end % 2 == 1 {
         if end + 1 == count { 0 } else { end + 1 }
@@ -282,7 +282,7 @@ const fn u32_of(place: usize) -> u32 {
     place as u32
 }
 
-/// The most edges that one exchange takes out.
+/// The maximum number of edges that an exchange removes.
 pub(super) const MOST: usize = 4;
 
 #[cfg(test)]
@@ -291,7 +291,7 @@ mod tests {
 
     use super::*;
 
-    /// The edges of a tour, each with the smaller node first.
+    /// Returns the edges of a tour, each with the smaller node first.
     fn edges(order: &[u32]) -> Vec<(u32, u32)> {
         let next = order.iter().cycle().skip(1);
         let mut edges: Vec<_> = order

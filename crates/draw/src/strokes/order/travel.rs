@@ -1,23 +1,24 @@
-//! What a way with the pen up costs.
+//! The cost of pen-up travel.
 
-/// What counts when strokes are put in order.
+/// The cost to minimise when strokes are ordered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Travel {
-    /// The length of the way, in mm.
+    /// The length, in mm.
     Length,
-    /// The time that the arm takes, in seconds, from rest to rest.
+    /// The arm's time from rest to rest, in seconds.
     Time {
-        /// The speed it reaches on a long way, in mm/s; above 0.
+        /// The speed reached on a long way, in mm/s; above 0.
         speed_mm_s: f64,
-        /// How fast it gets there and stops again, in mm/s²; above 0.
+        /// The acceleration, in mm/s²; above 0.
         acceleration_mm_s2: f64,
-        /// What a way takes however short it is, because the link carries no more packets.
+        /// The minimum time of any travel, because the link delivers no more packets.
         least_s: f64,
     },
 }
 
 impl Travel {
-    /// What a straight way of `length_mm` costs, in millimetres or seconds. No way costs nothing.
+    /// Returns the cost of a straight travel of `length_mm`, in millimetres or seconds; 0 for no
+    /// travel.
     ///
     /// ```text
     ///   speed ^    ______               speed ^
@@ -32,11 +33,11 @@ impl Travel {
     }
 }
 
-/// The cost of a way as the sum of so much for each mm, so much for the root of its length, and so much anyhow:
-/// without the divisions, for a search that asks all the time.
+/// The cost of a travel as the sum of a term per mm, a term for the square root of its length, and
+/// a constant: without divisions, for the inner loops of the search.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fare {
-    /// Below this length only the root counts, from there on it does not; in mm.
+    /// The length in mm below which only the square root counts, and above which it does not.
     long_mm: f64,
     for_root: f64,
     for_mm: f64,
@@ -68,7 +69,7 @@ impl Fare {
         }
     }
 
-    /// What a straight way of `length_mm` costs. No way costs nothing.
+    /// Returns the cost of a straight travel of `length_mm`; 0 for no travel.
     #[inline]
     pub(super) fn cost(self, length_mm: f64) -> f64 {
         if length_mm == 0.0 {

@@ -1,7 +1,7 @@
-//! Parts of the order change places, and every stroke is begun at the end that suits then.
+//! Moving of parts of the order, with every stroke in its best direction.
 //!
-//! In a hatching the lines go to and fro. Where one line more comes before them, all have to be turned, which no
-//! exchange of a few edges does:
+//! Hatching lines go back and forth. If a line is inserted before them, all must be reversed, which
+//! no exchange of a few edges can do:
 //!
 //! ```text
 //!   ----.    .----             .----    ----.
@@ -15,12 +15,12 @@ use super::nodes::{Near, Nodes};
 use super::row::{Part, Row};
 use crate::preparation::cancel::CancelToken;
 
-/// Moves parts of a row as long as it gets shorter.
+/// Moves parts of an order while it gets shorter.
 #[derive(Debug)]
 pub(super) struct Turns<'a> {
     nodes: &'a Nodes,
     row: Row<'a>,
-    /// Nodes of the strokes beside which something has changed.
+    /// The nodes of strokes next to changes.
     queue: Vec<u32>,
     cancel: &'a CancelToken,
 }
@@ -35,14 +35,15 @@ impl<'a> Turns<'a> {
         }
     }
 
-    /// Moves parts as long as that brings a gain.
+    /// Moves parts while that yields a gain.
     pub(super) fn settle_all(&mut self) {
         let places = (1..self.row.len()).rev();
         self.queue.extend(places.map(|place| self.row.node(place)));
         self.settle();
     }
 
-    /// Puts a few parts in another order, settles that, and takes it back where it is not better; so many times.
+    /// Rearranges a few parts, settles the order, and undoes it unless it is better; repeated for
+    /// each kick.
     pub(super) fn kicks(&mut self, kicks: u32, random: &mut Random) {
         let mut best = self.row.clone();
         for _ in 0..kicks {
@@ -62,7 +63,7 @@ impl<'a> Turns<'a> {
         }
     }
 
-    /// How many kicks of a few edges take as long as one here, about.
+    /// Returns the approximate number of edge kicks that take as long as one kick here.
     pub(super) fn kicks_for_one(&self) -> u32 {
         2 + self.count() / 400
     }
@@ -79,7 +80,7 @@ impl<'a> Turns<'a> {
         u32::try_from(self.row.len()).expect("fewer than the nodes")
     }
 
-    /// Puts the parts between four places in another order, each backwards or not.
+    /// Rearranges the parts between four places, each in a random direction.
     fn kick(&mut self, [a, b, c, d]: [usize; 4], random: &mut Random) {
         let mut parts = [(a, b), (b, c), (c, d)].map(|(from, to)| Part {
             from,
@@ -101,7 +102,7 @@ impl<'a> Turns<'a> {
         ]);
     }
 
-    /// Places of long ways near each other.
+    /// Returns close places with long travel.
     fn kick_places(&self, random: &mut Random) -> Option<[usize; 4]> {
         let any = |random: &mut Random| 1 + random.below(self.count() - 1) as usize;
         if self.row.len() < 5 {
@@ -127,7 +128,7 @@ impl<'a> Turns<'a> {
         distinct.then_some(places)
     }
 
-    /// Goes from a place to the next long way, but not far.
+    /// Moves from a place to the next long travel within a limited distance.
     fn long_way_from(&self, place: usize, ahead: bool) -> usize {
         let mut found = place;
         for _ in 0..MOST_STEPS_ALONG {
@@ -148,13 +149,13 @@ impl<'a> Turns<'a> {
         }
     }
 
-    /// Moves a part so that the stroke of a node comes beside one that is nearer than what is beside it now.
+    /// Moves a part so that the stroke of a node is next to a closer one.
     fn improve(&mut self, node: u32) -> bool {
         let here = self.row.place(node);
         here > 0 && (self.reverse(node, here) || self.shift(node, here))
     }
 
-    /// Passes the strokes between two that are near each other backwards.
+    /// Reverses the strokes between two that are close to each other.
     fn reverse(&mut self, node: u32, here: usize) -> bool {
         let longest = self.row.way(here).max(self.row.way(here + 1));
         self.nearer(node, longest).any(|near| {
@@ -177,7 +178,7 @@ impl<'a> Turns<'a> {
         })
     }
 
-    /// Moves strokes that begin or end with that of a node beside another one.
+    /// Moves strokes that begin or end with that of a node next to another one.
     fn shift(&mut self, node: u32, here: usize) -> bool {
         let behind = self.ends_behind(here).map(|to| (here, to));
         let before = self.begins_before(here).map(|from| (from, here + 1));
@@ -195,8 +196,8 @@ impl<'a> Turns<'a> {
             })
     }
 
-    /// Moves a part so that its stroke `here` comes beside another one, if that can bring a gain: `saved` is what it
-    /// brings without the way that is left out there and the other new one.
+    /// Moves a part so that its stroke `here` is next to another one, if that can yield a gain:
+    /// `saved` is the gain without the travel removed there and the other new one.
     fn shift_beside(&mut self, part: (usize, usize), here: usize, near: &Near, saved: f64) -> bool {
         let (from, to) = part;
         let far = if here == from { to - 1 } else { from };
@@ -228,20 +229,21 @@ impl<'a> Turns<'a> {
         })
     }
 
-    /// The neighbours of a node to which the way costs less.
+    /// Returns the neighbours of a node with a lower travel cost.
     fn nearer(&self, node: u32, cost: f64) -> impl Iterator<Item = &'a Near> + use<'a> {
         let near = self.nodes.near(node).iter();
         near.take_while(move |near| near.cost < cost)
     }
 
-    /// Where parts may end that begin here: after few strokes, or where the way on is long. Nought stands for none.
+    /// Returns possible ends of parts that begin here: after few strokes, or before a long travel.
+    /// 0 means none.
     fn ends_behind(&self, here: usize) -> [usize; MOST_PARTS] {
         let is_end =
             |&to: &usize| to - here <= SHORT || to == self.row.len() || self.is_longer(to, to - 1);
         first_of((here + 1..=self.row.len()).take(LONGEST).filter(is_end))
     }
 
-    /// Where parts may begin that end here.
+    /// Returns possible starts of parts that end here.
     fn begins_before(&self, here: usize) -> [usize; MOST_PARTS] {
         let is_begin =
             |&from: &usize| here - from < SHORT || from == 1 || self.is_longer(from, from + 1);
@@ -256,7 +258,7 @@ impl<'a> Turns<'a> {
         self.row.way(way) > LONG * self.row.way(beside)
     }
 
-    /// Takes another order, if it is better with its strokes turned as suits.
+    /// Applies another arrangement if it is better with the best directions of its strokes.
     fn change(&mut self, parts: &[Part]) -> bool {
         let better = self.row.cost_of(parts) < self.row.cost() - EPSILON;
         if better {
@@ -282,7 +284,7 @@ const fn forward(from: usize, to: usize) -> Part {
     }
 }
 
-/// The first few, and then noughts.
+/// Returns the first few places, padded with zeros.
 fn first_of(places: impl Iterator<Item = usize>) -> [usize; MOST_PARTS] {
     let mut found = [0; MOST_PARTS];
     for (slot, place) in found.iter_mut().zip(places) {
@@ -291,21 +293,21 @@ fn first_of(places: impl Iterator<Item = usize>) -> [usize; MOST_PARTS] {
     found
 }
 
-/// So many parts that begin or end with a stroke are tried.
+/// The number of parts tried that begin or end with a stroke.
 const MOST_PARTS: usize = 12;
-/// Parts of at most so many strokes may end anywhere.
+/// Parts of at most this many strokes may end anywhere.
 const SHORT: usize = 3;
-/// No part that changes its place has more strokes.
+/// The maximum number of strokes in a moved part.
 const LONGEST: usize = 300;
-/// A way is long if it costs so many times what the one beside it does.
+/// A travel is long if it costs this many times its neighbour.
 const LONG: f64 = 1.6;
-/// A kick begins at a long way, if one is found among so many.
+/// The number of places examined to find a long travel for a kick.
 const MOST_LOOKED_AT: u32 = 100;
-/// It goes on to where a walk on the paper comes by after at most so many steps each,
+/// The maximum number of steps of the walk on paper to the next place of a kick.
 const MOST_STEPS_ASIDE: u32 = 3;
-/// and from there to a long way, if there is one within so many strokes.
+/// The maximum number of strokes from there to a long travel.
 const MOST_STEPS_ALONG: u32 = 30;
-/// What counts as a gain, in mm or s: more than rounding.
+/// The minimum gain, in mm or s: above rounding errors.
 const EPSILON: f64 = 1e-7;
 
 #[cfg(test)]
@@ -318,7 +320,7 @@ mod tests {
 
     const START: Point = Point::new(0.0, 0.0);
 
-    /// What the strokes cost in the order given, and after moving parts of it.
+    /// Returns the cost of the given order, before and after moving parts.
     fn before_and_after(strokes: &[Stroke]) -> (f64, f64) {
         let way = given(strokes);
         let nodes = Nodes::new(strokes, &way, START, Travel::Length);
@@ -334,7 +336,8 @@ mod tests {
         Stroke::open(vec![Point::from(from), Point::from(to)])
     }
 
-    /// Lines in rows, drawn to and fro in the order given, the first from `begin` to `end`.
+    /// Returns lines in rows, drawn back and forth in the given order, the first from `begin` to
+    /// `end`.
     fn to_and_fro(rows: impl Iterator<Item = i32>, begin: f64, end: f64) -> Vec<Stroke> {
         let ends = [(begin, end), (end, begin)].into_iter().cycle();
         let lines = rows.map(f64::from).zip(ends);

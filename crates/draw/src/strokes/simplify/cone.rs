@@ -1,8 +1,8 @@
-//! The directions from a point that pass others within the tolerance.
+//! Cones of directions from a point that pass others within the tolerance.
 
 use dobot_geometry::Vec2;
 
-/// What lies between two edges that are less than half a turn apart.
+/// The directions between two edges less than half a turn apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cone {
     /// The clockwise edge, of any length.
@@ -12,7 +12,7 @@ pub(super) struct Cone {
 }
 
 impl Cone {
-    /// The directions that hit a disc of `radius` a `way` off; `None` where that is all of them.
+    /// Returns the directions that hit a disc of `radius` at `way`; `None` if that is all of them.
     pub(super) fn to_disc(way: Vec2, radius: f64) -> Option<Self> {
         let tangent2 = way.hypot2() - radius * radius;
         (tangent2 > 0.0).then(|| {
@@ -25,12 +25,12 @@ impl Cone {
         })
     }
 
-    /// Whether a direction is one of them.
+    /// Whether the cone contains a direction.
     pub(super) fn holds(self, way: Vec2) -> bool {
         self.right.cross(way) >= 0.0 && way.cross(self.left) >= 0.0
     }
 
-    /// The directions of both, if there are any.
+    /// Returns the intersection of both cones, if it is not empty.
     pub(super) fn and(self, other: Self) -> Option<Self> {
         let right = if self.holds(other.right) {
             other.right

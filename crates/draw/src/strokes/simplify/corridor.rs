@@ -1,4 +1,4 @@
-//! One vector, the corners it joins and the points it has to pass.
+//! The corridor of a stroke: the discs around its points that vectors must pass.
 
 use std::f64::consts::TAU;
 
@@ -6,33 +6,33 @@ use dobot_geometry::{Point, Vec2};
 
 use super::MIN_VECTOR_MM;
 
-/// A place where one vector ends and the next begins.
+/// A corner at which one vector ends and the next begins.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) at: Point,
     /// The last point of the stroke that is passed here.
     pub(super) passed: usize,
-    /// The corner before it, among those that were gone on from.
+    /// The corner before, as an index into the expanded corners.
     pub(super) before: usize,
 }
 
-/// A stroke, and how far from its points a vector may pass.
+/// A stroke and the maximum distance of vectors from its points.
 #[derive(Debug)]
 pub(super) struct Corridor<'a> {
-    /// The points, in the order in which they are passed.
+    /// The points, in passing order.
     pub(super) points: &'a [Point],
-    /// Ends where it began.
+    /// Whether the path ends at its start.
     pub(super) closed: bool,
-    /// The radii of the discs around the points that have to be hit in order.
+    /// The radii of the discs around the points, which must be hit in order.
     pub(super) radii: Vec<f64>,
-    /// No vector is shorter, in mm.
+    /// The minimum length of a vector, in mm.
     pub(super) least_mm: f64,
-    /// For each point the direction across the stroke, of length 1 or 0.
+    /// The direction across the stroke at each point, of length 1 or 0.
     across: Vec<Vec2>,
 }
 
 impl<'a> Corridor<'a> {
-    /// A corridor as wide everywhere.
+    /// Creates a corridor of constant width.
     pub(super) fn new(points: &'a [Point], closed: bool, radius: f64) -> Self {
         let closed = closed && points.len() > 2 && points.first() == points.last();
         let last = points.len().saturating_sub(1);
@@ -54,21 +54,21 @@ impl<'a> Corridor<'a> {
         }
     }
 
-    /// The same with longer vectors, the shortest of which is as long as this.
+    /// Sets the minimum length of vectors.
     pub(super) fn of_vectors(self, least_mm: f64) -> Self {
         Self { least_mm, ..self }
     }
 
-    /// The two places beside a point, across the stroke.
+    /// Returns the two places beside a point, across the stroke.
     pub(super) fn beside(&self, i: usize) -> [Point; 2] {
         let (here, off) = (self.points[i], self.across[i] * self.radii[i]);
         [here + off, here - off]
     }
 
-    /// Eight places around a point, as far away as a vector may pass.
+    /// Returns eight places around a point at the maximum distance of a vector.
     pub(super) fn around(&self, i: usize) -> impl Iterator<Item = Point> + use<'_> {
         let eighths = (0..8).map(|n| Vec2::from_angle(f64::from(n) * TAU / 8.0));
-        eighths.map(move |it| self.points[i] + it * self.radii[i])
+        eighths.map(move |direction| self.points[i] + direction * self.radii[i])
     }
 
     /// Whether the vector from `a` to `b` hits the discs of the points `first..=last` in order.
@@ -84,12 +84,12 @@ impl<'a> Corridor<'a> {
                 return false;
             };
             least = least.max(enter);
-            // A hair's breadth, for a disc that is only touched.
+            // Allow a tiny margin for a disc that is only touched.
             least <= leave.min(length) + HAIR
         })
     }
 
-    /// Where a ray with a direction of length 1 enters and leaves the disc of point `i`.
+    /// Returns where a ray with a unit direction enters and leaves the disc of point `i`.
     fn disc_on_ray(&self, from: Point, along: Vec2, i: usize) -> Option<(f64, f64)> {
         let (way, radius) = (self.points[i] - from, self.radii[i]);
         let (middle, off) = (way.dot(along), way.cross(along));
@@ -100,8 +100,8 @@ impl<'a> Corridor<'a> {
         })
     }
 
-    /// The farthest point of a ray that lies within the tolerance of the segment that begins with
-    /// point `i`, the disc of which it hits.
+    /// Returns the farthest point of a ray within the tolerance of the segment that begins with
+    /// point `i`, whose disc it hits.
     pub(super) fn exit(&self, from: Point, along: Vec2, i: usize) -> Option<Point> {
         if i + 1 == self.points.len() {
             return None;
@@ -117,8 +117,8 @@ impl<'a> Corridor<'a> {
         (farthest > 0.0).then(|| from + along * farthest)
     }
 
-    /// Where a ray leaves the rectangle around the segment that begins with point `i`, its sides as far
-    /// away as the smaller disc.
+    /// Returns where a ray leaves the rectangle around the segment that begins with point `i`, with
+    /// the radius of the smaller disc as half width.
     fn strip_on_ray(&self, from: Point, along: Vec2, i: usize) -> Option<f64> {
         let (a, b) = (self.points[i], self.points[i + 1]);
         let radius = self.radii[i].min(self.radii[i + 1]);
@@ -141,8 +141,7 @@ impl<'a> Corridor<'a> {
     }
 }
 
-/// The direction of length 1 to the left of a way that comes and goes on; zero where it turns right
-/// back.
+/// Returns the unit vector to the left of a path that turns at a point; zero at a reversal.
 fn across(came: Vec2, goes: Vec2) -> Vec2 {
     let unit = |way: Vec2| way * (1.0 / way.length().max(f64::MIN_POSITIVE));
     let along = unit(came) + unit(goes);

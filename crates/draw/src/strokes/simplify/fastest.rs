@@ -1,8 +1,8 @@
-//! The path that is fastest at a pace: neither the fewest vectors nor the most.
+//! The fastest path in a corridor, with neither the fewest vectors nor the most.
 //!
-//! Where the link limits the speed, fewer vectors are faster. Where the arm does, more vectors turn more
-//! gently, and lie nearer to the curve. So the corridor is narrowed where vectors take longer than the
-//! link needs for the next, and widened again where they take less.
+//! Where the link limits the speed, fewer vectors are faster. Where the arm does, more vectors turn
+//! more gently and are closer to the curve. Therefore the corridor is narrowed where vectors take
+//! longer than the link needs for the next, and widened again where they take less.
 //!
 //! ```text
 //!   width    ______              ______   the tolerance: the link limits the tight turn
@@ -18,8 +18,8 @@ use super::search::fewest;
 use super::smooth::{as_given, smooth};
 use super::timed::{Course, FEW_SIDES, SIDES, TimedPath};
 
-/// The corners of the fastest path that is found in a corridor or a narrower one; `None` if there is none
-/// without vectors that are too short.
+/// Returns the corners of the fastest path found in a corridor or a narrower one; `None` if every
+/// path has vectors that are too short.
 pub(super) fn fastest(
     mut corridor: Corridor<'_>,
     estimator: &DurationEstimator,
@@ -28,8 +28,9 @@ pub(super) fn fastest(
     Some(Found::new(&mut corridor, path, estimator).best.path)
 }
 
-/// The same, and on a curve others: some whose vectors take whole ticks, the one with the fewest vectors, which is given, and
-/// the one with the fewest within half of the tolerance. Only a plan tells which is the fastest.
+/// Returns the fastest path and, on a curve, alternatives: some with vectors in whole ticks, the
+/// one with the fewest vectors, which is given, and the one with the fewest within half the
+/// tolerance. Only a plan decides which is the fastest.
 pub(super) fn fast_ways(
     mut corridor: Corridor<'_>,
     fewest: Vec<Corner>,
@@ -46,13 +47,13 @@ pub(super) fn fast_ways(
     }
     let mut ways = vec![found.best.path];
     ways.extend(timed);
-    ways.extend(found.plain.into_iter().map(|it| it.path));
+    ways.extend(found.plain.into_iter().map(|attempt| attempt.path));
     ways
 }
 
-/// The path that seems to be the fastest without a plan; the one with the fewest vectors is given. On a curve it is one whose
-/// vectors take whole ticks of the arm's fastest motion, or of the link's, or the better of the given one and the one in a corridor
-/// that is narrowed once.
+/// Returns the fastest path by estimate, without a plan; the one with the fewest vectors is given.
+/// On a curve it has vectors in whole ticks of the fastest motion of the arm or the link, or is the
+/// better of the given path and one in a corridor that is narrowed once.
 pub(super) fn seemingly_fastest(
     mut corridor: Corridor<'_>,
     fewest: Vec<Corner>,
@@ -63,11 +64,11 @@ pub(super) fn seemingly_fastest(
     if !few.is_curved(&corridor, most_mm / NARROWEST) {
         return few.path;
     }
-    let given = as_given(&corridor).map(|it| Attempt::of(it, &corridor, estimator));
+    let given = as_given(&corridor).map(|path| Attempt::of(path, &corridor, estimator));
     let begin = (few.clone(), few.clone());
     let best = narrowed(&mut corridor, most_mm, estimator, &ROUNDS[..1], begin);
     let sooner_s = best.arm_s().min(few.arm_s());
-    let smoothest = match given.filter(|it| it.arm_s() < sooner_s) {
+    let smoothest = match given.filter(|attempt| attempt.arm_s() < sooner_s) {
         // Without tremor there is no smoother path.
         Some(given) => given,
         None => match fine(&mut corridor, most_mm, estimator) {
@@ -94,27 +95,27 @@ pub(super) fn seemingly_fastest(
         if estimator.has_ticks() {
             return Some((time_s, path));
         }
-        let it = Attempt::of(path, &corridor, estimator);
-        Some((seems * it.time_s, it.path))
+        let attempt = Attempt::of(path, &corridor, estimator);
+        Some((seems * attempt.time_s, attempt.path))
     });
     let best = (best_seems * best.time_s, best.path);
     let sooner = |a: (f64, Vec<Corner>), b: (f64, Vec<Corner>)| if b.0 <= a.0 { b } else { a };
     timed.into_iter().flatten().fold(best, sooner).1
 }
 
-/// What the search within ever narrower corridors finds.
+/// The results of the search in ever narrower corridors.
 struct Found {
     best: Attempt,
-    /// The one that the arm would be the fastest on without a link.
+    /// The path on which the arm would be fastest without a link.
     smoothest: Attempt,
-    /// The fewest vectors within the tolerance, and where more could be faster within half of it.
+    /// The fewest vectors within the tolerance and, if more could be faster, within half of it.
     plain: Vec<Attempt>,
     /// Whether more vectors could be faster than the fewest.
     is_curved: bool,
 }
 
 impl Found {
-    /// It is looked for within the tolerance, within a half of it and so on, so that a larger tolerance is not
+    /// Searches within the tolerance, half of it and so on, so that a larger tolerance is never
     /// slower than a smaller one. The path with the fewest vectors is given.
     fn new(
         corridor: &mut Corridor<'_>,
@@ -154,8 +155,9 @@ impl Found {
         found
     }
 
-    /// Paths whose vectors take whole ticks: at speeds as the arm's fastest motion along the smoothest path has them, or along a
-    /// smoother one, or the link's, or somewhat lower ones, and within half of the tolerance.
+    /// Returns paths with vectors in whole ticks, at the speeds of the fastest motion of the arm
+    /// along the smoothest or a smoother path, or of the link, or slightly lower ones, and within
+    /// half the tolerance.
     fn timed(
         &self,
         corridor: &mut Corridor<'_>,
@@ -165,14 +167,16 @@ impl Found {
         let [as_the_arm, as_the_link] = gentler(estimator);
         corridor.radii.fill(most_mm);
         let smoother = self.smoother(corridor, estimator);
-        let arms = as_the_arm.iter().map(|it| self.as_the_arm(*it, estimator));
+        let arms = as_the_arm
+            .iter()
+            .map(|gentler| self.as_the_arm(*gentler, estimator));
         let smoother = smoother.iter().flat_map(|path| {
             let gentler = as_the_arm.iter();
-            gentler.map(|it| Course::along(path, 0.0, *it, estimator))
+            gentler.map(|gentler| Course::along(path, 0.0, *gentler, estimator))
         });
         let links = as_the_link
             .iter()
-            .map(|it| self.as_the_link(*it, estimator));
+            .map(|gentler| self.as_the_link(*gentler, estimator));
         let timed = |course: Course<'_>| course.timed(corridor, &SIDES, estimator);
         let mut ways: Vec<TimedPath> = arms
             .chain(links)
@@ -182,34 +186,35 @@ impl Found {
         corridor.radii.fill(0.5 * most_mm);
         let nearer = self.as_the_arm(as_the_arm[0], estimator);
         ways.extend(nearer.timed(corridor, &SIDES, estimator));
-        ways.into_iter().map(|it| it.path).collect()
+        ways.into_iter().map(|timed| timed.path).collect()
     }
 
-    /// A path on which the arm would be faster than on the smoothest so far, if there is one: past the points as they are given, or
-    /// without their tremor.
+    /// Returns a path on which the arm would be faster than on the smoothest one, if any: along the
+    /// given points, or without their tremor.
     fn smoother(
         &self,
         corridor: &Corridor<'_>,
         estimator: &DurationEstimator,
     ) -> Option<Vec<Corner>> {
         let paths = [as_given(corridor), smooth(corridor)].into_iter().flatten();
-        let attempts = paths.map(|it| Attempt::of(it, corridor, estimator));
+        let attempts = paths.map(|path| Attempt::of(path, corridor, estimator));
         let fastest = attempts.min_by(|a, b| a.arm_s().total_cmp(&b.arm_s()))?;
         (fastest.arm_s() * SAME < self.smoothest.arm_s()).then_some(fastest.path)
     }
 
-    /// The fastest motion of the arm alone.
+    /// Returns the fastest motion of the arm alone.
     fn as_the_arm(&self, gentler: f64, estimator: &DurationEstimator) -> Course<'_> {
         Course::along(&self.smoothest.path, 0.0, gentler, estimator)
     }
 
-    /// The fastest motion of the arm behind the link.
+    /// Returns the fastest motion of the arm with the link.
     fn as_the_link(&self, gentler: f64, estimator: &DurationEstimator) -> Course<'_> {
         Course::along(&self.best.path, estimator.link.period_s, gentler, estimator)
     }
 }
 
-/// The fewest vectors in a much narrower corridor: without a link the arm may be faster on them.
+/// Returns the fewest vectors in a much narrower corridor: without a link the arm may be faster on
+/// them.
 fn fine(
     corridor: &mut Corridor<'_>,
     most_mm: f64,
@@ -219,7 +224,8 @@ fn fine(
     Attempt::new(corridor, estimator)
 }
 
-/// How many times lower than with the fastest motion speeds in curves are tried, for the arm's motion and for the link's.
+/// Returns the factors by which speeds in curves are reduced for trial, for the motion of the arm
+/// and of the link.
 fn gentler(estimator: &DurationEstimator) -> [&'static [f64]; 2] {
     if estimator.has_ticks() {
         [&GENTLER_IN_TICKS, &GENTLER_LINK_IN_TICKS]
@@ -228,8 +234,8 @@ fn gentler(estimator: &DurationEstimator) -> [&'static [f64]; 2] {
     }
 }
 
-/// Makes a corridor that is as wide everywhere as narrow as is best, a few times; the path that was found in it so far is `last`.
-/// What is best of its paths and the one given.
+/// Narrows a corridor of constant width in several rounds, beginning with the path `last` found in
+/// it. Returns the best path, including the given one.
 fn narrowed(
     corridor: &mut Corridor<'_>,
     most_mm: f64,
@@ -250,25 +256,25 @@ fn narrowed(
     best
 }
 
-/// A path, and how long it takes.
+/// A path with its estimated duration.
 #[derive(Clone, Debug)]
 struct Attempt {
     path: Vec<Corner>,
-    /// How long the arm takes for each vector, in s.
+    /// The arm's duration of each vector, in s.
     durations_s: Vec<f64>,
-    /// How long all of it takes behind the link, in s.
+    /// The total duration with the link, in s.
     time_s: f64,
-    /// How wide the corridor was at all points together, in mm.
+    /// The sum of the corridor's width over all points, in mm.
     width_mm: f64,
 }
 
 impl Attempt {
-    /// The fewest vectors in a corridor.
+    /// Finds the fewest vectors in a corridor.
     fn new(corridor: &Corridor<'_>, estimator: &DurationEstimator) -> Option<Self> {
         Some(Self::of(fewest(corridor)?, corridor, estimator))
     }
 
-    /// A path in a corridor.
+    /// Evaluates a path in a corridor.
     fn of(path: Vec<Corner>, corridor: &Corridor<'_>, estimator: &DurationEstimator) -> Self {
         let increments = path.windows(2).map(|pair| {
             let way = pair[1].at - pair[0].at;
@@ -283,12 +289,12 @@ impl Attempt {
         }
     }
 
-    /// How long the arm takes without a link, in s.
+    /// Returns the arm's duration without a link, in s.
     fn arm_s(&self) -> f64 {
         self.durations_s.iter().sum()
     }
 
-    /// The one that the arm alone takes less time for; this one if they are about as fast.
+    /// Returns the path that takes the arm alone less time; this one if they are about equal.
     fn or_smoother(self, other: Self) -> Self {
         if other.arm_s() * SAME < self.arm_s() {
             other
@@ -297,17 +303,17 @@ impl Attempt {
         }
     }
 
-    /// Whether a vector passes points at which another could end, so far off that it might.
+    /// Whether a vector passes points at which another could end, with enough deviation to matter.
     fn is_curved(&self, corridor: &Corridor<'_>, off_mm: f64) -> bool {
         self.path.windows(2).any(|pair| {
             let (from, way) = (pair[0].at, pair[1].at - pair[0].at);
             let passed = &corridor.points[pair[0].passed + 1..=pair[1].passed];
             let mut across = passed.iter().map(|p| (*p - from).cross(way).abs());
-            passes_points(pair) && across.any(|it| it > off_mm * way.length())
+            passes_points(pair) && across.any(|off| off > off_mm * way.length())
         })
     }
 
-    /// The faster of both; the one in the narrower corridor if they are about as fast.
+    /// Returns the faster path; the one in the narrower corridor if they are about equal.
     fn or(self, other: Self) -> Self {
         let [near, far] = if self.width_mm < other.width_mm {
             [self, other]
@@ -321,8 +327,8 @@ impl Attempt {
         }
     }
 
-    /// Narrows the corridor where vectors take longer than they should, and widens it up to the most where
-    /// they take less. Whether anything changed.
+    /// Narrows the corridor where vectors take longer than wanted, and widens it up to the maximum
+    /// where they take less. Returns whether anything changed.
     fn narrow(&self, corridor: &mut Corridor<'_>, most_mm: f64, wanted_s: f64) -> bool {
         let range_mm = (most_mm / NARROWEST).max(MIN_VECTOR_MM)..=most_mm;
         let mut changed = false;
@@ -341,7 +347,7 @@ impl Attempt {
         changed
     }
 
-    /// How long the vectors around this one take in the mean, in s.
+    /// Returns the mean duration of the vectors around this one, in s.
     fn mean_s(&self, i: usize) -> f64 {
         let end = self.durations_s.len().min(i + AROUND + 1);
         let near = &self.durations_s[i.saturating_sub(AROUND)..end];
@@ -355,30 +361,31 @@ fn passes_points(pair: &[Corner]) -> bool {
     pair[1].passed > pair[0].passed + 1
 }
 
-/// How many periods of the link a vector should take, round after round.
+/// The target duration of a vector in link periods, per round.
 const ROUNDS: [f64; 4] = [1.4, 1.2, 1.1, 1.3];
-/// Times with so little between them are the same.
+/// The factor below which durations are equal.
 const SAME: f64 = 1.005;
-/// A half of the tolerance is looked at where it begins no slower than that.
+/// Half the tolerance is examined if its initial path is at most this many times slower.
 const WORTH_MORE: f64 = 1.05;
-/// How many times narrower than the tolerance a corridor may become.
+/// The maximum factor by which a corridor is narrowed.
 const NARROWEST: f64 = 16.0;
-/// How many times lower than with the fastest motion the speeds in curves are, so that corners are less sharp, and in ticks so
-/// that what is lost to a tick somewhere can be caught up; the first one is the best alone.
+/// The factors by which speeds in curves are reduced, so that corners are less sharp, and so that
+/// the loss of a tick can be compensated; the first alone is the best.
 const GENTLER: [f64; 3] = [1.005, 1.02, 1.05];
 const GENTLER_IN_TICKS: [f64; 4] = [1.035, 1.005, 1.02, 1.05];
-/// The same where each vector takes as long as its packet.
+/// The factors for vectors that take as long as their packets.
 const GENTLER_LINK: [f64; 2] = [1.0, 1.05];
 const GENTLER_LINK_IN_TICKS: [f64; 1] = [1.05];
-/// How many times longer than the vectors of the link's motion those of the arm's take than their pace says, and those of no
-/// such motion, which take no whole ticks.
+/// The factors by which the actual duration exceeds the estimate: for vectors of the arm's motion
+/// relative to the link's, and for those that do not take whole ticks.
 const ARM_SEEMS: f64 = 1.02;
 const BEST_SEEMS: f64 = 1.08;
-/// How many times narrower than the tolerance the corridor is whose path tells how fast the arm could be.
+/// The narrowing factor of the corridor used to estimate the arm's maximum speed.
 const FINE: f64 = 8.0;
-/// How much the width follows the time: with the square a chord would take just as long as wanted.
+/// The exponent with which the width follows the duration: with 2, a chord would take exactly the
+/// wanted time.
 const STRENGTH: f64 = 1.3;
-/// How much narrower or wider it becomes in one round.
+/// The maximum factor of the width per round.
 const STEEPEST: f64 = 4.0;
-/// How many vectors before and behind count for how narrow it should be.
+/// The number of neighbouring vectors that determine the width.
 const AROUND: usize = 2;

@@ -1,12 +1,13 @@
-//! The fewest vectors between points of the stroke itself, by trying all of them.
+//! The minimum number of vectors between points of the stroke, by exhaustive search; a reference
+//! for tests.
 
 use dobot_geometry::{Line, ParamCurveNearest, Point};
 
 use super::MIN_VECTOR_MM;
 
-/// How many vectors the shortest path takes (after Imai and Iri): from point to point of the
-/// stroke, hitting the discs of all points between in order. No vector
-/// passes more than [`LONGEST`] points.
+/// Returns the number of vectors of the shortest path (Imai and Iri) from point to point of the
+/// stroke that hits the discs of all points in between in order. A vector passes at most
+/// [`LONGEST`] points.
 pub(super) fn fewest_between_points(points: &[Point], tolerance_mm: f64) -> Option<usize> {
     let mut least = vec![None; points.len()];
     least[0] = Some(0);
@@ -16,7 +17,7 @@ pub(super) fn fewest_between_points(points: &[Point], tolerance_mm: f64) -> Opti
         least[end] = begins
             .filter_map(|begin| least[begin])
             .min()
-            .map(|it| it + 1);
+            .map(|count| count + 1);
     }
     least[points.len() - 1]
 }
@@ -38,5 +39,5 @@ fn hits(points: &[Point], begin: usize, end: usize, tolerance_mm: f64) -> bool {
         })
 }
 
-/// Enough for what the tests ask.
+/// Enough for the tests.
 const LONGEST: usize = 100;

@@ -1,13 +1,15 @@
-//! The search for the path with the fewest vectors.
+//! Search for the path with the fewest vectors.
 //!
-//! Breadth first: from all corners that `n` vectors reach, all that one more does. A corner is one
-//! of five for each point of the stroke: the point itself, the tolerance to its left and right, and
-//! the two farthest places that vectors get to which miss the disc of the next point. Where vectors have to be long, eight more
-//! around the point: a step that is too short may lead farther, or not be made at all.
+//! The search is breadth-first: from all corners that `n` vectors reach, it expands to those that
+//! one more vector reaches. There are five possible corners per point: the point itself, the
+//! tolerance to its left and right, and the two farthest places reached by vectors that miss the
+//! disc of the next point. With a minimum vector length, eight more around the point are added: a
+//! step that is too short may lead farther, or not be possible at all.
 //!
-//! The farthest corners of a layer come first. Once an allowance of work is used up, which grows
-//! with the way done, only those follow that could spoil the promise to be no worse than the best
-//! choice among the stroke's own points; once a second one is used up, none. So the whole is linear.
+//! The farthest corners of a layer are expanded first. When a work allowance, which grows with the
+//! progress, is used up, only those corners follow that are needed to guarantee a result no worse
+//! than the best choice among the stroke's own points; when a second allowance is used up, none.
+//! Therefore the total work is linear.
 
 use dobot_geometry::Point;
 
@@ -16,8 +18,8 @@ use super::corridor::{Corner, Corridor};
 use super::snap::snap_to_points;
 use super::visibility::Visibility;
 
-/// The corners of the path with the fewest vectors; `None` if there is none without vectors
-/// that are too short.
+/// Returns the corners of the path with the fewest vectors; `None` if every path has vectors that
+/// are too short.
 pub(super) fn fewest(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
     if corridor.points.len() < 2 {
         return None;
@@ -37,17 +39,17 @@ pub(super) fn fewest(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
 
 struct Search<'a> {
     corridor: &'a Corridor<'a>,
-    /// Where the path has to end.
+    /// The end of the path.
     end: Point,
-    /// The corners that were gone on from.
+    /// The expanded corners.
     done: Vec<Corner>,
-    /// What the next layer goes on from.
+    /// The corners of the next layer.
     next: Vec<Corner>,
-    /// For each point a bit for each of its corners that was reached.
+    /// A bit set per point of its reached corners.
     reached: Vec<u16>,
-    /// No point before this one is left to be reached.
+    /// All points before this one have been reached.
     gap: usize,
-    /// How many points were looked at.
+    /// The number of points examined.
     work: usize,
 }
 
@@ -78,7 +80,7 @@ impl<'a> Search<'a> {
         while !self.next.is_empty() {
             layer.clear();
             std::mem::swap(&mut layer, &mut self.next);
-            // They come in runs of ascending order: sorted in no time.
+            // They come in ascending runs, so sorting is fast.
             layer.sort_by_key(|corner| corner.passed);
             let lean = LEAN_WORK + WORK_PER_POINT * layer[layer.len() - 1].passed;
             for &corner in layer.iter().rev() {
@@ -98,8 +100,9 @@ impl<'a> Search<'a> {
         None
     }
 
-    /// Whether no vector from point `i`, or from any before it, leads to a point that was not
-    /// reached yet: what it leads to lies also in sight of point `i` if all tolerances are larger by that of the point.
+    /// Whether no vector from point `i` or an earlier one leads to an unreached point: everything
+    /// it reaches is also visible from point `i` with all tolerances increased by that of the
+    /// point.
     fn is_useless(&mut self, i: usize) -> bool {
         while self.reached.get(self.gap).is_some_and(|bits| bits & 1 == 1) {
             self.gap += 1;
@@ -115,7 +118,7 @@ impl<'a> Search<'a> {
         out_of_sight
     }
 
-    /// Notes all corners that one vector from here reaches; true if the end is among them.
+    /// Adds all corners that one vector from here reaches; returns true if the end is among them.
     fn go_on(&mut self, from: Corner) -> bool {
         let last = self.corridor.points.len() - 1;
         let mut visibility = Visibility::from(self.corridor, from, 0.0);
@@ -147,7 +150,7 @@ impl<'a> Search<'a> {
             }
         };
         look(1, corridor.points[i]);
-        // Far off, where each has to be looked at, the point itself has to do.
+        // Far away, where each corner requires checking all points, use only the point itself.
         if is_tedious {
             return;
         }
@@ -183,7 +186,7 @@ impl<'a> Search<'a> {
         });
     }
 
-    /// The corners from the begin to the end, which the last of `done` sees.
+    /// Returns the corners from the start to the end, which is visible from the last of `done`.
     fn path(&self) -> Vec<Corner> {
         let end = Corner {
             at: self.end,
@@ -204,10 +207,10 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The allowance of work, in points looked at: a little for each stroke and each of its points, and
-/// what it may take to be sure that no choice of points is better.
+/// The work allowance in examined points: per stroke and per point, and the additional allowance to
+/// guarantee that no choice of points is better.
 const LEAN_WORK: usize = 200;
 const WORK_PER_POINT: usize = 5;
 const EXACT_WORK: usize = 20_000;
-/// Another begin of a closed stroke saves one vector at most.
+/// Another start of a closed stroke saves at most one vector.
 const WORTH_ANOTHER_BEGIN: usize = 100;

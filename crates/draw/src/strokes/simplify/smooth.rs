@@ -1,7 +1,8 @@
-//! A path without the tremor of a stroke's points: what an arm would run the fastest.
+//! Smoothing: a path without the tremor of a stroke's points, which an arm executes fastest.
 //!
-//! A hand, a tablet and a scan put points a little to the left and to the right of the line that is meant. As far as the tolerance
-//! allows, each point moves to where the path bends evenly from the two points before it to the two behind it.
+//! Points from a hand, a tablet or a scan scatter to both sides of the intended line. Within the
+//! tolerance, each point moves to where the curvature changes evenly from the two points before it
+//! to the two after it.
 //!
 //! ```text
 //!      *             *                    given: each * turns the tool, which has to be slow
@@ -16,22 +17,23 @@ use dobot_geometry::{Point, Vec2};
 use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 
-/// The points of a stroke themselves, without those that are hardly away from the one before; `None` where that leaves the corridor,
-/// and for a stroke of too many.
+/// Returns the points of a stroke without those that barely differ from the one before; `None` if
+/// that leaves the corridor, or the stroke has too many points.
 pub(super) fn as_given(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
     if corridor.points.len() > NODES.end {
         return None;
     }
     let nodes = nodes(corridor.points, MIN_VECTOR_MM);
-    let at = nodes.iter().map(|&it| corridor.points[it]).collect();
+    let at = nodes.iter().map(|&node| corridor.points[node]).collect();
     within(corridor, at, &nodes)
 }
 
-/// A path past some of the points of a stroke that bends as evenly as a part of the tolerance allows; `None` where that leaves the
-/// corridor, and for a stroke of too few points or too many. Both ends stay.
+/// Returns a path along some points of a stroke with the most even curvature that a part of the
+/// tolerance allows; `None` if it leaves the corridor, or the stroke has too few or too many
+/// points. Both ends are kept.
 pub(super) fn smooth(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
     let nodes = nodes(corridor.points, SPACING_MM);
-    let given: Vec<Point> = nodes.iter().map(|&it| corridor.points[it]).collect();
+    let given: Vec<Point> = nodes.iter().map(|&node| corridor.points[node]).collect();
     let mut at = given.clone();
     let last = at.len() - 1;
     if !NODES.contains(&last) {
@@ -48,11 +50,14 @@ pub(super) fn smooth(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
     within(corridor, at, &nodes)
 }
 
-/// Where a point would have to be so that the squares of the second differences are the least.
+/// Returns the position of a point that minimises the squared second differences.
 fn bent_evenly(at: &[Point], i: usize) -> Point {
     let last = at.len() - 1;
     let sum = |shares: &[(usize, f64)]| -> Point {
-        let sum: Vec2 = shares.iter().map(|(i, it)| at[*i].to_vec2() * *it).sum();
+        let sum: Vec2 = shares
+            .iter()
+            .map(|(i, share)| at[*i].to_vec2() * *share)
+            .sum();
         sum.to_point()
     };
     if i == 1 {
@@ -65,7 +70,7 @@ fn bent_evenly(at: &[Point], i: usize) -> Point {
     }
 }
 
-/// Which points to keep so that each is at least so far from the one before, in mm; both ends among them.
+/// Returns the points to keep at a minimum spacing, in mm, including both ends.
 fn nodes(points: &[Point], spacing_mm: f64) -> Vec<usize> {
     let last = points.len() - 1;
     let mut nodes = vec![0];
@@ -79,7 +84,7 @@ fn nodes(points: &[Point], spacing_mm: f64) -> Vec<usize> {
     nodes
 }
 
-/// A path past points of the stroke, if all of its vectors stay in the corridor.
+/// Returns a path along points of the stroke, if all of its vectors stay in the corridor.
 fn within(corridor: &Corridor<'_>, at: Vec<Point>, nodes: &[usize]) -> Option<Vec<Corner>> {
     let corners = at.into_iter().zip(nodes).map(|(at, &passed)| Corner {
         at,
@@ -94,13 +99,14 @@ fn within(corridor: &Corridor<'_>, at: Vec<Point>, nodes: &[usize]) -> Option<Ve
     path.windows(2).all(passes).then_some(path)
 }
 
-/// How far the points are apart that are made to bend evenly.
+/// The spacing of the smoothed points.
 const SPACING_MM: f64 = 0.25;
-/// Fewer of them bend as they are; more would take longer than they save, and several times the memory of the stroke.
+/// Fewer points cannot be smoothed; more would take longer than they save, and several times the
+/// memory of the stroke.
 const NODES: Range<usize> = 4..50_000;
-/// How often each is moved: tremor over a dozen of them is gone then.
+/// The number of times each point is moved: removes tremor over a dozen points.
 const ROUNDS: usize = 200;
-/// How far a point moves at the most, as a share of the tolerance: what is left is for the vectors between.
+/// The maximum displacement of a point, as a share of the tolerance: the rest is for the vectors.
 const SHARE: f64 = 0.6;
 
 #[cfg(test)]
@@ -109,12 +115,12 @@ mod tests {
 
     use super::*;
 
-    /// An arc of 20 mm radius in points 0.3 mm apart, each up to 0.02 mm off.
+    /// An arc of 20 mm radius in points 0.3 mm apart, each with an error of up to 0.02 mm.
     fn trembling_arc() -> Vec<Point> {
         let mut random = Random::new(3);
         let mut off = || 0.02 * (2.0 * random.share() - 1.0);
         let arc = (0..150).map(|i| Vec2::from_angle(0.015 * f64::from(i)) * 20.0);
-        arc.map(|it| it.to_point() + Vec2::new(off(), off()))
+        arc.map(|p| p.to_point() + Vec2::new(off(), off()))
             .collect()
     }
 
@@ -127,14 +133,18 @@ mod tests {
             let (came, goes) = (at[1] - at[0], at[2] - at[1]);
             came.cross(goes).atan2(came.dot(goes))
         };
-        let sharpest = |at: &[Point]| at.windows(3).map(|it| turn(it).abs()).fold(0.0, f64::max);
-        let at: Vec<Point> = path.iter().map(|it| it.at).collect();
-        // Meant are turns of 0.015.
+        let sharpest = |at: &[Point]| {
+            at.windows(3)
+                .map(|three| turn(three).abs())
+                .fold(0.0, f64::max)
+        };
+        let at: Vec<Point> = path.iter().map(|corner| corner.at).collect();
+        // The intended turns are 0.015.
         assert!(sharpest(&points) > 0.1, "{}", sharpest(&points));
         assert!(sharpest(&at[1..at.len() - 1]) < 0.025, "{}", sharpest(&at));
-        // Both ends stay where they are, off the arc.
+        // Both ends keep their places, off the arc.
         let inner = &at[5..at.len() - 5];
-        let off_mm = inner.iter().map(|it| (it.to_vec2().length() - 20.0).abs());
+        let off_mm = inner.iter().map(|p| (p.to_vec2().length() - 20.0).abs());
         let off_mm = off_mm.fold(0.0, f64::max);
         assert!(off_mm < 0.02, "{off_mm} mm");
         assert_eq!([at[0], at[at.len() - 1]], [points[0], points[149]]);
@@ -144,7 +154,7 @@ mod tests {
     fn a_few_points_and_turns_closer_than_the_spacing_are_left_alone() {
         let zigzag = [(0.0, 0.0), (1.0, 0.0), (0.0, 0.1)].map(Point::from);
         assert!(smooth(&Corridor::new(&zigzag, false, 0.045)).is_none());
-        // Loops 0.1 mm wide, which no path past points 0.25 mm apart follows.
+        // Loops 0.1 mm wide, which a path along points 0.25 mm apart cannot follow.
         let at = |i: i32| Point::new(0.01 * f64::from(i), 0.1 * (0.2 * f64::from(i)).sin());
         let loops: Vec<Point> = (0..500).map(at).collect();
         let corridor = Corridor::new(&loops, false, 0.02);

@@ -1,9 +1,9 @@
-//! Moves corners back to points of the stroke where that costs no vector.
+//! Moves corners back to points of the stroke if that costs no vector.
 
 use super::corridor::{Corner, Corridor};
 
-/// Moves corners of a path to the points of the stroke they stand for: as many as can be without
-/// another vector. Both ends stay.
+/// Moves as many corners of a path as possible to the points of the stroke that they represent,
+/// without an additional vector. Both ends are kept.
 pub(super) fn snap_to_points(corridor: &Corridor<'_>, path: &[Corner]) -> Vec<Corner> {
     let begin = Choice {
         corner: path[0],
@@ -21,20 +21,20 @@ pub(super) fn snap_to_points(corridor: &Corridor<'_>, path: &[Corner]) -> Vec<Co
     best_of_each(&layers)
 }
 
-/// A place for a corner. A corner has three: where the search put it, and the two points it lies between.
+/// A choice for a corner: its place from the search, or one of the two points that it lies between.
 #[derive(Clone, Copy, Debug)]
 struct Choice {
     corner: Corner,
-    /// How many corners of the path up to here lie off the stroke.
+    /// The number of corners off the stroke up to here.
     off: usize,
-    /// Which choice for the corner before makes it so.
+    /// The choice for the corner before.
     before: usize,
-    /// Not where the search put it.
+    /// Whether it differs from the search's place.
     moved: bool,
 }
 
 impl Choice {
-    /// This place after the best of those before; `None` if no vector joins them.
+    /// Returns this choice after the best of those before; `None` if no vector joins them.
     fn after(self, corridor: &Corridor<'_>, layer: &[Option<Choice>; 3]) -> Option<Self> {
         let mut order = [0, 1, 2];
         order.sort_by_key(|&i| layer[i].map_or(usize::MAX, |before| before.off));

@@ -1,7 +1,8 @@
-//! A path that is put together from the best parts of others.
+//! Splicing: a path combined from the best parts of others.
 //!
-//! Of several paths in one corridor each is the fastest somewhere, and none of them everywhere. How long each of their
-//! vectors takes is known from plans. So the path goes along one of them until it is worth to go on along another.
+//! Of several paths in a corridor, each is the fastest somewhere, and none of them everywhere.
+//! Plans provide the duration of each vector. The spliced path follows one of them until it pays to
+//! switch to another.
 //!
 //! ```text
 //!     *----.____                  ___.*     One vector leads from a corner of the one path to a corner of the other:
@@ -18,8 +19,8 @@ use super::corridor::{Corner, Corridor};
 use super::timed::{TOO_SHARP_S, seen_mm};
 use super::visibility::Visibility;
 
-/// The path that takes the least time if each change costs so much time, in s; `None` if it is one of those given. Beside each
-/// of these stands how long its vectors take, in s; all have the same ends.
+/// Returns the path of least time with a cost per switch, in s; `None` if it is one of the given
+/// paths. Each of these comes with the durations of its vectors, in s; all have the same ends.
 pub(super) fn spliced<'a>(
     corridor: &Corridor<'_>,
     planned: impl Iterator<Item = (&'a [Corner], &'a [f64])>,
@@ -38,33 +39,35 @@ pub(super) fn spliced<'a>(
     let nodes = paths.nodes();
     let labels = paths.labels(&nodes);
     let last = (0..nodes.len())
-        .filter(|it| paths.next_corner(nodes[*it]).is_none())
+        .filter(|node| paths.next_corner(nodes[*node]).is_none())
         .min_by(|a, b| labels[*a].time_s.total_cmp(&labels[*b].time_s))?;
     let before = |at: &usize| labels[*at].before;
-    let mut found: Vec<Node> = successors(Some(last), before).map(|it| nodes[it]).collect();
+    let mut found: Vec<Node> = successors(Some(last), before)
+        .map(|node| nodes[node])
+        .collect();
     found.reverse();
     let changes = found.windows(2).any(|pair| pair[0].path != pair[1].path);
-    changes.then(|| found.iter().map(|it| paths.corner(*it)).collect())
+    changes.then(|| found.iter().map(|node| paths.corner(*node)).collect())
 }
 
-/// A path, and when a plan is at its corners.
+/// A path with the planned times of its corners.
 #[derive(Debug)]
 struct PlannedPath<'a> {
     corners: &'a [Corner],
-    /// When the tool is at each corner, in s.
+    /// The time of each corner, in s.
     times_s: Vec<f64>,
-    /// How far along the stroke each corner is, in mm.
+    /// The distance of each corner along the stroke, in mm.
     gone_mm: Vec<f64>,
 }
 
 impl<'a> PlannedPath<'a> {
     fn new(lengths: &Lengths<'_>, corners: &'a [Corner], durations_s: &[f64]) -> Self {
         let (mut times_s, mut gone_mm) = (vec![0.0], Vec::with_capacity(corners.len()));
-        times_s.extend(durations_s.iter().scan(0.0, |time_s, it| {
-            *time_s += it;
+        times_s.extend(durations_s.iter().scan(0.0, |time_s, duration_s| {
+            *time_s += duration_s;
             Some(*time_s)
         }));
-        // A corner of a stroke that turns back may lie before the one before.
+        // On a stroke that turns back, a corner may lie before its predecessor.
         gone_mm.extend(corners.iter().scan(0.0_f64, |gone_mm, corner| {
             *gone_mm = gone_mm.max(lengths.gone_mm(corner));
             Some(*gone_mm)
@@ -76,9 +79,9 @@ impl<'a> PlannedPath<'a> {
         }
     }
 
-    /// Where the tool is at a time.
+    /// Returns the tool position at a time.
     fn at(&self, t_s: f64) -> Point {
-        let after = self.times_s.partition_point(|it| *it <= t_s);
+        let after = self.times_s.partition_point(|corner_s| *corner_s <= t_s);
         let after = after.clamp(1, self.corners.len() - 1);
         let [from_s, to_s] = [after - 1, after].map(|i| self.times_s[i]);
         let share = ((t_s - from_s) / (to_s - from_s)).clamp(0.0, 1.0);
@@ -87,9 +90,11 @@ impl<'a> PlannedPath<'a> {
             .lerp(self.corners[after].at, share)
     }
 
-    /// When the tool is so far along the stroke, in s.
+    /// Returns the time at a distance along the stroke, in s.
     fn time_s(&self, gone_mm: f64) -> f64 {
-        let after = self.gone_mm.partition_point(|it| *it <= gone_mm);
+        let after = self
+            .gone_mm
+            .partition_point(|corner_mm| *corner_mm <= gone_mm);
         let after = after.clamp(1, self.corners.len() - 1);
         let [from_mm, to_mm] = [after - 1, after].map(|i| self.gone_mm[i]);
         let share = (gone_mm - from_mm) / (to_mm - from_mm).max(f64::MIN_POSITIVE);
@@ -97,13 +102,13 @@ impl<'a> PlannedPath<'a> {
         from_s + share.clamp(0.0, 1.0) * (to_s - from_s)
     }
 
-    /// How fast the tool is around a time, in mm/s.
+    /// Returns the tool speed around a time, in mm/s.
     fn speed_mm_s(&self, t_s: f64) -> f64 {
         self.at(t_s - AROUND_S).distance(self.at(t_s + AROUND_S)) / (2.0 * AROUND_S)
     }
 }
 
-/// How far along a stroke its points are, in mm.
+/// The distances of a stroke's points along it, in mm.
 struct Lengths<'a> {
     points: &'a [Point],
     gone_mm: Vec<f64>,
@@ -114,14 +119,14 @@ impl<'a> Lengths<'a> {
         let points = corridor.points;
         let lengths = points.windows(2).map(|pair| pair[0].distance(pair[1]));
         let mut gone_mm = vec![0.0];
-        gone_mm.extend(lengths.scan(0.0, |gone_mm, it| {
-            *gone_mm += it;
+        gone_mm.extend(lengths.scan(0.0, |gone_mm, length_mm| {
+            *gone_mm += length_mm;
             Some(*gone_mm)
         }));
         Self { points, gone_mm }
     }
 
-    /// How far along the stroke a corner is.
+    /// Returns the distance of a corner along the stroke.
     fn gone_mm(&self, corner: &Corner) -> f64 {
         let i = corner.passed;
         let Some(next) = self.points.get(i + 1) else {
@@ -141,41 +146,47 @@ struct Node {
     gone_mm: f64,
 }
 
-/// How a node is reached in the least time.
+/// The fastest way to reach a node.
 #[derive(Clone, Copy, Debug)]
 struct Label {
     time_s: f64,
     before: Option<usize>,
 }
 
-/// Paths with one begin and one end.
+/// Paths with common start and end.
 struct Paths<'a> {
     corridor: &'a Corridor<'a>,
     all: Vec<PlannedPath<'a>>,
     estimator: &'a DurationEstimator,
-    /// What it costs to change the path, in s.
+    /// The cost of a switch, in s.
     change_s: f64,
 }
 
 impl Paths<'_> {
-    /// All corners, in the order in which they lie along the stroke.
+    /// Returns all corners, ordered along the stroke.
     fn nodes(&self) -> Vec<Node> {
         let mut nodes: Vec<Node> = Vec::new();
-        for (path, it) in self.all.iter().enumerate() {
-            nodes.extend(it.gone_mm.iter().enumerate().map(|(corner, gone_mm)| Node {
-                path,
-                corner,
-                gone_mm: *gone_mm,
-            }));
+        for (path, planned) in self.all.iter().enumerate() {
+            nodes.extend(
+                planned
+                    .gone_mm
+                    .iter()
+                    .enumerate()
+                    .map(|(corner, gone_mm)| Node {
+                        path,
+                        corner,
+                        gone_mm: *gone_mm,
+                    }),
+            );
         }
-        // Stable: the corners of a path stay in their order.
+        // A stable sort keeps the corners of a path in order.
         nodes.sort_by(|a, b| a.gone_mm.total_cmp(&b.gone_mm));
         nodes
     }
 
-    /// How each node is reached.
+    /// Returns the fastest way to reach each node.
     fn labels(&self, nodes: &[Node]) -> Vec<Label> {
-        // Where the corners of each path are in the order.
+        // The indices of each path's corners in the order.
         let mut places: Vec<Vec<usize>> = vec![Vec::new(); self.all.len()];
         for (place, node) in nodes.iter().enumerate() {
             places[node.path].push(place);
@@ -211,22 +222,22 @@ impl Paths<'_> {
         self.all[node.path].corners[node.corner]
     }
 
-    /// The next corner of the same path.
+    /// Returns the next corner of the same path.
     fn next_corner(&self, node: Node) -> Option<usize> {
         let next = node.corner + 1;
         (next < self.all[node.path].corners.len()).then_some(next)
     }
 
-    /// Notes the corners of other paths that one vector leads to from here, and how long that takes.
+    /// Reports the corners of other paths that one vector reaches from here, with its duration.
     fn change(&self, nodes: &[Node], here: usize, mut note: impl FnMut(usize, f64)) {
         let (node, from) = (nodes[here], self.corner(nodes[here]));
         let own_mm = &self.all[node.path].gone_mm;
         let until_mm = own_mm[(node.corner + AHEAD).min(own_mm.len() - 1)];
         let mut visibility = Visibility::from(self.corridor, from, 0.0);
         let next = nodes.iter().enumerate().skip(here + 1);
-        for (there, next) in next.take_while(|(_, it)| it.gone_mm <= until_mm) {
+        for (there, next) in next.take_while(|(_, node)| node.gone_mm <= until_mm) {
             let to = self.corner(*next);
-            // Where the stroke turns back the places need not have the order of the points.
+            // Where the stroke turns back, distances need not follow the order of the points.
             if next.path == node.path || to.passed < visibility.passed {
                 continue;
             }
@@ -241,9 +252,10 @@ impl Paths<'_> {
         }
     }
 
-    /// How long the vector from one path to another takes, and what it costs to change.
+    /// Returns the duration of the vector from one path to another, including the cost of the
+    /// switch.
     fn took_s(&self, from: Node, to: Node) -> f64 {
-        let [own, other] = [from, to].map(|it| &self.all[it.path]);
+        let [own, other] = [from, to].map(|node| &self.all[node.path]);
         let (begin_s, end_s) = (own.times_s[from.corner], other.times_s[to.corner]);
         let beside_s = other.time_s(from.gone_mm);
         let took_s = 0.5 * (end_s - beside_s + own.time_s(to.gone_mm) - begin_s);
@@ -251,7 +263,7 @@ impl Paths<'_> {
         let a = self.estimator.cornering.acceleration_mm_s2;
         let (has, wanted) = (own.speed_mm_s(begin_s), other.speed_mm_s(beside_s));
         let unlike_s = (has - wanted).powi(2) / (2.0 * a * has.max(wanted).max(1.0));
-        let [from_at, to_at] = [from, to].map(|it| self.corner(it).at);
+        let [from_at, to_at] = [from, to].map(|node| self.corner(node).at);
         let at = |t_s: f64| {
             if t_s <= 0.0 {
                 own.at(begin_s + t_s)
@@ -271,7 +283,7 @@ impl Paths<'_> {
     }
 }
 
-/// A vector to another path leads past fewer than so many corners of its own.
+/// The limit on the number of own corners that a vector to another path passes.
 const AHEAD: usize = 2;
-/// Over which time a speed is looked at to both sides, in s.
+/// The time to both sides over which a speed is measured, in s.
 const AROUND_S: f64 = 0.03;

@@ -1,9 +1,10 @@
-//! The path whose vectors take whole ticks of the fastest motion.
+//! A path whose vectors take whole ticks of the fastest motion.
 //!
-//! Where the tool is at each tick of that motion there are places for corners, on the stroke and to both sides of it.
-//! From each place to those that one vector reaches goes a way. It takes as many ticks as the motion from the one to
-//! the other, and no fewer than the link needs for the next. What is seen of the corner at its begin may be too much;
-//! that counts as time. The ways that together take the least time are the path.
+//! At each tick of that motion, there are places for corners at the tool position, on the stroke
+//! and to both sides of it. CornerPlaces that one vector joins are connected by an edge, which takes as
+//! many ticks as the motion between them, and at least as many as the link needs for the next
+//! vector. Excess acceleration at the corner at its start counts as additional time. The result is
+//! the shortest path in this graph.
 //!
 //! ```text
 //!     o   o     o      o      o     each o is a place; the tool comes by at a tick. The vector goes on from *,
@@ -21,20 +22,20 @@ use dobot_plan::{DurationEstimator, Motion};
 use super::corridor::{Corner, Corridor};
 use super::visibility::Visibility;
 
-/// The fastest motion along a path: what other paths are measured by.
+/// The fastest motion along a path, by which other paths are measured.
 #[derive(Debug)]
 pub(super) struct Course<'a> {
     path: &'a [Corner],
     motion: Motion,
-    /// How far along the path the tool is at each tick, in mm.
+    /// The distance along the path at each tick, in mm.
     gone_mm: Vec<f64>,
-    /// Over which time the acceleration is seen, in s.
+    /// The sampling window of the acceleration, in s.
     window_s: f64,
 }
 
 impl<'a> Course<'a> {
-    /// The motion along a path whose vectors take `least_s` each at the least. Speeds in curves are so many times lower than the pace
-    /// allows; the largest speed is not.
+    /// Creates the motion along a path whose vectors take at least `least_s` each. Speeds in curves
+    /// are reduced by the factor `gentler`; the maximum speed is not.
     pub(super) fn along(
         path: &'a [Corner],
         least_s: f64,
@@ -62,7 +63,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// How far along the path the tool is after a time, in mm: between two ticks as if its speed were even.
+    /// Returns the distance along the path at a time, in mm, with constant speed between ticks.
     fn gone_mm(&self, time_s: f64) -> f64 {
         let ticks = (time_s * (1.0 / TICK_S)).max(0.0);
         #[expect(
@@ -75,19 +76,20 @@ impl<'a> Course<'a> {
         if tick >= last {
             return self.gone_mm[last];
         }
-        let [from, to] = [tick, tick + 1].map(|it| self.gone_mm[it]);
+        let [from, to] = [tick, tick + 1].map(|i| self.gone_mm[i]);
         from + (to - from) * ticks.fract()
     }
 
-    /// The path in a corridor that takes the least time with speeds as here; `None` if no vectors lead to its end. Its corners
-    /// are on the stroke or `sides` beside it, as shares of the tolerance.
+    /// Returns the path in a corridor with the least time at the speeds of this motion; `None` if
+    /// no vectors lead to its end. Its corners are on the stroke or `sides` beside it, as shares of
+    /// the tolerance.
     pub(super) fn timed(
         &self,
         corridor: &Corridor<'_>,
         sides: &[f64],
         estimator: &DurationEstimator,
     ) -> Option<TimedPath> {
-        let places = Places::of(self, corridor, sides).all;
+        let places = CornerPlaces::of(self, corridor, sides).all;
         let rates = Rates::of(estimator);
         let quickly = labels(corridor, &places, &rates, MOST_LATE_S);
         let reached = |labels: &[Label]| labels[labels.len() - 1].time_s.is_finite();
@@ -107,51 +109,53 @@ impl<'a> Course<'a> {
 #[derive(Debug)]
 pub(super) struct TimedPath {
     pub(super) path: Vec<Corner>,
-    /// How long it takes, as far as is known without a plan, in s.
+    /// Its estimated duration without a plan, in s.
     pub(super) time_s: f64,
 }
 
-/// A place where a corner may be.
+/// A possible place of a corner.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct CornerPlace {
     at: Point,
     /// The last point of the stroke that is passed here.
     passed: usize,
-    /// Which step along the stroke it belongs to.
+    /// The index of its step along the stroke.
     step: usize,
-    /// When the motion comes by, in s.
+    /// The time of the motion, in s.
     time_s: f64,
-    /// How far along its path the motion is then, and how far it goes in the window before and in that after, in mm.
+    /// The distance of the motion along its path, and its distances in the windows before and
+    /// after, in mm.
     gone_mm: f64,
     before_mm: f64,
     after_mm: f64,
 }
 
-/// The places for corners, in their order; first the begin, last the end.
-struct Places<'a> {
+/// The possible places of corners in order; the start first, the end last.
+struct CornerPlaces<'a> {
     course: &'a Course<'a>,
     corridor: &'a Corridor<'a>,
     sides: &'a [f64],
     step: usize,
-    all: Vec<Place>,
-    /// How many ticks there were since the last point of the stroke.
+    all: Vec<CornerPlace>,
+    /// The number of ticks since the last point of the stroke.
     since_point: usize,
-    /// The last ticks that are farther from it than matters; they matter if the next point comes soon.
+    /// The last ticks that are too far from that point; they are needed if the next point comes
+    /// soon.
     far: VecDeque<TickPlace>,
 }
 
-/// Where the motion is at a tick.
+/// The position of the motion at a tick.
 #[derive(Clone, Copy, Debug)]
 struct TickPlace {
     on_path: Point,
-    /// The direction of the path there.
+    /// The unit direction of the path.
     unit: Vec2,
     passed: usize,
     time_s: f64,
     gone_mm: f64,
 }
 
-impl<'a> Places<'a> {
+impl<'a> CornerPlaces<'a> {
     fn of(course: &'a Course<'a>, corridor: &'a Corridor<'a>, sides: &'a [f64]) -> Self {
         let mut places = Self {
             course,
@@ -184,13 +188,13 @@ impl<'a> Places<'a> {
                         break;
                     }
                     passed += 1;
-                    places.come_to_point();
+                    places.pass_point();
                     places.add_sharp(passed, begin_mm + along_mm.clamp(0.0, length_mm));
                 }
                 if ends {
                     break;
                 }
-                places.come_by(TickPlace {
+                places.pass_tick(TickPlace {
                     on_path: pair[0].at + unit * until_mm,
                     unit,
                     passed,
@@ -201,7 +205,7 @@ impl<'a> Places<'a> {
             }
             begin_mm += length_mm;
         }
-        places.come_to_point();
+        places.pass_point();
         places.add(
             [path[path.len() - 1].at],
             last,
@@ -211,41 +215,41 @@ impl<'a> Places<'a> {
         places
     }
 
-    /// Adds the places of a tick. In the middle of a long straight line no corner is of use.
-    fn come_by(&mut self, it: TickPlace) {
+    /// Adds the places of a tick. A corner in the middle of a long straight line is useless.
+    fn pass_tick(&mut self, tick: TickPlace) {
         self.since_point += 1;
         if self.since_point <= NEAR_A_POINT {
-            self.add_tick(it);
+            self.add_tick(tick);
             return;
         }
-        self.far.push_back(it);
+        self.far.push_back(tick);
         if self.far.len() > NEAR_A_POINT {
             self.far.pop_front();
         }
     }
 
-    /// Takes that a point of the stroke is passed.
-    fn come_to_point(&mut self) {
+    /// Records that a point of the stroke is passed.
+    fn pass_point(&mut self) {
         self.since_point = 0;
-        while let Some(it) = self.far.pop_front() {
-            self.add_tick(it);
+        while let Some(tick) = self.far.pop_front() {
+            self.add_tick(tick);
         }
     }
 
-    /// Adds the places of a tick: beside the one on the stroke that is nearest to where the motion is.
-    fn add_tick(&mut self, it: TickPlace) {
+    /// Adds the places of a tick: around the point of the stroke closest to the motion.
+    fn add_tick(&mut self, tick: TickPlace) {
         let corridor = self.corridor;
-        let next = (it.passed + 1).min(corridor.points.len() - 1);
-        let [from, to] = [it.passed, next].map(|i| corridor.points[i]);
+        let next = (tick.passed + 1).min(corridor.points.len() - 1);
+        let [from, to] = [tick.passed, next].map(|i| corridor.points[i]);
         let way = to - from;
-        let share = (it.on_path - from).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
+        let share = (tick.on_path - from).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
         let at = from + way * share.clamp(0.0, 1.0);
-        let across = it.unit.turn_90() * corridor.radii[it.passed].min(corridor.radii[next]);
+        let across = tick.unit.turn_90() * corridor.radii[tick.passed].min(corridor.radii[next]);
         let places = self.sides.iter().map(|side| at + across * *side);
-        self.add(places, it.passed, it.time_s, it.gone_mm);
+        self.add(places, tick.passed, tick.time_s, tick.gone_mm);
     }
 
-    /// Adds the places at a point where the stroke turns sharply, whenever the motion comes by.
+    /// Adds the places at a sharp turn of the stroke, at any time.
     fn add_sharp(&mut self, i: usize, gone_mm: f64) {
         let points = self.corridor.points;
         if i + 1 < points.len() && is_sharp(points[i - 1], points[i], points[i + 1]) {
@@ -268,7 +272,7 @@ impl<'a> Places<'a> {
             gone_mm - gone(time_s - window_s),
             gone(time_s + window_s) - gone_mm,
         );
-        let places = at.into_iter().map(|at| Place {
+        let places = at.into_iter().map(|at| CornerPlace {
             at,
             passed,
             step: self.step,
@@ -287,13 +291,13 @@ fn is_sharp(before: Point, here: Point, after: Point) -> bool {
     came.dot(goes) < SHARP_COS * came.length() * goes.length()
 }
 
-/// How a place is reached in the least time.
+/// The fastest way to reach a place.
 #[derive(Clone, Copy, Debug)]
 struct Label {
     time_s: f64,
     /// The place before.
     before: usize,
-    /// How the tool moves within the window before it is here.
+    /// The displacement of the tool in the window before its arrival.
     came: Vec2,
 }
 
@@ -304,8 +308,8 @@ impl Label {
         came: Vec2::ZERO,
     };
 
-    /// How the next place is reached from this one.
-    fn next(&self, [from, to]: [&Place; 2], here: usize, rates: &Rates) -> Self {
+    /// Returns how the next place is reached from this one.
+    fn next(&self, [from, to]: [&CornerPlace; 2], here: usize, rates: &Rates) -> Self {
         let took_s = rates.took_s(from, to);
         let (way, along_mm) = (to.at - from.at, to.gone_mm - from.gone_mm);
         let speed = ((to.time_s - from.time_s) / took_s).min(1.0);
@@ -326,11 +330,11 @@ impl Label {
     }
 }
 
-/// What limits how soon the next corner may come.
+/// The limits on the time of the next corner.
 struct Rates {
-    /// How many ticks the link needs for a vector, in s.
+    /// The link's minimum duration of a vector in whole ticks, in s.
     least_s: f64,
-    /// How much of a turn may be seen within the window, in mm.
+    /// The allowed change of displacement between windows, in mm.
     seen_mm: f64,
 }
 
@@ -342,13 +346,13 @@ impl Rates {
         }
     }
 
-    /// How long a vector takes, wherever it comes from, in s.
-    fn took_s(&self, from: &Place, to: &Place) -> f64 {
+    /// Returns the duration of a vector regardless of its predecessor, in s.
+    fn took_s(&self, from: &CornerPlace, to: &CornerPlace) -> f64 {
         whole_ticks_s(to.time_s - from.time_s).max(self.least_s)
     }
 }
 
-/// How much of a turn may be seen within the window, in mm.
+/// Returns the allowed change of displacement between windows, in mm.
 pub(super) fn seen_mm(estimator: &DurationEstimator) -> f64 {
     let (a, window_s) = (
         estimator.cornering.acceleration_mm_s2,
@@ -359,23 +363,23 @@ pub(super) fn seen_mm(estimator: &DurationEstimator) -> f64 {
 
 fn whole_ticks_s(duration_s: f64) -> f64 {
     let ticks = duration_s * (1.0 / TICK_S) - SPARE_TICKS;
-    // Faster than `ceil`, which is a call.
+    // Faster than `ceil`, which is a function call.
     #[expect(clippy::cast_possible_truncation, reason = "a handful")]
     let below = f64::from(ticks as i32);
     TICK_S * if below < ticks { below + 1.0 } else { below }
 }
 
-/// How each place is reached in the least time. From places that are so much later than the best of the last steps no vector leads
-/// on.
+/// Computes the fastest way to reach each place. CornerPlaces that are much later than the best of the
+/// last steps are not expanded.
 fn labels(
     corridor: &Corridor<'_>,
-    places: &[Place],
+    places: &[CornerPlace],
     rates: &Rates,
     most_late_s: f64,
 ) -> Vec<Label> {
     let mut labels = vec![Label::UNREACHED; places.len()];
     labels[0].time_s = 0.0;
-    // How much later than the motion the best places of the last steps are reached.
+    // The lateness relative to the motion of the best places in the last steps.
     let mut late_s = [f64::INFINITY; STEPS_BACK];
     let mut begin = 0;
     for places_of_step in places.chunk_by(|a, b| a.step == b.step) {
@@ -396,19 +400,19 @@ fn labels(
     labels
 }
 
-/// Notes all places that one vector from here reaches sooner than was known. A vector that is over before the link brings the
-/// next one is of use where no longer one leads on.
+/// Updates all places that one vector from here reaches sooner than known. A vector that finishes
+/// before the link delivers the next one is useful only if no longer one exists.
 fn go_on(
     corridor: &Corridor<'_>,
-    places: &[Place],
+    places: &[CornerPlace],
     labels: &mut [Label],
     here: usize,
     rates: &Rates,
 ) {
     let from = places[here];
     let farther = here + 1..places.len();
-    let first = farther.clone().find(|it| {
-        let to = &places[*it];
+    let first = farther.clone().find(|index| {
+        let to = &places[*index];
         to.step > from.step && to.time_s - from.time_s >= rates.least_s - SPARE_TICKS * TICK_S
     });
     let first = first.unwrap_or(places.len());
@@ -417,11 +421,11 @@ fn go_on(
     }
 }
 
-/// Notes those of some places, which lie farther along, that one vector from here reaches sooner than was known. Whether it
-/// reaches any.
+/// Updates places farther along that one vector from here reaches sooner than known. Returns
+/// whether it reaches any.
 fn go_to(
     corridor: &Corridor<'_>,
-    places: &[Place],
+    places: &[CornerPlace],
     labels: &mut [Label],
     here: usize,
     wanted: Range<usize>,
@@ -465,7 +469,7 @@ fn go_to(
     reaches_any
 }
 
-fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
+fn path(places: &[CornerPlace], labels: &[Label]) -> Vec<Corner> {
     let mut at = places.len() - 1;
     let corner = |at: usize| Corner {
         at: places[at].at,
@@ -481,21 +485,23 @@ fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
     path
 }
 
-/// From places that are reached later than the best of so many steps, by so much, no vector leads on.
+/// CornerPlaces reached later than the best of this many steps by [`MOST_LATE_S`] are not expanded.
 const STEPS_BACK: usize = 7;
 const MOST_LATE_S: f64 = 2.0 * TICK_S;
-/// A vector goes over at most so many steps.
+/// The maximum number of steps that a vector spans.
 const MOST_STEPS: usize = 24;
-/// So many ticks before a point of the stroke and behind it there are places: a vector may go over all between two points.
+/// The number of ticks with places before and after a point of the stroke, so that a vector can
+/// span everything between two points.
 const NEAR_A_POINT: usize = MOST_STEPS / 2 - 1;
-/// How far beside the stroke places lie, as shares of the tolerance: many, and few.
+/// The offsets of places from the stroke, as shares of the tolerance: many, and few.
 pub(super) const SIDES: [f64; 5] = [0.0, 0.99, -0.99, 0.5, -0.5];
 pub(super) const FEW_SIDES: [f64; 3] = [0.0, 0.99, -0.99];
-/// The cosine of a turn of a stroke from which on the point itself is a place.
+/// The cosine of a turn from which the point of the stroke itself is a place.
 const SHARP_COS: f64 = 0.94;
-/// By so much of a tick a vector may be too long for its ticks.
+/// The share of a tick by which a vector may be too long for its ticks.
 const SPARE_TICKS: f64 = 0.1;
-/// The share of the acceleration that may be seen at a corner.
+/// The share of the sampled acceleration that is allowed at a corner.
 const SEEN_SHARE: f64 = 0.97;
-/// How much time it counts for to be seen to accelerate twice as much, in s; in the square of what is too much.
+/// The time penalty for sampling twice the allowed acceleration, in s; it grows with the square of
+/// the excess.
 pub(super) const TOO_SHARP_S: f64 = 50.0 * TICK_S;

@@ -1,31 +1,31 @@
-//! How far one vector may go from a corner.
+//! Visibility: how far a single vector may lead from a corner.
 
 use dobot_geometry::{Point, Vec2};
 
 use super::cone::Cone;
 use super::corridor::{Corner, Corridor};
 
-/// What is seen from a corner on the way along the stroke.
+/// The view from a corner along the stroke.
 pub(super) struct Visibility<'a> {
     corridor: &'a Corridor<'a>,
     pub(super) from: Corner,
-    /// How far off a disc still counts as hit.
+    /// The distance by which a disc may be missed.
     slack: f64,
-    /// The directions that hit all discs so far; `None` while every direction does.
+    /// The directions that hit all discs up to here; `None` while every direction does.
     pub(super) cone: Option<Cone>,
     /// The last point that was passed.
     pub(super) passed: usize,
-    /// The squared length of the longest tangent to a disc so far.
+    /// The squared length of the longest tangent to a disc.
     reach2: f64,
     /// The radius of that disc.
     reach_radius: f64,
-    /// The stroke came back a little: the order in which the discs are hit has to be looked at.
+    /// Whether the stroke came back slightly, so that the order of the discs must be checked.
     wavering: bool,
-    /// How many looks in a row found them out of order.
+    /// The number of consecutive checks with discs out of order.
     misses: usize,
-    /// There was such a look since the last stop.
+    /// Whether there was such a check since the last stop.
     looked: bool,
-    /// From far off not every point is a corner.
+    /// The next point examined as a corner; far away not every point is.
     next_stop: usize,
     pub(super) work: usize,
 }
@@ -48,7 +48,7 @@ impl<'a> Visibility<'a> {
         }
     }
 
-    /// Narrows the view to what passes the next point; false if nothing does.
+    /// Narrows the view to directions that pass the next point; returns false if none is left.
     pub(super) fn pass(&mut self, i: usize) -> bool {
         self.work += 1;
         let radius = self.corridor.radii[i] + self.slack;
@@ -79,7 +79,7 @@ impl<'a> Visibility<'a> {
         true
     }
 
-    /// Whether the vector to `at`, within the tolerance of point `i`, passes all before it.
+    /// Whether the vector to `at`, within the tolerance of point `i`, passes all points before it.
     pub(super) fn reaches(&mut self, at: Point, i: usize) -> bool {
         let way = at - self.from.at;
         let length2 = way.hypot2();
@@ -89,14 +89,15 @@ impl<'a> Visibility<'a> {
         if self.cone.is_some_and(|cone| !cone.holds(way)) {
             return false;
         }
-        // Discs ever farther out are hit in order, and no later than their tangents are long.
+        // Discs at increasing distances are hit in order, and no later than the length of their
+        // tangents.
         if !self.wavering && length2 >= self.reach2 {
             return true;
         }
         self.in_order(at, i)
     }
 
-    /// The same for a place on an edge of the view.
+    /// Whether the vector reaches a place on an edge of the view.
     pub(super) fn reaches_exit(&mut self, at: Point, i: usize) -> bool {
         at.distance(self.from.at) >= self.corridor.least_mm
             && (!self.wavering || self.in_order(at, i))
@@ -116,12 +117,12 @@ impl<'a> Visibility<'a> {
         i >= self.next_stop
     }
 
-    /// Whether every corner costs a look at all points up to a far one.
+    /// Whether every corner requires checking all points up to a far one.
     pub(super) const fn is_tedious(&self, i: usize) -> bool {
         self.wavering && i - self.from.passed > NEAR
     }
 
-    /// After a stop at point `i`: the first points are stops, then ever fewer.
+    /// Sets the stop after point `i`: at first every point, then ever fewer.
     pub(super) fn set_next_stop(&mut self, i: usize) {
         if self.wavering && !self.looked {
             self.look_ahead(i);
@@ -134,7 +135,8 @@ impl<'a> Visibility<'a> {
         }
     }
 
-    /// Counts whether the order holds in the middle of the view, as there may be no corner to tell.
+    /// Counts whether the order holds in the middle of the view, because there may be no corner to
+    /// check it.
     fn look_ahead(&mut self, i: usize) {
         if let Some(cone) = self.cone {
             let unit = |way: Vec2| way * (1.0 / way.length());
@@ -145,8 +147,8 @@ impl<'a> Visibility<'a> {
     }
 }
 
-/// As far as this every point is a stop; farther off they are this much rarer, and rarer still where
-/// the stroke wavers.
+/// Up to this number of points, every point is a stop; farther away they are rarer by this factor,
+/// and rarer still where the stroke wavers.
 const NEAR: usize = 64;
-/// A line that comes back may be in order again after so many looks.
+/// The number of checks after which a line that comes back may be in order again.
 const LOOK_PAST: usize = 100;

@@ -173,8 +173,8 @@ async fn an_arm_that_never_came_to_the_start_has_drawn_nothing() {
     let error = Trace::new(&plan, &PAPER, &[], &[]).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "the arm never came to the start of the plan at x 200.0, y 0.0, z -30.0 mm; \
-         the nearest it came is inf mm away"
+        "the arm never reached the start of the plan at x 200.0, y 0.0, z -30.0 mm; \
+         the closest sample is inf mm away"
     );
 }
 

@@ -140,7 +140,7 @@ async fn an_option_that_no_drawing_can_have_is_refused_at_once_by_its_field() {
         ),
         (
             json!({"place": {"fit": true, "scale": 2}}),
-            "place.fit and place.scale exclude each other: give one of them",
+            "place.fit and place.scale exclude each other; use only one",
         ),
     ] {
         let body = json!({"options": options}).to_string();
