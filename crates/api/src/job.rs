@@ -72,7 +72,7 @@ impl JobProgram {
                 commands.saturating_sub(1)
             )),
             Some(JobRepeat { times: Some(0), .. }) => {
-                Err("a cycle is done 0 times; allowed is 1 or more, or nothing for ever".into())
+                Err("a cycle runs 0 times; allowed is 1 or more, or no number to repeat until the job is ended".into())
             }
             _ => Ok(()),
         }

@@ -83,16 +83,16 @@ pub enum RemoteError {
     #[error("{0}")]
     Failed(String),
     /// No answer came.
-    #[error("the station does not answer")]
+    #[error("the station does not respond")]
     Silent,
     /// The station closed the connection.
     #[error("the station closed the connection{}", .0.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
     Closed(Option<String>),
     /// The connection broke.
-    #[error("the connection with the station broke")]
+    #[error("the connection to the station broke")]
     Broken(#[source] Box<tungstenite::Error>),
     /// The station sent something that could not be understood.
-    #[error("the station says what this program does not understand: {0}")]
+    #[error("the station sent an unknown message: {0}")]
     Garbled(String),
 }
 
@@ -103,12 +103,12 @@ impl RemoteError {
         match self {
             Self::Refused(problem) => problem.hint.clone(),
             Self::Failed(_) => {
-                Some("`dobot watch` shows where the arm is and what happened".into())
+                Some("see where the arm is and what happened: `dobot watch`".into())
             }
             Self::Silent | Self::Closed(_) | Self::Broken(_) => Some(
-                "does the station still run? `dobot watch` shows it, `dobot up` starts one".into(),
+                "check the station with `dobot watch`, or start one with `dobot up`".into(),
             ),
-            Self::Garbled(_) => Some("are station and program of the same version?".into()),
+            Self::Garbled(_) => Some("use the same version of station and program".into()),
         }
     }
 

@@ -62,7 +62,7 @@ impl ArmThread {
                 })
             };
             let outcome = catch_unwind(AssertUnwindSafe(work))
-                .unwrap_or_else(|_| Err("the thread that has the arm panicked".to_owned()));
+                .unwrap_or_else(|_| Err("the arm thread panicked".to_owned()));
             // The receiver may be gone.
             let _ = over.send(outcome);
         })?;
@@ -104,7 +104,7 @@ impl ArmAtWork {
     pub(crate) async fn ended(self) -> Result<(), String> {
         match self.ended.await {
             Ok(outcome) => outcome,
-            Err(_) => Err("the thread that has the arm was torn down".to_owned()),
+            Err(_) => Err("the arm thread was aborted".to_owned()),
         }
     }
 }
@@ -230,7 +230,7 @@ mod tests {
         let began = Instant::now();
         let (thread, _own) = at_work(link, &panic_stop);
         let error = thread.ended().await.unwrap_err();
-        assert_eq!(error, "the thread that has the arm panicked");
+        assert_eq!(error, "the arm thread panicked");
         drop(panic_stop);
         let release = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
         assert_eq!(commands(&mut far), [LASER_OFF, release]);

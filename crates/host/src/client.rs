@@ -507,7 +507,7 @@ impl NoArm {
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
-            Self::Unusable(_) => Some("is it switched on, and is this its port and line speed? `dobot ports` lists the ports; `dobot watch` shows what a station waits for".into()),
+            Self::Unusable(_) => Some("check that the arm is switched on, and its port and line speed: `dobot ports` lists the ports, `dobot watch` shows what the station is waiting for".into()),
             Self::Silent(error) => error.hint(),
         }
     }

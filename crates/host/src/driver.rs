@@ -148,7 +148,7 @@ impl Driver {
             }
             Err(refusal) => {
                 self.jobs.give_up(&job, &refusal.to_string());
-                Err(format!("job {} cannot be gone on with: {refusal}", job.id))
+                Err(format!("cannot resume job {}: {refusal}", job.id))
             }
         }
     }
@@ -165,7 +165,7 @@ impl Driver {
             let taken = self.supervisor.handle_kept_slots(now, &slots);
             taken.map_err(|refusal| refusal.to_string())
         });
-        taken.map_err(|why| format!("the time slots of before do not hold any more: {why}"))
+        taken.map_err(|why| format!("the saved time slots were lost: {why}"))
     }
 
     /// Restores the stops that held when the previous station ended.
@@ -188,7 +188,7 @@ impl Driver {
     /// Saves the time slots for the next station.
     fn keep_slots(&mut self) {
         let slots = self.slots.keep(&self.supervisor.slots(), now_ms());
-        self.write_file(slots.map(Some), "the time slots cannot be kept");
+        self.write_file(slots.map(Some), "the time slots cannot be saved");
     }
 
     /// Writes a file if there is new content. `problem` states what is lost if that fails.
@@ -230,7 +230,7 @@ impl Driver {
                 DriverEvent::Message(None) => self.end(),
                 DriverEvent::Link(outcome) => self.handle_received(outcome),
                 DriverEvent::Connecting(None) => {
-                    self.fail("the task that looks for the arm panicked".into());
+                    self.fail("the task that searches for the arm panicked".into());
                 }
                 DriverEvent::Connecting(news) => self.follow(news),
                 DriverEvent::Written(Some(written)) => self.note(written),
@@ -486,14 +486,14 @@ impl Driver {
         }
         let Some(address) = self.address.clone() else {
             return Err(Refusal::NoLink(
-                "a calibration is kept for an arm, and none has been there yet".into(),
+                "a calibration is saved for an arm, and none has been connected yet".into(),
             ));
         };
         let calibrations = self.arms.calibrations(&address).replaced_by(calibration);
         self.supervisor
             .handle_calibration(now, client, &calibrations)?;
         let new = self.arms.calibrate(&address, calibrations.clone());
-        self.write_file(new, "the calibration of the arm cannot be kept");
+        self.write_file(new, "the calibration of the arm cannot be saved");
         self.channels
             .change_rules(|it| it.calibrations = calibrations.clone());
         Ok(calibrations)
@@ -627,7 +627,7 @@ impl Driver {
 
     fn drop_held_start(&mut self) {
         if let Some(held) = self.held_start.take() {
-            let why = "it was told to rest before it had come to rest".to_owned();
+            let why = "it was stopped before it had come to rest".to_owned();
             drop(held.start.reply.send(Err(Refusal::CannotResume(why))));
         }
     }
@@ -651,7 +651,7 @@ impl Driver {
         };
         self.link = None;
         self.heartbeats.stop();
-        let problem = format!("{problem}; the station looks for the arm again");
+        let problem = format!("{problem}; the station is searching for the arm again");
         self.supervisor
             .handle_link_down(now, LinkPhase::Lost, Some(problem));
         self.connect();
@@ -690,7 +690,7 @@ impl Driver {
         }
         let finding = self.supervisor.finding();
         let new = self.arms.keep(address, *dialect, finding);
-        self.write_file(new, "the dialect of the arm cannot be kept");
+        self.write_file(new, "the dialect of the arm cannot be saved");
     }
 
     /// Searches for the arm in a task.

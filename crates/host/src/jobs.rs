@@ -90,7 +90,7 @@ impl Jobs {
         (missing > 0).then(|| {
             let writes = if missing == 1 { "write" } else { "writes" };
             format!(
-                "the journal was damaged, and is {missing} {writes} behind: the last queued jobs may be missing; look through `dobot jobs`, and submit again what is not there"
+                "the journal was damaged and has lost its last {missing} {writes}: the last queued jobs may be missing; check `dobot jobs`, and submit missing jobs again"
             )
         })
     }
@@ -426,7 +426,7 @@ fn check_made_for(job: &Job, model: &Model) -> Result<(), Refusal> {
     }
     if !job.calibration.is_same(&model.calibration) {
         return Err(Refusal::CannotResume(
-            "it was made for the arm as it was calibrated then, and another calibration holds now, or the arm was told its angles since: make it anew".into(),
+            "it was made for another calibration: the calibration has changed, or the arm was given its angles since; submit it again".into(),
         ));
     }
     Ok(())
@@ -557,7 +557,7 @@ fn check_key(key: &str) -> Result<(), Refusal> {
         return Ok(());
     }
     Err(Refusal::Malformed(format!(
-        "a key has 1 to {LONGEST_KEY} visible characters, and this one {characters}"
+        "the key has {characters} characters; allowed are 1 to {LONGEST_KEY} visible ones"
     )))
 }
 

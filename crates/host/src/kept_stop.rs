@@ -38,7 +38,7 @@ impl KeptStop {
             stop: Some(StoppedBy {
                 by: "the station".to_owned(),
                 reason: Some(format!(
-                    "whether a stop held before cannot be read: {}: {why}",
+                    "cannot read whether a stop held before: {}: {why}",
                     self.0.display()
                 )),
             }),

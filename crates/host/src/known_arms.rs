@@ -66,7 +66,7 @@ pub enum KnownArmsError {
         source: io::Error,
     },
     /// Its content is invalid.
-    #[error("{file} is not what is known of arms: {why}")]
+    #[error("{file} is not a file of known arms: {why}")]
     Content {
         /// The file.
         file: String,

@@ -114,7 +114,7 @@ impl DryRun {
             if !self.station.run_until(latest, is_elsewhere) {
                 return Err(Refusal::BadJob {
                     index: completed,
-                    why: "the twin does not get beyond it in two days".to_owned(),
+                    why: "the twin does not finish it in two days".to_owned(),
                     rule: None,
                 });
             }
@@ -129,7 +129,7 @@ impl DryRun {
         match self.state()? {
             JobState::Done => Ok(until),
             state => Err(Refusal::CannotResume(format!(
-                "on the twin the program is {state}"
+                "on the twin, the program is {state}"
             ))),
         }
     }
@@ -156,7 +156,7 @@ impl DryRun {
             .any(|it| state.reason() == Some(&it.message))
         {
             return Err(Refusal::CannotResume(format!(
-                "on the twin the program is {state}"
+                "on the twin, the program is {state}"
             )));
         }
         self.station.start(self.client, self.job)?;

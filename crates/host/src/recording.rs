@@ -113,7 +113,7 @@ impl Recording {
         self.problem.clone_from(&problem);
         Some(match problem {
             Some(problem) => format!("recording: {problem}"),
-            None => "recording goes on".into(),
+            None => "recording works again".into(),
         })
     }
 

@@ -71,7 +71,7 @@ impl Violation {
         let least = Rounded(allowed.min);
         let message = if rule == TABLE || rule == BELOW_PAPER {
             format!(
-                "{name} would be {found_here}{unit}; {rule} allows {least}{unit} and more with this tool"
+                "{name} would be {found_here}{unit}; {rule} allows {least}{unit} or more with this tool"
             )
         } else {
             let most = Rounded(allowed.max);
@@ -129,7 +129,7 @@ impl Violation {
         let nearest = position(&breach.nearest);
         let [x, y, z] = nearest.map(Rounded);
         let message = format!(
-            "{}; the way is free for {} mm{}, as far as x {x} y {y} z {z} mm",
+            "{}; the path is free for {} mm{}, up to x {x} y {y} z {z} mm",
             violation.message,
             Rounded(breach.gone_mm),
             Seconds(breach.at_s),

@@ -157,7 +157,7 @@ impl Supervisor {
         if known.calibration.is_some() {
             let name = known.name().unwrap_or("the arm that was calibrated there");
             let text = format!(
-                "the arm at {address} is taken to be {name}; if it is another one, have its own calibration hold: `dobot calibrate ARM.toml --use`"
+                "the arm at {address} is assumed to be {name}; if it is a different one, use its own calibration: `dobot calibrate ARM.toml --use`"
             );
             self.notify(News::Calibrated, text);
         }
@@ -195,7 +195,7 @@ impl Supervisor {
         // The link first: the first packet to an arm that reappears switches the laser off,
         // whatever happened before (a crash, another program, an unplugged cable).
         if self.link.handle_status() {
-            self.notify(News::LinkUp, "the arm tells its state".into());
+            self.notify(News::LinkUp, "the arm is connected".into());
         }
         if self.link.take_pending_laser_off() {
             // The last packets may have been lost with the link.
@@ -204,7 +204,7 @@ impl Supervisor {
             if self.stop_latch.handle_delivered() {
                 self.notify(
                     News::Trouble,
-                    "the stop is delivered now: the link to the arm is back".into(),
+                    "the link to the arm is back: the stop has been delivered".into(),
                 );
             }
         }
@@ -421,7 +421,7 @@ impl Supervisor {
         match self.arm.session().model() {
             Some(model) => Ok(*model),
             None => Err(Refusal::NoLink(
-                "no arm has told where it stands yet".into(),
+                "the arm has not sent a status yet".into(),
             )),
         }
     }

@@ -23,7 +23,7 @@ pub struct StationSearch {
 #[non_exhaustive]
 pub enum SearchError {
     /// The user has no home folder.
-    #[error("this person has no home folder")]
+    #[error("this user has no home folder")]
     NoFolders,
     /// The address is invalid.
     #[error(transparent)]
@@ -39,7 +39,7 @@ impl SearchError {
     pub const fn hint(&self) -> Option<&'static str> {
         match self {
             Self::NoFolders => Some(
-                "say where the station keeps its data: `--data FOLDER`, or the environment variable DOBOT_DATA",
+                "name the station's data folder: `--data FOLDER`, or the environment variable DOBOT_DATA",
             ),
             Self::Address(_) | Self::Running(_) => None,
         }

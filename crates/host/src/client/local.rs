@@ -45,7 +45,7 @@ pub enum OpenArmError {
     #[error(transparent)]
     Host(#[from] HostError),
     /// The system has no thread left for the arm.
-    #[error("the system gives the arm no thread of its own")]
+    #[error("the system has no thread left for the arm")]
     Thread(#[source] std::io::Error),
     /// The host ended immediately.
     #[error(transparent)]

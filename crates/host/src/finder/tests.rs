@@ -217,7 +217,7 @@ async fn a_port_that_was_found_silent_is_not_opened_again_for_a_minute() {
     assert_eq!(listened_to(&news).len(), 1);
     let nothing = finder.find_among(&ports, |_| {}).await;
     let nothing = nothing.expect_err("nobody is there").to_string();
-    assert!(nothing.contains("nothing was heard"), "{nothing}");
+    assert!(nothing.contains("nothing was received"), "{nothing}");
     tokio::time::advance(std::time::Duration::from_mins(1)).await;
     let nothing = finder.find_among(&ports, |it| news.push(it)).await;
     nothing.expect_err("nobody is there");

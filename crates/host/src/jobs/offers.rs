@@ -97,6 +97,6 @@ fn forgotten(job: u64, state: &JobState) -> JobView {
 /// of the station.
 pub const WITHDRAWN: &str = "withdrawn by ";
 /// Why a job for an arm with another calibration is not accepted.
-const OTHER_ARM: &str = "its commands were made for an arm with another calibration: submit the drawing itself, which is planned where it is drawn";
+const OTHER_ARM: &str = "its commands were made for an arm with another calibration: submit the drawing itself, which is planned at the arm that draws it";
 /// The maximum number of characters shown of a station's name.
 const LONGEST_NAME: usize = 40;

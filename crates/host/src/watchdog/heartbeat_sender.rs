@@ -171,7 +171,7 @@ impl HeartbeatSender {
             Ok(()) if self.watchdog.is_some() => {
                 self.gone = None;
                 self.trouble =
-                    Some("the watchdog was gone; another one takes its place".to_owned());
+                    Some("the watchdog was gone and has been replaced".to_owned());
             }
             Ok(()) => {}
             Err(error) => self.set_gone(&error),
@@ -183,7 +183,7 @@ impl HeartbeatSender {
         self.watchdog = None;
         if self.gone.is_none() {
             self.trouble = Some(format!(
-                "the watchdog is gone: {error}; nothing is jogged and nothing burns until another one is there"
+                "the watchdog is gone: {error}; jogging and burning are refused until there is another one"
             ));
         }
         self.gone = Some(error.to_string());

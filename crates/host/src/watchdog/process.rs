@@ -176,8 +176,8 @@ fn text(silence: Silence, silent: Duration, hazards: Hazards) -> String {
     };
     let button = match hazards.jog {
         None => "",
-        Some(JogKind::Joint) => ", and let go of the joint jog's button",
-        Some(JogKind::Linear) => ", and let go of the linear jog's button",
+        Some(JogKind::Joint) => ", and released the joint jog button",
+        Some(JogKind::Linear) => ", and released the linear jog button",
     };
     format!("{why}: the watchdog switched the laser off{button}")
 }
@@ -197,7 +197,7 @@ mod tests {
         };
         assert_eq!(
             text(Silence::Stalled, Duration::from_millis(312), hazards),
-            "the station was silent for 0.31 s: the watchdog switched the laser off, and let go of the linear jog's button"
+            "the station was silent for 0.31 s: the watchdog switched the laser off, and released the linear jog button"
         );
         assert_eq!(
             text(Silence::Ended, Duration::ZERO, Hazards::default()),

@@ -13,7 +13,7 @@ fn a_full_disk_refuses_a_new_job_and_keeps_the_old_ones() {
     assert!(
         error
             .to_string()
-            .starts_with("no room is left for the journal")
+            .starts_with("there is no room left for the journal")
     );
 
     let jobs = journal.jobs().unwrap();

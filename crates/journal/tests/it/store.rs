@@ -200,7 +200,7 @@ fn a_window_neither_leaves_its_job_nor_goes_back() {
     let error = journal.extend_window(id, &window(7, 9)).unwrap_err();
     assert_eq!(
         error.to_string(),
-        format!("job {id} is done; only a running one is given commands")
+        format!("job {id} is done; only a running job may get commands")
     );
 }
 
@@ -404,11 +404,11 @@ fn a_pause_that_stands_nowhere_is_refused_with_where_it_may_stand() {
     for (pauses, text) in [
         (
             vec![pause(3)],
-            "pause 0 of the job stands before command 3; 0 to 2 are allowed",
+            "pause 0 of the job is before command 3; allowed are 0 to 2",
         ),
         (
             vec![pause(1), pause(1)],
-            "pause 1 of the job stands before command 1; 2 to 2 are allowed",
+            "pause 1 of the job is before command 1; allowed are 2 to 2",
         ),
     ] {
         let job = PlannedJob {

@@ -131,7 +131,7 @@ impl Supervisor {
         let name = self.client_name(client);
         let kind = Refusal::LetGo(String::new()).kind().to_owned();
         let text = format!(
-            "refused to {name}: the button was let go before the arm could be told, so nothing moved; hold it until the arm moves"
+            "refused to {name}: the button was released before the press was sent, so nothing moved; hold it until the arm moves"
         );
         self.notify(News::Refused { client, kind }, text);
     }

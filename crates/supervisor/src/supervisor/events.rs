@@ -54,12 +54,12 @@ impl Supervisor {
     pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
         self.arm.set_time(now);
         self.arm.session_mut().handle_stall(now);
-        let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
+        let why = format!("the station hung for {:.1} s", silent.as_secs_f64());
         self.arm.send_at_once(LASER_OFF);
         self.withdraw(Refusal::LetGo(why.clone()));
         self.notify(
             News::Trouble,
-            format!("{why}: the laser was switched off and the button let go"),
+            format!("{why}: the laser was switched off and the button released"),
         );
         self.disarm_laser(&why);
     }
@@ -177,7 +177,7 @@ impl Supervisor {
     pub(super) fn release_fleet_stop(&mut self) {
         if self.stop_latch.release(self.arm.last().is_some()) {
             self.stop_sequence.forget();
-            let text = "the stop of the fleet was reset: the arm may move again".to_owned();
+            let text = "the fleet-wide stop was cleared: the arm may move again".to_owned();
             self.notify(News::StopReset, text);
         }
     }
@@ -387,7 +387,7 @@ impl Supervisor {
         self.end_detection("the arm was reset");
         self.notify(
             News::Reset,
-            format!("the arm was reset ({evidence}): it believes to stand where it may not stand; confirm its pose, or set its angles anew"),
+            format!("the arm was reset ({evidence}): its reported position may be wrong; confirm its pose, or set its angles again"),
         );
     }
 }
@@ -402,6 +402,6 @@ fn failure(event: Event) -> String {
 
 pub(super) const NOT_DELIVERED: &str =
     "the stop was NOT DELIVERED: there is no link to the arm; switch the arm off";
-const SWITCHED_OFF: &str = "the laser was switched off: nothing that goes on came in time, and it may not burn on the spot";
+const SWITCHED_OFF: &str = "the laser was switched off: no further motion came in time, and it may not burn in one place";
 const OPENED: &str =
-    "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";
+    "its port was opened, which resets a stock arm: it then assumes a base angle of 0, wherever it points";

@@ -63,7 +63,7 @@ impl Supervisor {
         self.leases.check(client)?;
         self.confirmed_job = Some(job);
         let name = self.client_name(client);
-        let text = format!("{name} confirmed that job {job} may go on");
+        let text = format!("{name} confirmed that job {job} may resume");
         self.notify(News::Message { client }, text);
         Ok(Reply::Done)
     }
@@ -217,7 +217,7 @@ impl Supervisor {
     /// Takes unsent commands back, to send them again.
     fn take_back(&mut self) {
         if self.run.as_ref().is_some_and(Run::is_running) {
-            self.drop_waiting("it is sent at another speed or height");
+            self.drop_waiting("it is sent again at another speed or height");
         }
     }
 

@@ -99,7 +99,7 @@ impl Leases {
     /// Removes a client that disconnected, on purpose or not.
     pub(super) fn handle_left(&mut self, client: ClientId) -> Vec<Change> {
         let changes = if self.has(client) {
-            self.end("the client that had control is gone")
+            self.end("the client with control has disconnected")
         } else {
             Vec::new()
         };
@@ -127,7 +127,7 @@ impl Leases {
 
     pub(super) fn release(&mut self, client: ClientId) -> Result<Vec<Change>, Refusal> {
         self.check(client)?;
-        Ok(self.end("control was given back"))
+        Ok(self.end("control was released"))
     }
 
     /// Locks control for administrators: any other holder loses it.
@@ -191,8 +191,8 @@ impl Leases {
             return (turns, None);
         }
         let why = match (after, before) {
-            (Some(student), _) => format!("it is the time of {student}"),
-            (None, Some(student)) => format!("the time of {student} is over"),
+            (Some(student), _) => format!("the time slot of {student} is active"),
+            (None, Some(student)) => format!("the time slot of {student} is over"),
             (None, None) => "a time slot is over".to_owned(),
         };
         let changes = self.end(&why);
@@ -272,7 +272,7 @@ impl Leases {
             return Err(Refusal::NotAsking(to.0));
         }
         self.check_allowed(to)?;
-        let mut changes = self.end("control was given to another client");
+        let mut changes = self.end("control was granted to another client");
         changes.push(self.assign(now, to));
         Ok(changes)
     }
@@ -281,7 +281,7 @@ impl Leases {
         if self.has(client) {
             return Vec::new();
         }
-        let mut changes = self.end("control was taken by an administrator");
+        let mut changes = self.end("an administrator took control");
         changes.push(self.assign(now, client));
         changes
     }

@@ -356,7 +356,7 @@ impl JobPlan {
         let Some(cycle) = &self.cycle else {
             return Some(self.until_s(self.len()));
         };
-        #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+        #[expect(clippy::cast_precision_loss, reason = "2^53 cycles are out of reach")]
         let more = cycle.times?.saturating_sub(1) as f64;
         Some(self.until_s(cycle.end()) + self.cycle_s().unwrap_or(0.0) * more)
     }
@@ -433,7 +433,7 @@ impl PlanWalk<'_> {
             })?
         };
         let takes_s = trajectory.duration_s().ok_or_else(|| {
-            bad("a jog goes on until it is released; a job may not hold one".into())
+            bad("a jog lasts until it is released; a job may not contain one".into())
         })?;
         let before = self.model;
         self.model = self.model.after(command, &trajectory);
@@ -509,13 +509,13 @@ fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
         })
     };
     match first.map(|index| (index, &commands[index])) {
-        None => bad(0, "nothing in it moves the arm"),
+        None => bad(0, "no command moves the arm"),
         Some((index, Command::MoveTo(_) | Command::MoveJoints(_))) => {
             no_references(commands).map(|()| index)
         }
         Some((index, _)) => bad(
             index,
-            "the first motion has to be a target (state 3 or 6), which says where the job begins",
+            "the first motion must be a target (state 3 or 6), which sets where the job begins",
         ),
     }
 }

@@ -173,10 +173,10 @@ impl Supervisor {
         self.outgoing.note_change();
         let name = self.client_name(client);
         let text = if calibration.is_none() {
-            format!("{name} takes the arm to be as drawn: no calibration holds")
+            format!("{name} removed the calibration: the arm is assumed to match the drawing")
         } else {
             let arm = calibrations.name().unwrap_or("the arm");
-            format!("{name} calibrated {arm}: places are true ones from now on")
+            format!("{name} calibrated {arm}: positions are calibrated from now on")
         };
         self.notify(News::Calibrated, text);
         self.feed();
@@ -288,7 +288,7 @@ impl Supervisor {
             | Request::MoveJob { .. }
             | Request::StartJob { .. }
             | Request::StepJob { .. } => {
-                Err(Refusal::Malformed("this is not asked for this way".into()))
+                Err(Refusal::Malformed("this request is not accepted here".into()))
             }
         }
     }
@@ -345,7 +345,7 @@ impl Supervisor {
             .reset(self.arm.now(), self.link.is_there())?
         {
             self.stop_sequence.forget();
-            let text = format!("{} lets the arm move again", self.client_name(client));
+            let text = format!("{} cleared the stop", self.client_name(client));
             self.notify(News::StopReset, text);
         }
         Ok(Reply::Done)
@@ -372,7 +372,7 @@ impl Supervisor {
         self.leases.set_slots(self.arm.now(), slots)?;
         let by = self.client_name(client);
         let text = match self.slots().last() {
-            None => format!("{by} cleared the time slots: the arm is everyone's"),
+            None => format!("{by} cleared the time slots: the arm is free"),
             Some(last) => format!(
                 "{by} set {} time slots, for the next {}",
                 slots.len(),
@@ -451,7 +451,7 @@ impl Supervisor {
         if self.commands.any_of(client) {
             self.drop_waiting(why);
         }
-        self.notify(News::LeaseFree, format!("nobody has control: {why}"));
+        self.notify(News::LeaseFree, format!("control is free: {why}"));
     }
 
     fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
@@ -575,7 +575,7 @@ impl Supervisor {
         if !self.arm.session().is_trusted() {
             self.arm.session_mut().confirm_pose();
             let text = format!(
-                "{} confirmed where the arm stands",
+                "{} confirmed the pose",
                 self.client_name(client)
             );
             self.notify(News::PoseTrusted, text);
@@ -603,25 +603,25 @@ fn slot_notice(turn: Turn) -> (News, String) {
     match turn {
         Turn::Began { student, lasts } => {
             let text = format!(
-                "it is the time of {student}, for {}",
+                "the time slot of {student} has begun and lasts {}",
                 span(lasts.as_secs_f64())
             );
             (News::SlotBegan { student }, text)
         }
         Turn::Ending { student, left } => {
             let left = span(left.as_secs_f64());
-            let text = format!("the time of {student} is over in {left}");
+            let text = format!("the time slot of {student} ends in {left}");
             (News::SlotEnding { student }, text)
         }
         Turn::Ended { student } => {
-            let text = format!("the time of {student} is over");
+            let text = format!("the time slot of {student} is over");
             (News::SlotEnded { student }, text)
         }
     }
 }
 
 /// The hint for a refused packet without a more specific one.
-const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
+const GOES_ON: &str = "send an allowed packet; this one was ignored";
 pub(super) const REASON_LEN: usize = 200;
 /// The shortest and the longest step of a button, in mm or degrees.
 const SHORTEST_STEP: f32 = 0.01;

@@ -195,7 +195,7 @@ fn read(now: Duration, slots: &[TimeSlot]) -> Result<Vec<Slot>, String> {
             };
             let (one, next) = (told(one), told(next));
             return Err(format!(
-                "the slots of {one} and {next} overlap; a slot begins when the one before has ended"
+                "the slots of {one} and {next} overlap; a slot may begin only when the one before has ended"
             ));
         }
     }

@@ -152,7 +152,7 @@ impl StopLatch {
     pub(super) fn reset(&mut self, now: Duration, is_linked: bool) -> Result<bool, Refusal> {
         if let Some(stop) = self.holding.as_ref().filter(|it| !it.at_rest) {
             if !is_linked {
-                let why = "whether it rests cannot be seen, so the stop holds";
+                let why = "the arm cannot be seen at rest, so the stop holds";
                 return Err(Refusal::NoLink(why.to_owned()));
             }
             let within = stop.rests_by.saturating_sub(now).max(SOON);

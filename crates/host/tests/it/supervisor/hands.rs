@@ -83,7 +83,7 @@ fn a_press_while_the_arm_runs_down_acts_when_it_rests_if_it_is_still_held() {
 
 /// The notices of presses of which the arm was never told.
 fn lost_presses(it: &VirtualStation) -> usize {
-    let is_lost = |text: &str| text.contains("before the arm could be told, so nothing moved");
+    let is_lost = |text: &str| text.contains("before the press was sent, so nothing moved");
     it.notices().iter().filter(|it| is_lost(&it.text)).count()
 }
 

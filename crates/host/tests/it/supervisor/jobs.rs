@@ -173,7 +173,7 @@ fn queued_jobs_are_moved_and_others_are_not() {
     );
     assert_eq!(
         refused.unwrap_err().to_string(),
-        format!("job {two} is stopped; this takes one that is queued")
+        format!("job {two} is stopped; allowed are jobs that are queued")
     );
 }
 
@@ -188,7 +188,7 @@ fn a_job_that_is_over_or_has_not_begun_is_forgotten_and_one_under_way_is_not() {
     let refused = it.ask(anna, Request::ForgetJob { job }).unwrap_err();
     assert_eq!(
         refused.to_string(),
-        format!("job {job} is running; this takes one that is queued, stopped, done or failed")
+        format!("job {job} is running; allowed are jobs that are queued, stopped, done or failed")
     );
     it.ask(anna, Request::ForgetJob { job: other }).unwrap();
     assert_eq!(listed(&mut it), [(job, JobPhase::Running)]);

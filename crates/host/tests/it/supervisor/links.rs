@@ -241,7 +241,7 @@ fn which_arm_a_port_is_taken_to_have_is_told() {
     supervisor.handle_known_calibration("serial:/dev/ttyUSB0@9600", &known);
     let told = iter::from_fn(|| supervisor.poll_notice()).any(|it| {
         it.text
-            .contains("the arm at serial:/dev/ttyUSB0@9600 is taken to be desk 3")
+            .contains("the arm at serial:/dev/ttyUSB0@9600 is assumed to be desk 3")
     });
     assert!(told);
 }

@@ -134,11 +134,11 @@ fn a_pause_that_makes_no_sense_is_refused() {
     for (pauses, text) in [
         (
             vec![pause(len, "x")],
-            format!("a pause stands before command {len}; allowed are 0 to"),
+            format!("a pause is before command {len}; allowed are 0 to"),
         ),
         (
             vec![pause(3, "x"), pause(3, "x")],
-            "a pause stands before command 3; allowed are 4 to".into(),
+            "a pause is before command 3; allowed are 4 to".into(),
         ),
         (
             vec![pause(3, "")],

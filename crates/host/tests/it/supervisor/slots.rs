@@ -64,7 +64,7 @@ fn in_a_slot_only_its_student_and_administrators_get_control() {
         assert_eq!(refused.kind(), "slot");
         assert_eq!(
             refused.to_string(),
-            "it is the time of anna, for another 10 min; the arm is free in 20 min"
+            "the arm is reserved for anna for another 10 min; it is free in 20 min"
         );
     }
     assert_eq!(it.send_raw(program, &packet()).unwrap_err().kind(), "slot");
@@ -143,7 +143,7 @@ fn a_burning_laser_goes_off_when_the_slot_ends_and_the_arm_comes_to_rest() {
         let over = it
             .notices()
             .iter()
-            .any(|it| it.text.contains("it is the time of Ben"));
+            .any(|it| it.text.contains("the time slot of Ben"));
         assert!(over, "{:?}", it.notices());
     }
 }

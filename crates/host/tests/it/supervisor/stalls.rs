@@ -51,7 +51,7 @@ fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_s
         let state = it.supervisor().state();
         assert!(state.laser.armed_for_s == 0.0, "{personality}");
         assert!(it.supervisor().is_at_rest(), "{personality}");
-        let told = |it: &dobot_api::Notice| it.text.contains("stood still for 2.3 s");
+        let told = |it: &dobot_api::Notice| it.text.contains("hung for 2.3 s");
         assert!(it.notices().iter().any(told), "{personality}");
     }
 }

@@ -213,7 +213,7 @@ fn a_stop_without_a_link_says_that_it_was_not_delivered_until_it_is() {
         it.run_for(Duration::from_secs(1));
         assert_eq!(sent_since(&it, before)[0], LASER_OFF, "{personality}");
         assert!(it.supervisor().state().stop.unwrap().delivered);
-        assert_eq!(notices_with(&it, "the stop is delivered now"), 1);
+        assert_eq!(notices_with(&it, "the stop has been delivered"), 1);
         it.run_for(Duration::from_secs(5));
         it.ask(anna, Request::ResetStop).unwrap();
     }

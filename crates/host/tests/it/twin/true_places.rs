@@ -209,7 +209,7 @@ fn a_job_that_was_made_before_the_arm_was_told_its_angles_is_not_done_at_other_p
     let job = it.station.submit(&job).unwrap();
     it.ask(Request::TellAngles).unwrap();
     let refused = it.ask(Request::StartJob { job }).unwrap_err();
-    assert!(refused.to_string().contains("make it anew"), "{refused}");
+    assert!(refused.to_string().contains("submit it again"), "{refused}");
 }
 
 #[test]

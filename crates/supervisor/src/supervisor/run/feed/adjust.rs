@@ -16,7 +16,7 @@ impl Run {
     /// Checks that the job is not coming to rest and its speed and height can be changed.
     pub(in crate::supervisor) fn check_adjustable(&self) -> Result<(), Refusal> {
         if self.started.doubt.is_some() {
-            let why = "nobody knows yet how far it is; start it first".to_owned();
+            let why = "its progress is not known yet; start it first".to_owned();
             return Err(Refusal::CannotResume(why));
         }
         Ok(())

@@ -86,7 +86,7 @@ impl Run {
     pub(crate) fn left_s(&self) -> Option<f64> {
         let (started, plan) = (&self.started, &self.started.plan);
         let cycles = plan.cycle().map_or(0, |it| started.back / it.len);
-        #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+        #[expect(clippy::cast_precision_loss, reason = "2^53 cycles are out of reach")]
         let over_s =
             plan.cycle_s().unwrap_or(0.0) * cycles as f64 + plan.takes_s(0..started.completed);
         Some(plan.planned_s()? - over_s)

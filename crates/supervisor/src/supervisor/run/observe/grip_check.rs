@@ -48,7 +48,7 @@ impl Run {
             return None;
         }
         self.unseen = None;
-        Some("the arm does not hold what it should by its status: the command was lost".to_owned())
+        Some("the status does not show the expected grip: the command was lost".to_owned())
     }
 }
 

@@ -36,7 +36,7 @@ impl Run {
         let off_mm = end.distance(position(status)).0;
         (off_mm > THERE_MM).then(|| {
             format!(
-                "the arm rests {off_mm:.2} mm from where the job ends: a command was lost on its way, and what came behind it is displaced"
+                "the arm rests {off_mm:.2} mm from where the job ends: a command was lost, and everything after it is displaced"
             )
         })
     }

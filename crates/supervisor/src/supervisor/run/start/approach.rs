@@ -52,7 +52,7 @@ impl Run {
 
     fn begins(&self) -> [JobEffect; 2] {
         let (job, phase) = (self.job(), JobPhase::Running);
-        let text = format!("job {job} ({}) is under way", self.started.title);
+        let text = format!("job {job} ({}) is running", self.started.title);
         let effect = Effect::Phase {
             job,
             phase,
@@ -182,7 +182,7 @@ fn check_holds(started: &StartedJob, status: Option<Status>) -> Result<(), Refus
             .program
             .at(started.completed + started.back, started.commands);
         return Err(Refusal::CannotResume(format!(
-            "the pump is off, and before command {step} the program had it on: what the arm held has fallen. Put it back, and run the program from the step that takes it"
+            "the pump is off, but the program had it on before command {step}: the held object has fallen; put it back, and run the program from the step that picks it up"
         )));
     }
     Ok(())
