@@ -234,7 +234,7 @@ mod tests {
     fn every_kind_has_a_name_of_its_own_and_some_sentences() {
         for (index, kind) in ALL.iter().enumerate() {
             assert!(
-                ALL[..index].iter().all(|it| it.name != kind.name),
+                ALL[..index].iter().all(|earlier| earlier.name != kind.name),
                 "{kind:?}"
             );
             assert!(kind.explanation.ends_with('.'), "{kind:?}");

@@ -214,7 +214,7 @@ mod tests {
         let mut decoder = Decoder::commands();
         let packets = decoder.feed(&bytes);
         packets
-            .map(|it| Command::parse(&it, &Dialect::FIRMWARE_1_1).unwrap())
+            .map(|packet| Command::parse(&packet, &Dialect::FIRMWARE_1_1).unwrap())
             .collect()
     }
 

@@ -152,8 +152,13 @@ impl StationClient {
     pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
         match &mut self.way {
             ClientRoute::Running(remote, _) => remote.request(request).await,
-            ClientRoute::Local(local) => local.request(request).await.map_err(|it| refused(&it)),
-            ClientRoute::Virtual(station) => station.request(request).map_err(|it| refused(&it)),
+            ClientRoute::Local(local) => local
+                .request(request)
+                .await
+                .map_err(|error| refused(&error)),
+            ClientRoute::Virtual(station) => {
+                station.request(request).map_err(|error| refused(&error))
+            }
         }
     }
 
@@ -227,7 +232,7 @@ impl StationClient {
             if state.link.phase != LinkPhase::Up {
                 return Ok(());
             }
-            let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+            let moving = state.arm.as_ref().is_some_and(|arm| arm.moving);
             let busy = moving || state.queue.waiting + state.queue.under_way > 0;
             idle = if busy { 0 } else { idle + 1 };
         }
@@ -278,7 +283,7 @@ impl StationClient {
         let Ok(jobs) = self.jobs().await else {
             return;
         };
-        let is_unbegun = |it: &JobView| it.job == job && it.phase == JobPhase::Queued;
+        let is_unbegun = |view: &JobView| view.job == job && view.phase == JobPhase::Queued;
         if jobs.iter().any(is_unbegun) {
             let _ = self.request(Request::CancelJob { job }).await;
         }
@@ -331,8 +336,8 @@ impl StationClient {
     pub async fn jobs(&mut self) -> Result<Vec<JobView>, JobsError> {
         match &mut self.way {
             ClientRoute::Running(_, address) => Ok(fetch(address, "/api/v1/jobs").await?),
-            ClientRoute::Local(local) => Ok(local.jobs().await.map_err(|it| refused(&it))?),
-            ClientRoute::Virtual(station) => Ok(station.jobs().map_err(|it| refused(&it))?),
+            ClientRoute::Local(local) => Ok(local.jobs().await.map_err(|error| refused(&error))?),
+            ClientRoute::Virtual(station) => Ok(station.jobs().map_err(|error| refused(&error))?),
         }
     }
 

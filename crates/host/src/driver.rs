@@ -278,7 +278,10 @@ impl Driver {
             return (wanted, latest);
         }
         let wanted = self.started.checked_add(wanted);
-        (Duration::MAX, wanted.map_or(latest, |it| it.min(latest)))
+        (
+            Duration::MAX,
+            wanted.map_or(latest, |wanted| wanted.min(latest)),
+        )
     }
 
     async fn next_event(&mut self) -> DriverEvent {
@@ -463,9 +466,9 @@ impl Driver {
         self.supervisor.handle_policy(now, client, of_arm)?;
         self.jobs.set_policy(policy);
         self.recording.tools(now, policy);
-        self.channels.change_rules(|it| {
-            it.policy = policy.clone();
-            it.dead_man_s = policy.jog.dead_man_s;
+        self.channels.change_rules(|rules| {
+            rules.policy = policy.clone();
+            rules.dead_man_s = policy.jog.dead_man_s;
         });
         Ok(())
     }
@@ -495,7 +498,7 @@ impl Driver {
         let new = self.arms.calibrate(&address, calibrations.clone());
         self.write_file(new, "the calibration of the arm cannot be saved");
         self.channels
-            .change_rules(|it| it.calibrations = calibrations.clone());
+            .change_rules(|rules| rules.calibrations = calibrations.clone());
         Ok(calibrations)
     }
 
@@ -516,9 +519,9 @@ impl Driver {
         let now = self.now();
         self.withdraw_start(&request);
         if let Request::Calibrate { calibration } = request {
-            let changed = self.calibrate(now, client, calibration.map(|it| *it));
-            let changed = changed.map(|it| Reply::Calibrated {
-                calibrations: Box::new(it),
+            let changed = self.calibrate(now, client, calibration.map(|calibration| *calibration));
+            let changed = changed.map(|changed| Reply::Calibrated {
+                calibrations: Box::new(changed),
             });
             return drop(reply.send(changed));
         }
@@ -579,7 +582,7 @@ impl Driver {
 
     /// Returns whether this is the current job.
     fn is_at(&self, job: u64) -> bool {
-        self.supervisor.job().is_some_and(|it| it.job == job)
+        self.supervisor.job().is_some_and(|view| view.job == job)
     }
 
     /// Starts a job, or defers that while the job comes to rest.
@@ -605,7 +608,7 @@ impl Driver {
         if let Some(held) = self
             .held_start
             .take()
-            .filter(|it| !it.start.reply.is_closed())
+            .filter(|held| !held.start.reply.is_closed())
         {
             self.start_job(held);
         }
@@ -673,7 +676,7 @@ impl Driver {
         self.supervisor
             .handle_known_calibration(&address, &calibrations);
         self.channels
-            .change_rules(|it| it.calibrations = calibrations);
+            .change_rules(|rules| rules.calibrations = calibrations);
         self.supervisor.handle_link_up(now, &address);
         self.recording.heard(now, &found.bytes);
         self.supervisor.handle_bytes(now, &found.bytes);
@@ -734,9 +737,9 @@ impl Driver {
     }
 
     fn is_over(&self) -> bool {
-        self.ending.is_some_and(|it| {
+        self.ending.is_some_and(|ending| {
             let still = self.supervisor.is_at_rest() && !self.supervisor.is_urgent();
-            self.link.is_none() || still || it <= Instant::now()
+            self.link.is_none() || still || ending <= Instant::now()
         })
     }
 

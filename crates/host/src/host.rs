@@ -96,7 +96,9 @@ impl Host {
         let own = handle.messages.clone();
         let disk = Disk::start(own.clone()).map_err(HostError::Thread)?;
         let (recorder, trouble) = recording::start(&setup.common);
-        let personality = source.personality().map(|it| it.to_string());
+        let personality = source
+            .personality()
+            .map(|personality| personality.to_string());
         let note = setup.folders.watchdog();
         let heartbeats =
             HeartbeatSender::new(setup.watchdog, note.clone(), prepared_arm.panic_stop);

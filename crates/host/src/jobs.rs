@@ -98,7 +98,7 @@ impl Jobs {
     /// Returns the job that was running when the station ended unexpectedly.
     pub(crate) fn interrupted(&self) -> Result<Option<Job>, JournalError> {
         let jobs = self.journal.jobs()?;
-        Ok(jobs.into_iter().find(|it| it.state == JobState::Running))
+        Ok(jobs.into_iter().find(|job| job.state == JobState::Running))
     }
 
     /// Checks a job again and returns it for the supervisor.
@@ -319,9 +319,9 @@ pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), R
 /// Returns whether a job last came to rest at a pause for a person.
 fn waits_for_person(job: &Job) -> bool {
     let last = job.behind.pauses.checked_sub(1);
-    let pause = last.and_then(|it| job.pauses.get(it));
+    let pause = last.and_then(|last| job.pauses.get(last));
     job.state.phase() == JobPhase::Paused
-        && pause.is_some_and(|it| it.before == job.window.completed)
+        && pause.is_some_and(|pause| pause.before == job.window.completed)
 }
 
 /// Converts a job of the journal to its view.
@@ -340,7 +340,11 @@ pub(crate) fn view(job: &Job) -> JobView {
         left_s: job.planned_s.filter(|_| job.window.completed == 0),
         took_s: job.behind.ran_s.filter(|_| job.state == JobState::Done),
         speed_percent: job.adjustment.speed_percent,
-        height_mm: job.adjustment.heights.last().map_or(0.0, |it| it.offset_mm),
+        height_mm: job
+            .adjustment
+            .heights
+            .last()
+            .map_or(0.0, |height| height.offset_mm),
         program: job.program.view(job.commands, job.window.completed),
     }
 }
@@ -387,7 +391,7 @@ fn planned(
         kind: job.kind,
         dialect,
         calibration: model.calibration,
-        lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
+        lift_mm: Some(job.lift_mm).filter(|lift_mm| *lift_mm > 0.0),
         created_ms: now_ms,
         planned_s: plan.planned_s(),
         commands: job.commands,

@@ -48,13 +48,16 @@ impl KeptSlots {
         };
         let content: Content =
             toml::from_str(&text).map_err(|error| told(error.message().to_owned()))?;
-        let slots = content.slot.into_iter().map(|it| it.after(now_ms));
-        Ok(slots.filter(|it| it.ends_in_s >= LEFT_S).collect())
+        let slots = content.slot.into_iter().map(|slot| slot.after(now_ms));
+        Ok(slots.filter(|slot| slot.ends_in_s >= LEFT_S).collect())
     }
 
     /// Returns the file content for these slots.
     pub(crate) fn keep(&self, slots: &[TimeSlot], now_ms: i64) -> io::Result<NewText> {
-        let slot = slots.iter().map(|it| KeptSlot::of(it, now_ms)).collect();
+        let slot = slots
+            .iter()
+            .map(|slot| KeptSlot::of(slot, now_ms))
+            .collect();
         NewText::of(&self.0, &Content { slot })
     }
 }

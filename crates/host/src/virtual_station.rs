@@ -142,7 +142,7 @@ impl VirtualStation {
             return self.looks;
         }
         let supervisor = self.started.saturating_add(self.supervisor.poll_wakeup());
-        let disk = self.disk.first().map_or(Duration::MAX, |it| it.0);
+        let disk = self.disk.first().map_or(Duration::MAX, |disk| disk.0);
         let soon = self.now + Duration::from_nanos(1);
         self.arm.poll_wakeup().min(supervisor).min(disk).max(soon)
     }
@@ -267,7 +267,8 @@ impl VirtualStation {
                 // The virtual arm does not change: its faults define its geometry.
                 Request::Calibrate { calibration } => {
                     let calibrations = self.calibrations.clone();
-                    let calibrations = calibrations.replaced_by(calibration.map(|it| *it));
+                    let calibrations =
+                        calibrations.replaced_by(calibration.map(|calibration| *calibration));
                     self.supervisor
                         .handle_calibration(now, client, &calibrations)?;
                     self.calibrations = calibrations.clone();
@@ -375,7 +376,7 @@ impl VirtualStation {
         let waits = self
             .jobs()?
             .iter()
-            .any(|it| it.job == job && it.waits_for_person);
+            .any(|view| view.job == job && view.waits_for_person);
         if waits {
             self.ask(client, Request::ConfirmJob { job })?;
         }
@@ -517,12 +518,12 @@ impl VirtualStation {
     /// Waits until the journal has all earlier effects, such as a pause.
     fn catch_up(&mut self) {
         let latest = self.now + PATIENCE;
-        self.run_until(latest, |it| it.disk.is_empty());
+        self.run_until(latest, |station| station.disk.is_empty());
     }
 
     /// Returns whether this is the current job.
     fn is_at(&self, job: u64) -> bool {
-        self.supervisor.job().is_some_and(|it| it.job == job)
+        self.supervisor.job().is_some_and(|view| view.job == job)
     }
 
     fn kept(&self, job: u64) -> Result<Reply, Refusal> {
@@ -540,7 +541,7 @@ impl VirtualStation {
             .journal
             .jobs()
             .map_err(|error| jobs::journal_refusal(&error))?;
-        let Some(job) = jobs.into_iter().find(|it| it.state == JobState::Running) else {
+        let Some(job) = jobs.into_iter().find(|job| job.state == JobState::Running) else {
             return Ok(());
         };
         let model = jobs::recovery_model(&job);
@@ -592,7 +593,7 @@ impl VirtualStation {
 
     fn write(&mut self) {
         let now = self.supervisor_now();
-        while self.disk.first().is_some_and(|it| it.0 <= self.now) {
+        while self.disk.first().is_some_and(|disk| disk.0 <= self.now) {
             let (_, effect) = self.disk.remove(0);
             let outcome = jobs::write(&self.journal, &effect).map_err(|error| error.to_string());
             self.supervisor.handle_written(now, &effect, outcome);

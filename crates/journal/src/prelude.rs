@@ -51,7 +51,10 @@ struct Kind(Discriminant<Command>, Option<Discriminant<Configuration>>);
 fn kind(command: &Command) -> Option<Kind> {
     match command {
         Command::Configuration(Configuration::InitialAngles { .. }) => None,
-        Command::Configuration(it) => Some(Kind(discriminant(command), Some(discriminant(it)))),
+        Command::Configuration(configuration) => Some(Kind(
+            discriminant(command),
+            Some(discriminant(configuration)),
+        )),
         Command::PlaybackAdjustment(_) => Some(Kind(discriminant(command), None)),
         _ => None,
     }

@@ -36,7 +36,7 @@ pub fn locate(
     let nearest = plainest(&ends, nearest(ends.iter(), rest), commands);
     let others = ends
         .iter()
-        .filter(|it| it.located != nearest.located && !it.is_the_same_as(&nearest, commands));
+        .filter(|end| end.located != nearest.located && !end.is_the_same_as(&nearest, commands));
     judge(rest, nearest, others.copied().min_by(by_distance(rest)))
 }
 
@@ -69,7 +69,11 @@ pub fn window_end(
         let before = ends.len();
         ends.extend(more);
         let (before, more) = ends.split_at(before);
-        let is_clear = |end: &End| before.iter().all(|it| it.is_told_from(end, commands));
+        let is_clear = |end: &End| {
+            before
+                .iter()
+                .all(|earlier| earlier.is_told_from(end, commands))
+        };
         if !more.iter().all(is_clear) {
             break;
         }
@@ -145,8 +149,8 @@ fn nearest<'a>(ends: impl Iterator<Item = &'a End>, rest: Position) -> End {
 fn plainest(ends: &[End], nearest: End, commands: &[Command]) -> End {
     let same = ends
         .iter()
-        .filter(|it| it.is_the_same_as(&nearest, commands));
-    let plain = same.filter(|it| !it.located.lifted).copied().next();
+        .filter(|end| end.is_the_same_as(&nearest, commands));
+    let plain = same.filter(|end| !end.located.lifted).copied().next();
     plain.unwrap_or(nearest)
 }
 

@@ -72,8 +72,8 @@ impl JobRow {
             behind: Behind::default(),
             repeat: job.program.repeat,
             calibration: Some(job.calibration)
-                .filter(|it| !it.is_none())
-                .map(|it| it.to_numbers()),
+                .filter(|calibration| !calibration.is_none())
+                .map(|calibration| calibration.to_numbers()),
             key: job.key.clone(),
         })
     }

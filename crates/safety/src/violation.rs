@@ -239,7 +239,7 @@ impl fmt::Display for Distinct {
         let rounded = |scale: f64| (self.found * scale).round() / scale + 0.0;
         let than = Rounded(self.than).to_string();
         let clear = [1e2, 1e3, 1e4].map(|scale| rounded(scale).to_string());
-        let clear = clear.into_iter().find(|it| *it != than);
+        let clear = clear.into_iter().find(|text| *text != than);
         f.write_str(&clear.unwrap_or_else(|| self.found.to_string()))
     }
 }

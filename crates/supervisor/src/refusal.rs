@@ -26,7 +26,7 @@ pub enum Refusal {
         holder: Option<Holder>,
     },
     /// An administrator has locked the arm.
-    #[error("the arm was locked by {by}{}", message.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+    #[error("the arm was locked by {by}{}", message.as_ref().map(|message| format!(": {message}")).unwrap_or_default())]
     Locked {
         /// Who locked it.
         by: String,
@@ -34,7 +34,7 @@ pub enum Refusal {
         message: Option<String>,
     },
     /// The arm is in another student's time slot.
-    #[error("the arm is reserved for {student}{} for another {}; it is free in {}", group.as_ref().map(|it| format!(" ({it})")).unwrap_or_default(), span(*left_s), span(*free_in_s))]
+    #[error("the arm is reserved for {student}{} for another {}; it is free in {}", group.as_ref().map(|group| format!(" ({group})")).unwrap_or_default(), span(*left_s), span(*free_in_s))]
     Slot {
         /// The student.
         student: String,
@@ -53,7 +53,7 @@ pub enum Refusal {
     NotAsking(u64),
     /// The arm is stopped until a person clears the stop.
     #[error("{} {by}{}", if *of_fleet { "stopped: fleet, by" } else { "the arm was stopped by" },
-        reason.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+        reason.as_ref().map(|reason| format!(": {reason}")).unwrap_or_default())]
     Stopped {
         /// Who stopped it.
         by: String,
@@ -213,7 +213,10 @@ impl Refusal {
                 problem_kinds::SLOT,
                 "wait for your time slot, or until the arm is free (`dobot slots` or `GET /api/v1/slots`); any client may stop the arm meanwhile",
             ),
-            Self::NotAsking(_) => (problem_kinds::NOT_ASKING, "list the requests: `dobot lease` or `GET /api/v1/state`"),
+            Self::NotAsking(_) => (
+                problem_kinds::NOT_ASKING,
+                "list the requests: `dobot lease` or `GET /api/v1/state`",
+            ),
             Self::Stopped { of_fleet: true, .. } => (
                 problem_kinds::STOPPED,
                 "check the arm, then clear the stop: `dobot stop --reset` or `DELETE /api/v1/stop` for this arm, `dobot fleet stop --reset` or `DELETE /api/v1/fleet/stop` for the fleet",
@@ -240,7 +243,10 @@ impl Refusal {
                 "see what the station is waiting for: `dobot watch` or `GET /api/v1/state`",
             ),
             Self::Send(error) => return (problem_kinds::COMMAND, send_hint(error).map(Into::into)),
-            Self::Policy(_) => (problem_kinds::POLICY, "see the rules: `dobot policy` or `GET /api/v1/policy`"),
+            Self::Policy(_) => (
+                problem_kinds::POLICY,
+                "see the rules: `dobot policy` or `GET /api/v1/policy`",
+            ),
             Self::LaserDisarmed => (
                 problem_kinds::LASER_DISARMED,
                 "put on goggles, then arm the laser from the client that uses it: `--arm-laser 600` of `dobot jog` and `dobot jobs start`, or `POST /api/v1/laser`",
@@ -249,7 +255,10 @@ impl Refusal {
                 problem_kinds::TOO_MANY,
                 "wait until some are over, or send them as a job",
             ),
-            Self::JobRunning(_) => (problem_kinds::JOB_RUNNING, "pause it: `dobot jobs pause` or `POST /api/v1/jobs/pause`"),
+            Self::JobRunning(_) => (
+                problem_kinds::JOB_RUNNING,
+                "pause it: `dobot jobs pause` or `POST /api/v1/jobs/pause`",
+            ),
             Self::Detecting => (
                 problem_kinds::DETECTING,
                 "wait until it is done, or stop it: `dobot stop` or `POST /api/v1/stop`",
@@ -262,9 +271,18 @@ impl Refusal {
                 problem_kinds::NEEDS_PERSON,
                 "have a person confirm and resume it: on the page, or with `dobot jobs start` in a terminal",
             ),
-            Self::NoJobRuns => (problem_kinds::NO_JOB_RUNS, "list the jobs: `dobot jobs` or `GET /api/v1/jobs`"),
-            Self::NoSuchJob(_) => (problem_kinds::NO_SUCH_JOB, "list the jobs: `dobot jobs` or `GET /api/v1/jobs`"),
-            Self::JobPhase { .. } => (problem_kinds::JOB_PHASE, "list the jobs: `dobot jobs` or `GET /api/v1/jobs`"),
+            Self::NoJobRuns => (
+                problem_kinds::NO_JOB_RUNS,
+                "list the jobs: `dobot jobs` or `GET /api/v1/jobs`",
+            ),
+            Self::NoSuchJob(_) => (
+                problem_kinds::NO_SUCH_JOB,
+                "list the jobs: `dobot jobs` or `GET /api/v1/jobs`",
+            ),
+            Self::JobPhase { .. } => (
+                problem_kinds::JOB_PHASE,
+                "list the jobs: `dobot jobs` or `GET /api/v1/jobs`",
+            ),
             Self::NoVectors(_) => (
                 problem_kinds::NO_VECTORS,
                 "change the speed of targets: `dobot set percent`",
@@ -356,7 +374,7 @@ impl From<&Refusal> for Problem {
         if let Refusal::Policy(violation) = refusal {
             problem.rule = Some(violation.rule.clone());
             problem.nearest_mm = violation.nearest;
-            problem.at_mm = violation.at.as_ref().map(|it| it.position_mm);
+            problem.at_mm = violation.at.as_ref().map(|at| at.position_mm);
         }
         problem
     }

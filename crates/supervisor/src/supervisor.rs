@@ -420,9 +420,7 @@ impl Supervisor {
         }
         match self.arm.session().model() {
             Some(model) => Ok(*model),
-            None => Err(Refusal::NoLink(
-                "the arm has not sent a status yet".into(),
-            )),
+            None => Err(Refusal::NoLink("the arm has not sent a status yet".into())),
         }
     }
 

@@ -104,7 +104,7 @@ impl InVirtualTime {
         self.told = notices.len();
         if self.station.poll_status() {
             self.heard
-                .retain(|it| !matches!(it, StationEvent::State(_)));
+                .retain(|event| !matches!(event, StationEvent::State(_)));
             let state = Box::new(self.station.supervisor().state());
             self.heard.push_back(StationEvent::State(state));
         }

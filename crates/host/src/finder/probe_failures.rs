@@ -88,10 +88,9 @@ impl NothingFound {
     /// Returns a hint on how to fix it.
     #[must_use]
     pub fn hint(&self) -> String {
-        let hint = self.failures.iter().find_map(|(_, it)| it.hint());
+        let hint = self.failures.iter().find_map(|(_, failure)| failure.hint());
         hint.unwrap_or_else(|| {
-            "plug the arm in and switch it on; list the serial ports with `dobot ports`"
-                .into()
+            "plug the arm in and switch it on; list the serial ports with `dobot ports`".into()
         })
     }
 }

@@ -62,9 +62,9 @@ fn check_place(job: &NewJob, before: usize, least: usize) -> Result<(), Refusal>
             "a pause is before command {before}; allowed are {least} to {most}, in order"
         )));
     }
-    let last = before.checked_sub(1).map(|it| &job.commands[it]);
+    let last = before.checked_sub(1).map(|before| &job.commands[before]);
     match last {
-        Some(Command::WriteVector(it)) if !it.stop && it.end_speed_mm_s > 0.0 => {
+        Some(Command::WriteVector(vector)) if !it.stop && it.end_speed_mm_s > 0.0 => {
             Err(Refusal::BadJob {
                 index: before,
                 why: format!(

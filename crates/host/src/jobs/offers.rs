@@ -34,7 +34,7 @@ pub(crate) fn answer(
         (OfferAsk::Take { job, made_for }, None) => match model {
             // The arm may be connected, or its dialect known, later.
             Err(refusal) => journal.refuse(key, &refusal.to_string(), true).map(Some),
-            Ok(model) if made_for.is_some_and(|it| !it.is_same(&model.calibration)) => {
+            Ok(model) if made_for.is_some_and(|made_for| !made_for.is_same(&model.calibration)) => {
                 journal.refuse(key, OTHER_ARM, false).map(Some)
             }
             Ok(model) => {

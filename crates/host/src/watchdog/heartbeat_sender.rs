@@ -117,8 +117,11 @@ impl HeartbeatSender {
 
     /// Returns the time until the next heartbeat is due.
     pub(crate) fn due_in(&self) -> Option<Duration> {
-        let watchdog = self.last.map(|it| it + PERIOD);
-        let service_manager = self.service_manager.period().map(|it| self.reported + it);
+        let watchdog = self.last.map(|last| last + PERIOD);
+        let service_manager = self
+            .service_manager
+            .period()
+            .map(|period| self.reported + period);
         let next = watchdog.into_iter().chain(service_manager).min()?;
         Some(next.saturating_sub(self.clock.now()))
     }
@@ -170,8 +173,7 @@ impl HeartbeatSender {
         match self.start_watchdog() {
             Ok(()) if self.watchdog.is_some() => {
                 self.gone = None;
-                self.trouble =
-                    Some("the watchdog was gone and has been replaced".to_owned());
+                self.trouble = Some("the watchdog was gone and has been replaced".to_owned());
             }
             Ok(()) => {}
             Err(error) => self.set_gone(&error),

@@ -80,7 +80,7 @@ impl Guard {
             Ok(_) | Err(Errno::INTR) => {}
             Err(error) => return Err(error.into()),
         }
-        let mut ready = waited.iter().map(|it| !it.revents().is_empty());
+        let mut ready = waited.iter().map(|polled| !polled.revents().is_empty());
         Ok(Ready {
             beats: has_beats && ready.next() == Some(true),
             port: has_port && ready.next() == Some(true),
@@ -129,7 +129,7 @@ impl Guard {
         }
         for heartbeat in bytes[..read]
             .iter()
-            .filter_map(|it| Heartbeat::from_byte(*it))
+            .filter_map(|byte| Heartbeat::from_byte(*byte))
         {
             self.watchdog.handle_heartbeat(now, heartbeat);
         }

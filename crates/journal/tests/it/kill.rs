@@ -66,7 +66,7 @@ fn hear_and_kill(mut child: Child, lines: usize, acknowledged: &mut BTreeMap<u64
         let Some(row) = line.strip_prefix(ACKNOWLEDGED) else {
             continue;
         };
-        let mut numbers = row.split_whitespace().map(|it| it.parse().unwrap());
+        let mut numbers = row.split_whitespace().map(|number| number.parse().unwrap());
         let (id, upto) = (numbers.next().unwrap(), numbers.next().unwrap());
         acknowledged.insert(id, usize::try_from(upto).unwrap());
         heard += 1;

@@ -131,7 +131,7 @@ fn jobs_that_are_arranged_exchange_their_places_and_keep_them_when_the_file_is_o
     let journal = Journal::open(&path).unwrap();
     let order = || {
         let jobs = journal.jobs().unwrap();
-        jobs.iter().map(|it| it.id).collect::<Vec<_>>()
+        jobs.iter().map(|job| job.id).collect::<Vec<_>>()
     };
     assert_eq!(order(), [four, two, one, three]);
     let five = journal.submit(&job("five", 2)).unwrap();

@@ -55,7 +55,7 @@ proptest! {
         prop_assert_eq!(violation.to_string().lines().count(), 1);
         if let (Command::MoveTo(target), Some(place)) = (&command, violation.nearest) {
             // What is told can be typed, and the way there is free.
-            let [x_mm, y_mm, z_mm] = place.map(|it| format!("{it:.1}").parse().expect("a number"));
+            let [x_mm, y_mm, z_mm] = place.map(|place| format!("{place:.1}").parse().expect("a number"));
             let typed = MoveTo { x_mm, y_mm, z_mm, ..*target };
             prop_assert!(policy.check(&model, &typed.into()).is_ok(), "{:?}", place);
         }

@@ -48,7 +48,8 @@ fn as_a_stock_arm_takes_it(frame: &Frame, model: &Model, told: &mut Vec<String>)
             told.append(&mut changes);
             return sent;
         };
-        let Some(leniency) = Leniency::of(&sent, &error).filter(|it| it.is_harmless) else {
+        let Some(leniency) = Leniency::of(&sent, &error).filter(|leniency| leniency.is_harmless)
+        else {
             break;
         };
         let stand_in = leniency.stand_in(&sent, &error, &in_force);
@@ -88,7 +89,7 @@ fn in_force(frame: &Frame, model: &Model) -> Frame {
         let pump = Frame::ZERO.with(7, f32::from(model.suction));
         return pump.with(9, single(model.gripper_deg));
     }
-    let configuration = |it: Configuration| it.emit(&model.dialect);
+    let configuration = |configuration: Configuration| configuration.emit(&model.dialect);
     match [state, frame.float(2)] {
         [Configuration::STATE, 0.0] => configuration(teach(&settings.teach)),
         [Configuration::STATE, 1.0] => Frame::ZERO.with(9, single(settings.default_pause_s)),

@@ -126,7 +126,7 @@ impl Supervisor {
         self.handle_time(now);
         let by = StoppedBy {
             by: plain(&by.by, REASON_LEN),
-            reason: by.reason.map(|it| plain(&it, REASON_LEN)),
+            reason: by.reason.map(|reason| plain(&reason, REASON_LEN)),
         };
         let stop = self.stop_latch.make_fleet_stop(origin, by, now_ms);
         let reply = self.bring_to_rest(&stop.text(), StopLatch::hold);
@@ -144,7 +144,7 @@ impl Supervisor {
         } else {
             Reply::Stopping {
                 rests_within_s: self.rests_within().as_secs_f64(),
-                delivered: self.stop_latch.view().is_none_or(|it| it.delivered),
+                delivered: self.stop_latch.view().is_none_or(|view| view.delivered),
             }
         };
         self.release_fleet_stop();
@@ -402,6 +402,6 @@ fn failure(event: Event) -> String {
 
 pub(super) const NOT_DELIVERED: &str =
     "the stop was NOT DELIVERED: there is no link to the arm; switch the arm off";
-const SWITCHED_OFF: &str = "the laser was switched off: no further motion came in time, and it may not burn in one place";
-const OPENED: &str =
-    "its port was opened, which resets a stock arm: it then assumes a base angle of 0, wherever it points";
+const SWITCHED_OFF: &str =
+    "the laser was switched off: no further motion came in time, and it may not burn in one place";
+const OPENED: &str = "its port was opened, which resets a stock arm: it then assumes a base angle of 0, wherever it points";

@@ -85,7 +85,7 @@ impl Supervisor {
     ///
     /// [`Refusal::StillMoving`]; [`Refusal::NoLink`] if the arm cannot be seen at rest.
     pub fn check_rests(&self, job: u64) -> Result<(), Refusal> {
-        let run = self.run.as_ref().filter(|it| it.job() == job);
+        let run = self.run.as_ref().filter(|run| run.job() == job);
         if run.is_some_and(Run::is_coming_to_rest) {
             self.link.check()?;
             return Err(self.still_moving());
@@ -129,7 +129,7 @@ impl Supervisor {
 
     /// Pauses the running job, if any, for this reason.
     pub(super) fn pause_for(&mut self, why: &str) -> Result<Reply, Refusal> {
-        let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) else {
+        let Some(run) = self.run.as_ref().filter(|run| run.has_the_arm()) else {
             return Err(Refusal::NoJobRuns);
         };
         let at_work = run.is_at_work();
@@ -145,7 +145,7 @@ impl Supervisor {
         if self.leases.is_taken() {
             self.leases.check(client)?;
         }
-        let Some(run) = self.run.as_ref().filter(|it| it.job() == job) else {
+        let Some(run) = self.run.as_ref().filter(|run| run.job() == job) else {
             return Err(Refusal::NoSuchJob(job));
         };
         let at_work = run.is_at_work();
@@ -163,10 +163,10 @@ impl Supervisor {
 
     /// Returns the refusal to remove the current job.
     pub(super) fn not_forgotten(&self, job: u64) -> Refusal {
-        let found = self.job().filter(|it| it.job == job);
-        found.map_or(Refusal::NoSuchJob(job), |it| Refusal::JobPhase {
+        let found = self.job().filter(|view| view.job == job);
+        found.map_or(Refusal::NoSuchJob(job), |view| Refusal::JobPhase {
             job,
-            found: it.phase,
+            found: view.phase,
             allowed: FORGETTABLE,
         })
     }
@@ -243,7 +243,7 @@ impl Supervisor {
 
     /// Interrupts a burning job.
     pub(super) fn interrupt_burning(&mut self, why: &str) {
-        let burns = |it: &Run| it.burns() && it.is_at_work();
+        let burns = |run: &Run| run.burns() && run.is_at_work();
         if self.run.as_ref().is_some_and(burns) {
             self.drop_waiting(why);
             self.with_run(|run, _| Some(run.interrupt_burning(why)));
@@ -274,7 +274,10 @@ impl Supervisor {
     /// Checks with each status whether the awaited grip is visible.
     pub(super) fn judge_grip(&mut self, status: &Status) {
         let now = self.arm.now();
-        let lost = self.run.as_mut().and_then(|it| it.judge_grip(now, status));
+        let lost = self
+            .run
+            .as_mut()
+            .and_then(|run| run.judge_grip(now, status));
         if let Some(why) = lost {
             self.fail_run(&why);
         }

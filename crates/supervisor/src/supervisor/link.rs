@@ -118,7 +118,7 @@ impl Link {
             statuses_per_s: quality.statuses_per_s,
             lost_statuses: quality.lost,
             damaged_bytes: quality.damaged_bytes,
-            latency_ms: quality.latency.map(|it| it.as_secs_f64() * 1e3),
+            latency_ms: quality.latency.map(|latency| latency.as_secs_f64() * 1e3),
         }
     }
 }

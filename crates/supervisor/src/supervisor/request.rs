@@ -287,16 +287,16 @@ impl Supervisor {
             | Request::QueueAgain { .. }
             | Request::MoveJob { .. }
             | Request::StartJob { .. }
-            | Request::StepJob { .. } => {
-                Err(Refusal::Malformed("this request is not accepted here".into()))
-            }
+            | Request::StepJob { .. } => Err(Refusal::Malformed(
+                "this request is not accepted here".into(),
+            )),
         }
     }
 
     fn stop_arm(&mut self, client: ClientId, reason: Option<String>) -> Reply {
         let by = self.client_name(client);
         let why = format!("the arm was stopped by {by}");
-        let reason = reason.map(|it| plain(&it, REASON_LEN));
+        let reason = reason.map(|reason| plain(&reason, REASON_LEN));
         let by = StoppedBy { by, reason };
         self.bring_to_rest(&why, |stop, now, rests_within, delivered| {
             stop.handle_stop(now, by, rests_within, delivered)
@@ -354,7 +354,7 @@ impl Supervisor {
     /// Locks the arm for administrators. A running job comes to rest; an administrator can resume
     /// it.
     fn lock(&mut self, client: ClientId, message: Option<String>) -> Reply {
-        let message = message.map(|it| plain(&it, REASON_LEN));
+        let message = message.map(|message| plain(&message, REASON_LEN));
         let by = self.client_name(client);
         let text = match &message {
             Some(message) => format!("{by} locked the arm: {message}"),
@@ -559,7 +559,7 @@ impl Supervisor {
         let remedy = refusal
             .hint()
             .or_else(|| is_program.then(|| GOES_ON.into()));
-        let remedy = remedy.map_or_else(String::new, |it| format!("; {it}"));
+        let remedy = remedy.map_or_else(String::new, |remedy| format!("; {remedy}"));
         let text = format!("refused to {}: {refusal}{remedy}", self.client_name(client));
         let kind = refusal.kind().to_owned();
         self.notify(News::Refused { client, kind }, text);
@@ -574,17 +574,14 @@ impl Supervisor {
         // Nothing moves before the confirmation, so no client needs control for it.
         if !self.arm.session().is_trusted() {
             self.arm.session_mut().confirm_pose();
-            let text = format!(
-                "{} confirmed the pose",
-                self.client_name(client)
-            );
+            let text = format!("{} confirmed the pose", self.client_name(client));
             self.notify(News::PoseTrusted, text);
         }
         Ok(Reply::Done)
     }
 
     pub(super) fn set_dialect(&mut self, dialect: Dialect) -> Result<Reply, Refusal> {
-        if let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) {
+        if let Some(run) = self.run.as_ref().filter(|run| run.has_the_arm()) {
             return Err(Refusal::JobRunning(run.job()));
         }
         if self.arm.session().dialect() != Some(&dialect) {

@@ -200,12 +200,12 @@ impl Run {
 
     /// Returns the commands given to the session and not over.
     pub(super) fn in_flight(&self) -> impl Iterator<Item = CommandId> {
-        self.given.iter().map(|it| it.id)
+        self.given.iter().map(|sent| sent.id)
     }
 
     /// Returns the carry-over of the last command given.
     fn left(&self) -> CarriedOver {
-        self.given.back().map_or(self.left, |it| it.left)
+        self.given.back().map_or(self.left, |sent| sent.left)
     }
 
     fn speed_mm_s(&self) -> f32 {
@@ -216,7 +216,7 @@ impl Run {
     fn planned_left(&self) -> CarriedOver {
         let next = self.started.plan.chain(self.started.completed).next();
         CarriedOver {
-            speed_mm_s: next.map_or(0.0, |it| it.start_speed_mm_s),
+            speed_mm_s: next.map_or(0.0, |next| next.start_speed_mm_s),
             is_unknown: self.started.completed > 0,
             ..CarriedOver::default()
         }
@@ -226,9 +226,9 @@ impl Run {
     fn after(&self, before: CarriedOver, command: &Command) -> CarriedOver {
         let machine = self.speeds.machine_at(&self.started.plan, self.next);
         match command {
-            Command::WriteVector(it) => CarriedOver {
-                speed_mm_s: end_speed_mm_s(it, before.speed_mm_s, &machine),
-                moves: it.end_speed_mm_s > 0.0 && !it.stop,
+            Command::WriteVector(vector) => CarriedOver {
+                speed_mm_s: end_speed_mm_s(vector, before.speed_mm_s, &machine),
+                moves: vector.end_speed_mm_s > 0.0 && !vector.stop,
                 is_unknown: before.is_unknown && self.speeds.rests_each(self.next),
             },
             _ if machine.has_ticks => CarriedOver {
@@ -341,7 +341,7 @@ impl Run {
     /// completed commands and the plan.
     fn window_end(&mut self, status: &Status) -> usize {
         let completed = self.started.completed;
-        if let Some(known) = self.reach.filter(|it| it.completed == completed) {
+        if let Some(known) = self.reach.filter(|reach| reach.completed == completed) {
             return known.upto;
         }
         let (plan, dialect) = (&self.started.plan, self.started.dialect);
@@ -399,7 +399,7 @@ impl Run {
             planned_s: plan.planned_s(),
             left_s: self
                 .left_s()
-                .map(|it| it * 100.0 / adjustment.speed_percent),
+                .map(|left_s| left_s * 100.0 / adjustment.speed_percent),
             took_s: None,
             speed_percent: adjustment.speed_percent,
             height_mm: self.started.height_mm(),

@@ -89,7 +89,7 @@ impl Run {
 
     fn note_height(&mut self, change: HeightChange) {
         let heights = &mut self.started.adjustment.heights;
-        heights.retain(|it| it.from < change.from);
+        heights.retain(|height| height.from < change.from);
         forget_older(heights, self.permit.kept());
         heights.push(change);
     }
@@ -97,7 +97,7 @@ impl Run {
 
 /// Of the changes before the commands that the journal has as done, only the last one matters.
 fn forget_older(heights: &mut Vec<HeightChange>, kept: usize) {
-    let done = heights.partition_point(|it| it.from <= kept);
+    let done = heights.partition_point(|height| height.from <= kept);
     heights.drain(..done.saturating_sub(1));
 }
 

@@ -15,14 +15,14 @@ use crate::supervisor::run::{Effect, JobEffect, Phase, Ran, Rests, Run, SentComm
 impl Run {
     /// Handles a command that was dropped before it was sent.
     pub(in crate::supervisor) fn handle_forgotten(&mut self, id: CommandId) {
-        if let Some(at) = self.given.iter().position(|it| it.id == id) {
+        if let Some(at) = self.given.iter().position(|sent| sent.id == id) {
             let index = self.given[at].index;
             self.given.truncate(at);
             self.next = self.next.min(index);
         }
         // The tool is still up.
-        if let ToolHeight::Lowering(it, command) = self.tool
-            && it == id
+        if let ToolHeight::Lowering(lowering, command) = self.tool
+            && lowering == id
         {
             self.tool = ToolHeight::Above(command);
         }
@@ -37,10 +37,10 @@ impl Run {
         is_done: bool,
         status: Option<&Status>,
     ) -> bool {
-        let of_job = self.given.iter().position(|it| it.id == id);
+        let of_job = self.given.iter().position(|sent| sent.id == id);
         let of_way = match &self.phase {
             Phase::Approaching { last } => *last == Some(id),
-            _ => matches!(self.tool, ToolHeight::Lowering(it, _) if it == id),
+            _ => matches!(self.tool, ToolHeight::Lowering(lowering, _) if lowering == id),
         };
         if let Some(at) = of_job {
             self.over(at, now, is_done, status);
@@ -93,8 +93,8 @@ impl Run {
     /// Scales a program's targets to its current speed.
     fn scaled(&self, command: Command) -> Command {
         match command {
-            Command::PlaybackAdjustment(it) if self.started.kind == JobKind::Program => {
-                self.started.at_speed(it).into()
+            Command::PlaybackAdjustment(adjustment) if self.started.kind == JobKind::Program => {
+                self.started.at_speed(adjustment).into()
             }
             command => command,
         }
@@ -148,13 +148,18 @@ impl Run {
     }
 
     fn wait_for_person(&mut self) -> Option<JobEffect> {
-        let here = self.started.next_pause().filter(|it| it.0 == self.next);
+        let here = self
+            .started
+            .next_pause()
+            .filter(|(before, _)| *before == self.next);
         if let Some((_, message)) = here {
             let message = message.to_owned();
             return Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson));
         }
         let is_over = self.next == self.started.end();
-        let here = self.step_end.filter(|it| *it == self.next && !is_over);
+        let here = self
+            .step_end
+            .filter(|step_end| *step_end == self.next && !is_over);
         here.map(|_| self.drain(JobPhase::Paused, "the step is done", Rests::AsItIs))
     }
 
@@ -220,7 +225,7 @@ impl Run {
         if !is_done || self.started.completed != given.index {
             return;
         }
-        if status.is_some_and(|it| self.shows_grip(given.index, it)) {
+        if status.is_some_and(|status| self.shows_grip(given.index, status)) {
             self.handle_done(given, now);
         } else {
             let until = now + SEEN_WITHIN;

@@ -23,7 +23,7 @@ impl Run {
     /// Returns whether the next command has to wait for those before it.
     pub(crate) fn waits_for_grip(&self) -> bool {
         let grips = |index| self.started.plan.grips(index);
-        let last = self.given.back().is_some_and(|it| grips(it.index));
+        let last = self.given.back().is_some_and(|sent| grips(sent.index));
         self.unseen.is_some() || last || grips(self.next) && !self.given.is_empty()
     }
 

@@ -48,7 +48,7 @@ impl Run {
         };
         let planned = self.started.plan.planned_s();
         let planned = planned
-            .map(|it| format!(", planned were {it:.1} s"))
+            .map(|planned_s| format!(", planned {planned_s:.1} s"))
             .unwrap_or_default();
         format!(", in {ran_s:.1} s{planned}")
     }
@@ -97,7 +97,7 @@ impl Run {
         };
         let why = reason
             .as_ref()
-            .map_or_else(|| self.took(), |it| format!(": {it}"));
+            .map_or_else(|| self.took(), |reason| format!(": {reason}"));
         let text = format!("job {job} ({title}) is {}{why}", word(phase));
         let effect = Effect::Phase {
             job,
@@ -164,8 +164,8 @@ fn behind_seen_grips(plan: &JobPlan, commands: Range<usize>, status: &Status) ->
 
 const fn pause_s(command: &Command) -> f32 {
     match command {
-        Command::MoveTo(it) => it.pause_s,
-        Command::MoveJoints(it) => it.pause_s,
+        Command::MoveTo(target) => target.pause_s,
+        Command::MoveJoints(target) => target.pause_s,
         _ => 0.0,
     }
 }

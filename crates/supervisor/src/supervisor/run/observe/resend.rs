@@ -52,7 +52,7 @@ impl Run {
         let is_new = self.retries.command != counted;
         let sent = self.started.completed..self.next;
         let mut sent = self.started.plan.commands()[sent].iter();
-        let leads_somewhere = sent.all(|it| !matches!(it, Command::WriteVector(_)));
+        let leads_somewhere = sent.all(|command| !matches!(command, Command::WriteVector(_)));
         leads_somewhere && (is_new || self.retries.times < MOST_RETRIES)
     }
 
@@ -83,7 +83,7 @@ impl Run {
         // A notice has said already that it continues.
         let kept = effects
             .into_iter()
-            .filter(|it| matches!(it, JobEffect::Keep(_)));
+            .filter(|effect| matches!(effect, JobEffect::Keep(_)));
         Ok((run, kept.collect()))
     }
 }

@@ -137,7 +137,7 @@ impl Run {
         self.next = self.started.completed;
         self.cycle_times.forget();
         self.step_end = None;
-        let waited = self.started.next_pause().map(|it| it.0);
+        let waited = self.started.next_pause().map(|(before, _)| before);
         if for_person && waited == Some(self.next) {
             self.started.behind.pauses += 1;
         }

@@ -20,7 +20,9 @@ impl Run {
         paused: Option<&Self>,
     ) -> Result<(Self, [JobEffect; 2]), Refusal> {
         let status = arm.last();
-        let kept = started.doubt.map_or(started.completed, |it| it.completed);
+        let kept = started
+            .doubt
+            .map_or(started.completed, |doubt| doubt.completed);
         let started = located(started, status)?;
         check_holds(&started, status)?;
         let JobApproach { mut first, lower } = approach(&started, status);
@@ -36,7 +38,7 @@ impl Run {
                 .rest_each(&run.started.plan, run.started.completed);
         }
         let ways = first.iter().chain(&lower);
-        run.left = ways.fold(left, |left, it| run.after(left, it));
+        run.left = ways.fold(left, |left, command| run.after(left, command));
         for command in first.iter().chain(&lower) {
             arm.session().check(command)?;
         }
@@ -69,8 +71,10 @@ impl Run {
     /// Returns the carry-over for the next vector before anything is sent for the job: what the
     /// pause has left, otherwise what the plan says.
     fn left_before(&self, paused: Option<&Self>) -> CarriedOver {
-        let paused = paused.filter(|it| it.job() == self.job());
-        let left = paused.map(|it| it.left).filter(|it| !it.is_unknown);
+        let paused = paused.filter(|paused| paused.job() == self.job());
+        let left = paused
+            .map(|paused| paused.left)
+            .filter(|left| !left.is_unknown);
         left.unwrap_or_else(|| self.planned_left())
     }
 }
@@ -169,15 +173,17 @@ fn go(to: Position, planned: &Status, mode: MovingMode) -> Command {
 /// was interrupted: an arm that does not use the start speed keeps the last end speed (note N48).
 fn may_jump(started: &StartedJob) -> bool {
     let before = started.completed.checked_sub(1);
-    let before = before.and_then(|it| started.plan.commands().get(it));
-    let moves = |it: &Command| matches!(it, Command::WriteVector(it) if it.end_speed_mm_s > 0.0);
+    let before = before.and_then(|before| started.plan.commands().get(before));
+    let moves = |command: &Command| matches!(command, Command::WriteVector(vector) if vector.end_speed_mm_s > 0.0);
     !started.dialect.uses_start_speed && before.is_some_and(moves)
 }
 
 /// Checks that the pump is not off while the program expects a held object, which has then fallen.
 fn check_holds(started: &StartedJob, status: Option<Status>) -> Result<(), Refusal> {
     let planned = started.plan.start(started.completed);
-    if planned.is_some_and(|it| it.suction) && status.is_some_and(|it| !it.suction) {
+    if planned.is_some_and(|planned| planned.suction)
+        && status.is_some_and(|status| !status.suction)
+    {
         let (_, step) = started
             .program
             .at(started.completed + started.back, started.commands);

@@ -84,9 +84,9 @@ impl StartedJob {
     /// Builds a job from its journal entry and its checked plan.
     #[must_use]
     pub fn new(job: &Job, plan: JobPlan) -> Self {
-        let back = plan
-            .cycle()
-            .map_or(0, |it| it.cycles_back(job.window.completed) * it.len);
+        let back = plan.cycle().map_or(0, |cycle| {
+            cycle.cycles_back(job.window.completed) * cycle.len
+        });
         let window = back_by(job.window, back);
         Self {
             job: job.id.0,
@@ -123,7 +123,9 @@ impl StartedJob {
         let (pause, cycles) = match self.plan.cycle() {
             None => (self.pauses.get(waited)?, 0),
             Some(cycle) => {
-                let once = self.pauses.partition_point(|it| it.before < cycle.from);
+                let once = self
+                    .pauses
+                    .partition_point(|pause| pause.before < cycle.from);
                 let each = self.pauses.len() - once;
                 let over = waited.saturating_sub(once).checked_div(each).unwrap_or(0);
                 (self.pauses.get(waited - over * each)?, over * cycle.len)
@@ -136,14 +138,16 @@ impl StartedJob {
     /// Returns the end, by position in the plan.
     pub(crate) fn end(&self) -> usize {
         let cycle = self.plan.cycle();
-        cycle.map_or(self.plan.len(), |it| it.job_end(self.back / it.len))
+        cycle.map_or(self.plan.len(), |cycle| {
+            cycle.job_end(self.back / cycle.len)
+        })
     }
 
     /// Returns the end of the current step, by position in the plan.
     pub(crate) fn step_end(&self) -> usize {
         let (_, within) = self.program.at(self.completed + self.back, self.commands);
         let steps = &self.program.steps;
-        let next = match steps.get(steps.partition_point(|it| *it <= within)) {
+        let next = match steps.get(steps.partition_point(|step| *step <= within)) {
             Some(next) => *next,
             None if steps.is_empty() => within + 1,
             None => self.commands,
@@ -200,7 +204,7 @@ impl StartedJob {
     /// Returns the height above the plan, in mm.
     pub(crate) fn height_mm(&self) -> f64 {
         let last = self.adjustment.heights.last();
-        last.map_or(0.0, |it| it.offset_mm)
+        last.map_or(0.0, |last| last.offset_mm)
     }
 }
 
