@@ -158,7 +158,7 @@ impl Slots {
         let later = self.all.iter().skip(1);
         later.fold(
             until,
-            |free, it| if it.from <= free { it.until } else { free },
+            |free, slot| if slot.from <= free { slot.until } else { free },
         )
     }
 }

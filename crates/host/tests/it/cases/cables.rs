@@ -112,7 +112,7 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
     scene.it.run_for(chance.time(Duration::from_secs(6)));
     let (back, burnt) = (scene.it.now(), scene.burns());
     scene.it.plug();
-    let dark = |it: &dobot_host::VirtualStation| !super::scene::burns(it);
+    let dark = |station: &dobot_host::VirtualStation| !super::scene::burns(station);
     if !scene.it.run_until(back + Duration::from_secs(10), dark) {
         return Err(Wrong("the laser burns on".into()));
     }
@@ -122,7 +122,12 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
     figures.pulls += 1;
     figures.paused += usize::from(matches!(scene.settle(job)?, JobState::Paused { .. }));
     scene.finish(job)?;
-    if scene.it.notices().iter().any(|it| it.news == News::Reset) {
+    if scene
+        .it
+        .notices()
+        .iter()
+        .any(|notice| notice.news == News::Reset)
+    {
         figures.looks_reset += 1;
         return Ok(());
     }

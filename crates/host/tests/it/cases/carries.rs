@@ -72,7 +72,7 @@ pub(crate) fn station(
     let power_up = PowerUp::new(personality);
     let faults: Vec<Fault> = faults
         .iter()
-        .map(|it| it.parse().expect("on the twin this works"))
+        .map(|fault| fault.parse().expect("on the twin this works"))
         .collect();
     let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK)
         .with_faults(power_up, &faults, seed)
@@ -97,7 +97,7 @@ pub(crate) fn cube_is_at(it: &VirtualStation, place: [f32; 3]) -> bool {
         .objects;
     let cube = objects
         .iter()
-        .find(|it| it.name == "cube")
+        .find(|object| object.name == "cube")
         .expect("on the twin this works");
     let [x, y] = [f64::from(place[0]), f64::from(place[1])];
     (cube.at_mm.x - x).hypot(cube.at_mm.y - y) < 0.5
@@ -146,9 +146,9 @@ pub(crate) fn run(cycles: u64) -> Carries {
     {
         let until = (kills + 1) * KILLED_EVERY * 8 + kills % 8;
         let latest = it.now() + Duration::from_secs(10 * 3600);
-        it.run_until(latest, |it| {
-            let progress = it.supervisor().job_progress();
-            progress.is_none_or(|it| it.0 as u64 > until)
+        it.run_until(latest, |station| {
+            let progress = station.supervisor().job_progress();
+            progress.is_none_or(|progress| progress.0 as u64 > until)
         });
         if it.supervisor().job_progress().is_none() {
             it.run_for(Duration::from_secs(1));
@@ -163,7 +163,7 @@ pub(crate) fn run(cycles: u64) -> Carries {
     again += it
         .notices()
         .iter()
-        .filter(|it| it.text.contains("sent again"))
+        .filter(|notice| notice.text.contains("sent again"))
         .count();
     Carries {
         cycles,

@@ -71,7 +71,7 @@ fn jog(figures: &mut Clients, personality: Personality, seed: u64) -> Result<(),
     }
     let there = place(&scene);
     scene.it.run_for(Duration::from_secs(5));
-    let first = scene.it.packets().get(before).map(|it| it.0);
+    let first = scene.it.packets().get(before).map(|packet| packet.0);
     let first = first.ok_or_else(|| Wrong("nothing was sent".into()))?;
     figures.packet_s.add_time(at, first);
     figures
@@ -108,9 +108,9 @@ fn burn(figures: &mut Clients, personality: Personality, seed: u64) -> Result<()
             .as_secs_f64(),
     );
     let mut lit = if scene.burns() { scene.it.now() } else { at };
-    let note = |it: &VirtualStation| {
-        if burns(it) {
-            lit = it.now();
+    let note = |station: &VirtualStation| {
+        if burns(station) {
+            lit = station.now();
         }
         false
     };

@@ -77,12 +77,17 @@ fn one(figures: &mut Disks, personality: Personality, sort: Sort, seed: u64) -> 
 /// Until the job works no more, and a bit: is it dark then?
 fn wait(figures: &mut Disks, scene: &mut Scene) {
     let latest = scene.it.now() + Duration::from_secs(60);
-    let works = |it: &VirtualStation| it.supervisor().job().is_some_and(|it| it.reason.is_none());
-    scene.it.run_until(latest, |it| !works(it));
+    let works = |station: &VirtualStation| {
+        station
+            .supervisor()
+            .job()
+            .is_some_and(|job| job.reason.is_none())
+    };
+    scene.it.run_until(latest, |station| !works(station));
     let (paused, burnt) = (scene.it.now(), scene.burns());
     scene
         .it
-        .run_until(paused + Duration::from_secs(20), |it| !burns(it));
+        .run_until(paused + Duration::from_secs(20), |station| !burns(station));
     if burnt {
         figures.dark_s.add_time(paused, scene.it.now());
     }

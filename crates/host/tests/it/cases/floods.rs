@@ -100,7 +100,7 @@ fn one(figures: &mut Floods, personality: Personality, seed: u64) -> Result<(), 
         .supervisor()
         .state()
         .stop
-        .is_some_and(|it| it.at_rest);
+        .is_some_and(|stop| stop.at_rest);
     figures.not_served += usize::from(!holds);
     figures.times += 1;
     Ok(())

@@ -125,7 +125,10 @@ impl Case {
             _ => Vec::new(),
         };
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
-        let parsed: Vec<Fault> = faults.iter().filter_map(|it| it.parse().ok()).collect();
+        let parsed: Vec<Fault> = faults
+            .iter()
+            .filter_map(|fault| fault.parse().ok())
+            .collect();
         let arm = if parsed.is_empty() {
             arm
         } else {
@@ -137,8 +140,8 @@ impl Case {
         let burns = chance.below(4) == 0;
         let resets = faults
             .iter()
-            .any(|it| it.contains("reset") || it.contains("power"));
-        let jogs = !faults.iter().any(|it| it.contains("close"));
+            .any(|fault| fault.contains("reset") || fault.contains("power"));
+        let jogs = !faults.iter().any(|fault| fault.contains("close"));
         let people = ["Anna", "Ben", "a raw program"].map(|name| it.client(name));
         let watcher = it.client_as("the class", Role::Watch);
         Self {
@@ -235,8 +238,8 @@ impl Case {
     fn pass(&mut self, time: Duration) {
         let latest = self.it.now() + time;
         let judge = &mut self.judge;
-        self.it.run_until(latest, |it| {
-            judge.look(it);
+        self.it.run_until(latest, |station| {
+            judge.look(station);
             judge.lost.is_some()
         });
         self.judge.hear(&mut self.it);
@@ -247,11 +250,11 @@ impl Case {
         let dialect = self.personality.dialect();
         let packets = self.it.packets().iter().map(|(at, bytes)| {
             let packet = Packet::from_bytes(bytes);
-            let command = packet.map(|it| Command::parse(&it, &dialect));
+            let command = packet.map(|packet| Command::parse(&packet, &dialect));
             (*at, format!("sent {command:?}"))
         });
         let mut lines: Vec<(Duration, String)> = self.log.iter().cloned().chain(packets).collect();
-        lines.sort_by_key(|it| it.0);
+        lines.sort_by_key(|line| line.0);
         lines.dedup_by(|next, it| next.1 == it.1);
         let last = lines.iter().rev().take(LATELY).rev();
         let last = last.map(|(at, text)| format!("  {:.3} s {text}\n", at.as_secs_f64()));

@@ -91,11 +91,11 @@ fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(
     figures.at_work += usize::from(scene.it.supervisor().job().is_some());
     let (began, burnt) = (scene.it.now(), scene.burns());
     let mut last = began;
-    let rests = |it: &VirtualStation| {
-        if burns(it) {
-            last = it.now();
+    let rests = |station: &VirtualStation| {
+        if burns(station) {
+            last = station.now();
         }
-        it.supervisor().is_at_rest() && it.now() > began + Duration::from_secs(1)
+        station.supervisor().is_at_rest() && station.now() > began + Duration::from_secs(1)
     };
     if !scene.it.run_until(began + Duration::from_secs(60), rests) {
         return Err(Wrong("the arm did not come to rest".into()));

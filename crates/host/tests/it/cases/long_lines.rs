@@ -99,11 +99,17 @@ fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> 
     let mut scene = Scene::new(personality)?;
     scene.begin(&line(tool, personality)?)?;
     let latest = scene.it.now() + Duration::from_secs(60);
-    let draws = |it: &VirtualStation| {
-        let last = it.arm().samples().last().map(|it| it.position);
-        last.is_some_and(|it| it.z.0 < f64::from(DOWN_MM) + 0.1 && it.y.0 > BEGIN_MM + 1.0)
+    let draws = |station: &VirtualStation| {
+        let last = station.arm().samples().last().map(|sample| sample.position);
+        last.is_some_and(|last| last.z.0 < f64::from(DOWN_MM) + 0.1 && last.y.0 > BEGIN_MM + 1.0)
     };
-    let begun = |it: &VirtualStation| if tool.burns() { burns(it) } else { draws(it) };
+    let begun = |station: &VirtualStation| {
+        if tool.burns() {
+            burns(station)
+        } else {
+            draws(station)
+        }
+    };
     if !scene.it.run_until(latest, begun) {
         return Err(Wrong("the line does not begin".into()));
     }
@@ -125,14 +131,14 @@ fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> 
     };
     scene.it.ask(scene.anna, request)?;
     let (mut over, mut last_mm) = (at, y_mm(&scene.it));
-    let note = |it: &VirtualStation| {
+    let note = |station: &VirtualStation| {
         let goes_on = if tool.burns() {
-            burns(it)
+            burns(station)
         } else {
-            (y_mm(it) - last_mm).abs() > 1e-3
+            (y_mm(station) - last_mm).abs() > 1e-3
         };
         if goes_on {
-            (over, last_mm) = (it.now(), y_mm(it));
+            (over, last_mm) = (station.now(), y_mm(station));
         }
         false
     };
@@ -159,7 +165,7 @@ fn line(tool: DrawingTool, personality: Personality) -> Result<NewJob, Wrong> {
 
 fn y_mm(it: &VirtualStation) -> f64 {
     let last = it.arm().samples().last();
-    last.map_or(0.0, |it| it.position.y.0)
+    last.map_or(0.0, |last| last.position.y.0)
 }
 
 const BEGIN_MM: f64 = -48.0;

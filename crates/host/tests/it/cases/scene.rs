@@ -85,7 +85,7 @@ impl Scene {
         let power_up = PowerUp::new(personality);
         let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         if !faults.is_empty() {
-            let parsed: Result<Vec<Fault>, _> = faults.iter().map(|it| it.parse()).collect();
+            let parsed: Result<Vec<Fault>, _> = faults.iter().map(|fault| fault.parse()).collect();
             let parsed = parsed.map_err(|error| Wrong(error.to_string()))?;
             arm = arm.with_faults(power_up, &parsed, seed);
         }
@@ -127,25 +127,26 @@ impl Scene {
 
     /// How long a job takes.
     pub(crate) fn planned(&self) -> Duration {
-        let planned_s = self.it.supervisor().job().and_then(|it| it.planned_s);
+        let planned_s = self.it.supervisor().job().and_then(|job| job.planned_s);
         Duration::try_from_secs_f64(planned_s.unwrap_or(0.0)).unwrap_or_default()
     }
 
     /// Waits until a job can be started or is over, and the arm rests.
     pub(crate) fn settle(&mut self, job: u64) -> Result<JobState, Wrong> {
         let latest = self.it.now() + PATIENCE;
-        let works = |it: &VirtualStation| {
-            it.supervisor()
+        let works = |station: &VirtualStation| {
+            station
+                .supervisor()
                 .job()
-                .is_some_and(|it| it.phase == JobPhase::Running)
+                .is_some_and(|job| job.phase == JobPhase::Running)
         };
-        let settled = |it: &VirtualStation| {
-            let kept = match state(it, job) {
+        let settled = |station: &VirtualStation| {
+            let kept = match state(station, job) {
                 None | Some(JobState::Running) => false,
-                Some(JobState::Queued) => it.supervisor().job().is_none(),
+                Some(JobState::Queued) => station.supervisor().job().is_none(),
                 Some(_) => true,
             };
-            it.supervisor().is_at_rest() && kept && !works(it)
+            station.supervisor().is_at_rest() && kept && !works(station)
         };
         if self.it.run_until(latest, settled) {
             return state(&self.it, job).ok_or_else(|| Wrong("the job is gone".into()));
@@ -247,11 +248,11 @@ impl Scene {
         let moving = samples
             .iter()
             .rev()
-            .position(|it| it.position != last.position);
+            .position(|sample| sample.position != last.position);
         let first_at_rest = samples.len() - moving.unwrap_or(samples.len());
         samples
             .get(first_at_rest)
-            .map_or(0.0, |it| it.at.as_secs_f64())
+            .map_or(0.0, |sample| sample.at.as_secs_f64())
     }
 
     /// The personality of the arm.
@@ -266,7 +267,7 @@ pub(crate) fn burns(it: &VirtualStation) -> bool {
 }
 
 fn state(it: &VirtualStation, job: u64) -> Option<JobState> {
-    it.job(job).ok().map(|it| it.state)
+    it.job(job).ok().map(|job| job.state)
 }
 
 /// A figure for both personalities and all sorts of jobs.

@@ -118,15 +118,15 @@ fn begin(scene: &mut Scene, motion: u64, chance: &mut Chance) -> Result<Option<B
         0..=2 => {
             let sort = Sort::ALL[usize::try_from(motion).unwrap_or_default()];
             let samples = scene.it.arm().samples();
-            let last = samples.last().map_or(0.0, |it| it.position.z.0);
+            let last = samples.last().map_or(0.0, |sample| sample.position.z.0);
             let began_down = (last - f64::from(DOWN_MM)).abs() < 0.2;
             let samples = samples.len();
             let mut wanted = sort.job(chance);
             begin_elsewhere(&scene.it, &mut wanted);
             work(scene, &wanted, chance)?;
             let job = scene.it.supervisor().job();
-            Ok(job.map(|it| Begun {
-                id: it.job,
+            Ok(job.map(|job| Begun {
+                id: job.job,
                 wanted,
                 samples,
                 began_down,
@@ -139,7 +139,7 @@ fn begin(scene: &mut Scene, motion: u64, chance: &mut Chance) -> Result<Option<B
 
 /// A program may not begin with a straight line to where the arm stands; a person writes another mode then.
 fn begin_elsewhere(it: &VirtualStation, wanted: &mut NewJob) {
-    let here = it.supervisor().state().arm.map(|it| it.status);
+    let here = it.supervisor().state().arm.map(|arm| arm.status);
     if let (Some(Command::MoveTo(first)), Some(here)) = (wanted.commands.first_mut(), here)
         && [
             first.x_mm - here.x_mm,
@@ -249,7 +249,9 @@ fn stop(scene: &mut Scene, plugged: bool) -> Result<(), Wrong> {
 
 fn is_off_first(scene: &mut Scene, before: usize) -> Result<(), Wrong> {
     let latest = scene.it.now() + Duration::from_millis(500);
-    scene.it.run_until(latest, |it| it.packets().len() > before);
+    scene
+        .it
+        .run_until(latest, |station| station.packets().len() > before);
     match scene.sent(before).first() {
         Some(first) if *first == LASER_OFF => Ok(()),
         first => Err(Wrong(format!("laser off comes first, not {first:?}"))),
@@ -269,7 +271,7 @@ fn recover(
         scene.it.ask(anna, Request::PauseJob)?;
     }
     let latest = scene.it.now() + Duration::from_secs(60);
-    let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && !works(it);
+    let rests = |station: &VirtualStation| station.supervisor().is_at_rest() && !works(station);
     if !scene.it.run_until(latest, rests) {
         return Err(Wrong("it does not come to rest".into()));
     }
@@ -316,7 +318,7 @@ fn recover(
 
 fn works(it: &VirtualStation) -> bool {
     let job = it.supervisor().job();
-    job.is_some_and(|it| it.phase == JobPhase::Running)
+    job.is_some_and(|job| job.phase == JobPhase::Running)
 }
 
 /// Stops the arm for the last time, and watches it.

@@ -102,7 +102,7 @@ fn one(figures: &mut Stands, personality: Personality, seed: u64) -> Result<(), 
     let command = vector([0.0, 0.0, 2.0], false);
     scene.it.ask(scene.anna, Request::Command { command })?;
     scene.it.run_for(Duration::from_secs(3));
-    let off = |it: &&dobot_api::Notice| it.news == News::LaserOff;
+    let off = |notice: &&dobot_api::Notice| notice.news == News::LaserOff;
     figures.switched_off += scene.it.notices().iter().filter(off).count();
     figures.programs += 1;
     let stood_s = longest_stand_s(scene.it.arm().samples(), STANDS_MM);
@@ -156,8 +156,8 @@ fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
     let job = scene.begin(&Sort::Burn.job(chance))?;
     for _ in 0..chance.below(3) {
         scene.it.run_for(chance.time(Duration::from_secs(8)));
-        let runs = |it: &VirtualStation| {
-            let phase = it.supervisor().job().map(|it| it.phase);
+        let runs = |station: &VirtualStation| {
+            let phase = station.supervisor().job().map(|job| job.phase);
             phase == Some(JobPhase::Running)
         };
         if runs(&scene.it) {
@@ -175,7 +175,7 @@ fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
 
 fn failed(it: &VirtualStation, job: u64) -> bool {
     it.job(job)
-        .is_ok_and(|it| matches!(it.state, JobState::Failed { .. }))
+        .is_ok_and(|job| matches!(job.state, JobState::Failed { .. }))
 }
 
 /// A laser at rest is off within that, in seconds.

@@ -153,9 +153,9 @@ pub(super) fn watch(scene: &mut Scene, at: Duration) -> Result<Stopped, Wrong> {
     let stop = stop.ok_or_else(|| Wrong("no stop holds the arm".into()))?;
     let promised = Duration::try_from_secs_f64(stop.rests_by_s - stop.at_s).unwrap_or_default();
     let mut lit = at;
-    let note = |it: &VirtualStation| {
-        if burns(it) {
-            lit = it.now();
+    let note = |station: &VirtualStation| {
+        if burns(station) {
+            lit = station.now();
         }
         false
     };

@@ -238,7 +238,7 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
     scene.it.run_for(Duration::from_millis(500));
     if !scene
         .it
-        .run_until(latest, |it| it.supervisor().is_at_rest())
+        .run_until(latest, |station| station.supervisor().is_at_rest())
     {
         return Err(Wrong("it does not come to rest".into()));
     }
@@ -288,7 +288,7 @@ impl After {
     fn run_until(&mut self, latest: Duration, own: &mut Vec<(Duration, Packet)>) {
         while self.now < latest {
             self.carry(own);
-            let next = own.first().map_or(Duration::MAX, |it| it.0);
+            let next = own.first().map_or(Duration::MAX, |own| own.0);
             let next = next.min(self.watchdog.poll_wakeup());
             let soon = self.now + Duration::from_millis(1);
             let before = self.now;
@@ -307,7 +307,7 @@ impl After {
             self.watchdog.handle_heard(self.now);
         }
         self.watchdog.handle_time(self.now);
-        while own.first().is_some_and(|it| it.0 <= self.now) {
+        while own.first().is_some_and(|own| own.0 <= self.now) {
             let (_, packet) = own.remove(0);
             self.send(&packet);
         }
@@ -344,9 +344,9 @@ fn parts<const N: usize>(from: [f64; N], to: [f64; N]) -> Vec<f64> {
 
 /// Motion that no button asked for, in words.
 fn unasked(doing: GuardedMotion, from: &Joints, to: &Joints) -> Option<String> {
-    let joints = |it: &Joints| [it.base.0, it.rear.0, it.fore.0, it.servo.0];
-    let point = |it: &Joints| {
-        let place = place(it);
+    let joints = |joints: &Joints| [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0];
+    let point = |joints: &Joints| {
+        let place = place(joints);
         [place.x.0, place.y.0, place.z.0]
     };
     let turned = || parts(joints(from), joints(to));

@@ -24,7 +24,7 @@ const VENDORS: Command = Command::Configuration(Configuration::Playback {
 
 /// When a notice came, and what it said.
 fn told(it: &VirtualStation, which: impl Fn(&News) -> bool) -> Option<(f64, String)> {
-    let notice = it.notices().iter().find(|it| which(&it.news))?;
+    let notice = it.notices().iter().find(|notice| which(&notice.news))?;
     Some((notice.at_s, notice.text.clone()))
 }
 
@@ -49,13 +49,13 @@ fn sent(it: &mut VirtualStation, target: MoveTo) -> u64 {
 fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_it_is_over() {
     let mut it = virtual_station(Personality::Specification);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
-    let pauses = |it: &News| matches!(it, News::Pausing { lasts_s: 100.0, .. });
+    let pauses = |news: &News| matches!(news, News::Pausing { lasts_s: 100.0, .. });
     let (began_s, text) = told(&it, pauses).expect("it is told");
     assert_eq!(
         text,
         "the arm waits 100 s here: its default pause (state 9, mode 1)"
     );
-    let done = |it: &News| *it == News::CommandDone { command: number };
+    let done = |news: &News| *news == News::CommandDone { command: number };
     let (done_s, _) = told(&it, done).expect("it is told");
     assert!(began_s < 7.0, "{began_s}");
     assert!((99.0..101.0).contains(&(done_s - began_s)), "{done_s}");
@@ -66,7 +66,7 @@ fn an_arm_that_ignores_the_default_pause_is_not_said_to_pause() {
     let mut it = virtual_station(Personality::Firmware11);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
     assert_eq!(told(&it, |it| matches!(it, News::Pausing { .. })), None);
-    let done = |it: &News| *it == News::CommandDone { command: number };
+    let done = |news: &News| *news == News::CommandDone { command: number };
     let (done_s, _) = told(&it, done).expect("it is told");
     assert!(done_s < 6.0, "{done_s}");
 }

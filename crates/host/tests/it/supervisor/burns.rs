@@ -88,7 +88,10 @@ fn a_laser_drawing_is_burned_once_and_its_travels_are_not() {
         finish(&mut it, job);
         assert_burned_once(&it, &personality.to_string());
         // Nothing came between two of its vectors that switches the laser off.
-        let off = it.notices().iter().any(|it| it.news == News::LaserOff);
+        let off = it
+            .notices()
+            .iter()
+            .any(|notice| notice.news == News::LaserOff);
         assert!(!off, "{personality}");
     }
 }
@@ -126,7 +129,7 @@ fn a_laser_drawing_takes_another_speed_and_keeps_its_height_where_it_burns() {
         assert_burned_once(&it, &personality.to_string());
         let heights = it.arm().samples().windows(2).filter(|it| it[1].laser);
         let steepest_mm = heights
-            .map(|it| (it[1].position.z.0 - it[0].position.z.0).abs())
+            .map(|pair| (pair[1].position.z.0 - pair[0].position.z.0).abs())
             .fold(0.0, f64::max);
         assert!(steepest_mm < 0.01, "{personality}: {steepest_mm} mm");
         let last_mm = it.arm().samples().last().unwrap().position.z.0;

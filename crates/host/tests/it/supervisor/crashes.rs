@@ -35,7 +35,7 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
         let was_running = it.supervisor().job().is_some();
         let minute = it.now() + Duration::from_secs(60);
         assert!(
-            it.run_until(minute, |it| rests(it, job)),
+            it.run_until(minute, |station| rests(station, job)),
             "it is paused, not lost"
         );
         let anna = it.client("Anna");
@@ -44,7 +44,7 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
             // The person looks at the arm first.
             let refused = it.start(anna, job).unwrap_err();
             assert!(
-                refused.hint().is_some_and(|it| it.contains("confirm")),
+                refused.hint().is_some_and(|hint| hint.contains("confirm")),
                 "{refused}"
             );
         }
@@ -52,7 +52,7 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
         it.start(anna, job).unwrap();
     }
     let minutes = it.now() + Duration::from_secs(180);
-    assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
+    assert!(it.run_until(minutes, |station| station.job(job).unwrap().state.is_over()));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
     let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
     assert!(

@@ -78,8 +78,10 @@ pub(crate) fn drawn_mm(virtual_station: &VirtualStation) -> f64 {
 
 /// How long a line a job is to draw.
 pub(crate) fn wanted_mm(job: &NewJob) -> f64 {
-    let flat = |it: &Command| match it {
-        Command::WriteVector(it) if it.z_mm == 0.0 => f64::from(it.x_mm.hypot(it.y_mm)),
+    let flat = |command: &Command| match command {
+        Command::WriteVector(vector) if vector.z_mm == 0.0 => {
+            f64::from(vector.x_mm.hypot(vector.y_mm))
+        }
         _ => 0.0,
     };
     job.commands.iter().map(flat).sum()

@@ -58,7 +58,10 @@ fn y_mm(it: &VirtualStation) -> f32 {
 
 fn refusals(it: &VirtualStation) -> usize {
     let refused = |news: &News| matches!(news, News::Refused { .. });
-    it.notices().iter().filter(|it| refused(&it.news)).count()
+    it.notices()
+        .iter()
+        .filter(|notice| refused(&notice.news))
+        .count()
 }
 
 #[test]
@@ -84,7 +87,10 @@ fn a_press_while_the_arm_runs_down_acts_when_it_rests_if_it_is_still_held() {
 /// The notices of presses of which the arm was never told.
 fn lost_presses(it: &VirtualStation) -> usize {
     let is_lost = |text: &str| text.contains("before the press was sent, so nothing moved");
-    it.notices().iter().filter(|it| is_lost(&it.text)).count()
+    it.notices()
+        .iter()
+        .filter(|notice| is_lost(&notice.text))
+        .count()
 }
 
 #[test]

@@ -17,9 +17,9 @@ use super::strokes::{
 
 /// How far above the plan the pen is on the paper, at the highest and lowest of the last moments.
 fn heights_mm(it: &VirtualStation, from: Duration) -> (f64, f64) {
-    let samples = it.arm().samples().iter().filter(|it| it.at >= from);
-    let heights = samples.map(|it| it.position.z.0 - DOWN_MM);
-    let drawing = heights.filter(|it| *it < 2.0);
+    let samples = it.arm().samples().iter().filter(|sample| sample.at >= from);
+    let heights = samples.map(|sample| sample.position.z.0 - DOWN_MM);
+    let drawing = heights.filter(|height| *height < 2.0);
     drawing.fold((f64::MAX, f64::MIN), |(low, high), it| {
         (low.min(it), high.max(it))
     })
@@ -184,7 +184,8 @@ fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
         }
         it.crash(Duration::from_millis(400)).unwrap();
         let minute = it.now() + Duration::from_secs(120);
-        let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && is_paused(it, job);
+        let rests =
+            |station: &VirtualStation| station.supervisor().is_at_rest() && is_paused(station, job);
         assert!(it.run_until(minute, rests), "{:?}", it.job(job));
         anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
@@ -221,7 +222,8 @@ fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
         run_to(&mut it, 8);
         it.crash(Duration::from_millis(400)).unwrap();
         let minute = it.now() + Duration::from_secs(60);
-        let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && is_paused(it, job);
+        let rests =
+            |station: &VirtualStation| station.supervisor().is_at_rest() && is_paused(station, job);
         assert!(it.run_until(minute, rests), "{:?}", it.job(job));
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
@@ -234,9 +236,11 @@ fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
 
 /// Whatever the height, each vector that draws was sent once, in its turn.
 fn assert_sent_once(it: &VirtualStation, personality: Personality, planned: &NewJob) {
-    let drawing = |it: Command| match it {
+    let drawing = |command: Command| match command {
         // What rounding leaves of a lift draws nothing.
-        Command::WriteVector(it) if it.x_mm.hypot(it.y_mm) > 0.001 => Some([it.x_mm, it.y_mm]),
+        Command::WriteVector(vector) if vector.x_mm.hypot(vector.y_mm) > 0.001 => {
+            Some([vector.x_mm, vector.y_mm])
+        }
         _ => None,
     };
     let read = |bytes: &[u8; 42]| {

@@ -17,7 +17,11 @@ const UP: Request = Request::Jog {
 };
 
 fn holder(virtual_station: &VirtualStation) -> Option<String> {
-    virtual_station.supervisor().state().lease.map(|it| it.name)
+    virtual_station
+        .supervisor()
+        .state()
+        .lease
+        .map(|lease| lease.name)
 }
 
 #[test]
@@ -152,11 +156,12 @@ fn a_lock_lets_go_of_what_is_held_and_brings_a_drawing_to_rest() {
     it.run_for(Duration::from_secs(2));
     it.ask(teacher, Request::Lock { message: None }).unwrap();
     let minute = it.now() + Duration::from_mins(1);
-    let paused = |it: &VirtualStation| {
-        it.supervisor()
+    let paused = |station: &VirtualStation| {
+        station
+            .supervisor()
             .state()
             .job
-            .is_some_and(|it| it.phase == JobPhase::Paused)
+            .is_some_and(|job| job.phase == JobPhase::Paused)
     };
     assert!(it.run_until(minute, paused));
     it.run_for(Duration::from_secs(5));
@@ -164,7 +169,7 @@ fn a_lock_lets_go_of_what_is_held_and_brings_a_drawing_to_rest() {
     it.ask(teacher, Request::TakeLease).unwrap();
     it.start(teacher, job).unwrap();
     let minute = it.now() + Duration::from_mins(1);
-    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.run_until(minute, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 
@@ -177,7 +182,7 @@ fn a_message_reaches_all_who_watch_and_takes_no_control() {
     let told = it
         .notices()
         .iter()
-        .any(|it| it.text == "Ms Weber: five more minutes");
+        .any(|notice| notice.text == "Ms Weber: five more minutes");
     assert!(told, "{:?}", it.notices());
 }
 
@@ -191,7 +196,7 @@ fn a_drawing_with_a_pen_goes_on_when_the_one_who_started_it_leaves() {
     it.run_for(Duration::from_secs(2));
     it.leave(anna);
     let minute = it.now() + Duration::from_mins(1);
-    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.run_until(minute, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 
@@ -218,7 +223,7 @@ fn a_person_at_this_machine_takes_control_from_a_raw_program_which_cannot_be_ask
     let told = it
         .notices()
         .iter()
-        .any(|it| it.text.contains("Anna took it"));
+        .any(|notice| notice.text.contains("Anna took it"));
     assert!(told, "{:?}", it.notices());
     // What waited is forgotten, and the program does not get control back by going on.
     assert_eq!(it.supervisor().session().waiting(), 0);

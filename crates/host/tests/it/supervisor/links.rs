@@ -38,10 +38,10 @@ proptest! {
         it.unplug();
         it.run_for(Duration::from_millis(away_ms));
         it.plug();
-        let is_over = |it: &VirtualStation| it.job(job).unwrap().state.is_over();
+        let is_over = |station: &VirtualStation| station.job(job).unwrap().state.is_over();
         for _ in 0..3 {
             let minutes = it.now() + Duration::from_mins(3);
-            prop_assert!(it.run_until(minutes, |it| paused(it, job) || is_over(it)));
+            prop_assert!(it.run_until(minutes, |station| paused(station, job) || is_over(station)));
             if is_over(&it) {
                 break;
             }
@@ -82,7 +82,7 @@ fn after_a_reset_nobody_moves_the_arm_until_its_pose_is_confirmed() {
     assert!(paused(&it, job));
     let refused = it.start(anna, job).unwrap_err();
     assert!(
-        refused.hint().is_some_and(|it| it.contains("confirm")),
+        refused.hint().is_some_and(|hint| hint.contains("confirm")),
         "{refused}"
     );
     it.ask(anna, Request::ConfirmPose).unwrap();
@@ -95,7 +95,10 @@ fn an_arm_that_falls_silent_is_told_as_lost_and_found_again() {
     it.run_for(Duration::from_secs(7));
     let link = it.supervisor().state().link;
     assert_eq!(link.phase, LinkPhase::Lost);
-    assert!(link.problem.is_some_and(|it| it.contains("cable")));
+    assert!(
+        link.problem
+            .is_some_and(|problem| problem.contains("cable"))
+    );
     it.run_for(Duration::from_secs(10));
     assert_eq!(it.supervisor().state().link.phase, LinkPhase::Up);
 }
@@ -109,7 +112,7 @@ fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
     let job = it.submit(&drawing).unwrap();
     it.start(anna, job).unwrap();
     let minutes = it.now() + Duration::from_mins(5);
-    assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
+    assert!(it.run_until(minutes, |station| station.job(job).unwrap().state.is_over()));
     let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
     assert!(
         (found_mm - wanted_mm).abs() < 0.3,
@@ -131,11 +134,11 @@ fn burning_until(fault: &str) -> (VirtualStation, ClientId, u64) {
 
 fn assert_armed_anew(it: &mut VirtualStation, anna: ClientId, job: u64, what: &str) {
     assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0, "{what}");
-    let disarmed = |it: &&dobot_api::Notice| it.news == News::LaserDisarmed;
+    let disarmed = |notice: &&dobot_api::Notice| notice.news == News::LaserDisarmed;
     assert_eq!(it.notices().iter().filter(disarmed).count(), 1, "{what}");
     let latest = it.now() + Duration::from_secs(20);
-    let up = |it: &VirtualStation| {
-        it.supervisor().state().link.phase == LinkPhase::Up && paused(it, job)
+    let up = |station: &VirtualStation| {
+        station.supervisor().state().link.phase == LinkPhase::Up && paused(station, job)
     };
     assert!(it.run_until(latest, up), "{what}");
     it.run_for(Duration::from_secs(3));
@@ -154,13 +157,14 @@ fn a_reset_and_a_power_cut_and_silence_disarm_the_laser_until_a_person_arms_it_a
         "close@8s..10s",
     ] {
         let (mut it, anna, job) = burning_until(fault);
-        let disarmed = |it: &VirtualStation| it.supervisor().state().laser.armed_for_s == 0.0;
+        let disarmed =
+            |station: &VirtualStation| station.supervisor().state().laser.armed_for_s == 0.0;
         let latest = it.now() + Duration::from_secs(14);
         assert!(it.run_until(latest, disarmed), "{fault}");
         assert!(
             !it.supervisor()
                 .job()
-                .is_some_and(|it| it.phase == JobPhase::Running)
+                .is_some_and(|job| job.phase == JobPhase::Running)
         );
         assert_armed_anew(&mut it, anna, job, fault);
     }

@@ -38,7 +38,11 @@ fn a_job_waits_for_the_person_once_and_goes_on() {
             z_mm > DOWN_MM + 4.9,
             "{personality}: the pen is at {z_mm} mm"
         );
-        assert!(it.notices().iter().any(|it| it.text.contains(MESSAGE)));
+        assert!(
+            it.notices()
+                .iter()
+                .any(|notice| notice.text.contains(MESSAGE))
+        );
         it.run_for(Duration::from_mins(1));
         assert_eq!(view(&it).phase, JobPhase::Paused);
         let sent = it.packets().len();
@@ -52,8 +56,9 @@ fn a_job_waits_for_the_person_once_and_goes_on() {
         it.ask(anna, Request::ConfirmJob { job }).unwrap();
         it.ask(anna, Request::StartJob { job }).unwrap();
         finish(&mut it, job);
-        let waited =
-            |it: &&Notice| matches!(it.news, News::Job { .. }) && it.text.contains(MESSAGE);
+        let waited = |notice: &&Notice| {
+            matches!(notice.news, News::Job { .. }) && notice.text.contains(MESSAGE)
+        };
         assert_eq!(it.notices().iter().filter(waited).count(), 1);
         assert_drawn_once(&it, &lines(), 0.1, &personality.to_string());
     }

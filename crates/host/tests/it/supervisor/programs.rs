@@ -55,12 +55,20 @@ fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_tol
         "{line_mm_s}"
     );
     let amended = |news: &News| matches!(news, News::Amended { .. });
-    let told = it.notices().iter().filter(|it| amended(&it.news)).count();
+    let told = it
+        .notices()
+        .iter()
+        .filter(|notice| amended(&notice.news))
+        .count();
     assert_eq!(told, 2);
     // The same again is not told again.
     got(&mut it, program, &start[1..]);
     got(&mut it, program, &start[1..]);
-    let told = it.notices().iter().filter(|it| amended(&it.news)).count();
+    let told = it
+        .notices()
+        .iter()
+        .filter(|notice| amended(&notice.news))
+        .count();
     assert_eq!(told, 2);
 }
 
@@ -115,9 +123,9 @@ fn the_default_pause_of_the_vendors_client_is_told_when_it_begins() {
     got(&mut it, program, &[&start, &point]);
     it.run_for(Duration::from_secs(5));
     let pauses = |news: &News| matches!(news, News::Pausing { lasts_s: 100.0, .. });
-    let told = it.notices().iter().find(|it| pauses(&it.news));
+    let told = it.notices().iter().find(|notice| pauses(&notice.news));
     let text = "the arm waits 100 s here: its default pause (state 9, mode 1)";
-    assert_eq!(told.map(|it| it.text.as_str()), Some(text));
+    assert_eq!(told.map(|notice| notice.text.as_str()), Some(text));
 }
 
 /// Plays a program at a bare arm and at a station: they come to rest at the same places, with the same
@@ -182,7 +190,7 @@ fn check_told(what: &str, program: &Program, served: &Served) {
     for text in served
         .troubles
         .iter()
-        .filter(|it| it.starts_with("refused"))
+        .filter(|trouble| trouble.starts_with("refused"))
     {
         let says = |remedy: &&str| text.contains(*remedy);
         assert!(REMEDIES.iter().any(says), "{what}: {text}");
@@ -198,7 +206,7 @@ fn check_packets(what: &str, program: &Program, got: &[Frame]) {
         .packets
         .iter()
         .filter_map(recorded::RecordedPacket::sent);
-    let wanted: Vec<Command> = wanted.map(|it| read(&it)).collect();
+    let wanted: Vec<Command> = wanted.map(|command| read(&command)).collect();
     let got: Vec<Command> = got.iter().map(read).collect();
     assert_eq!(
         bare_of_the_stations_own(&got),

@@ -79,8 +79,8 @@ pub(crate) fn places(it: &mut VirtualStation) -> ([f64; 4], [f64; 3], f64) {
 pub(crate) fn released(it: &VirtualStation, from: usize) -> Vec<f32> {
     let frames = it.packets()[from..].iter().map(|(_, bytes)| frame(bytes));
     frames
-        .filter(|it| matches!(it.float(1), 2.0 | 7.0) && it.float(2) == 0.0)
-        .map(|it| it.float(1))
+        .filter(|frame| matches!(frame.float(1), 2.0 | 7.0) && frame.float(2) == 0.0)
+        .map(|frame| frame.float(1))
         .collect()
 }
 
@@ -282,7 +282,10 @@ fn a_long_run_down_is_not_taken_for_a_reset() {
             let state = it.supervisor().state();
             assert!(state.trust.trusted, "{personality}: {:?}", state.trust);
             assert!(it.supervisor().is_at_rest(), "{personality}");
-            let reset = it.notices().iter().find(|it| it.news == News::Reset);
+            let reset = it
+                .notices()
+                .iter()
+                .find(|notice| notice.news == News::Reset);
             assert_eq!(reset, None, "{personality}");
         }
     }

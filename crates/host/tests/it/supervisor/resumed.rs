@@ -24,7 +24,10 @@ fn program(targets: &[MoveTo]) -> NewJob {
     NewJob {
         title: "a program".into(),
         kind: JobKind::Program,
-        commands: targets.iter().map(|it| Command::from(*it)).collect(),
+        commands: targets
+            .iter()
+            .map(|target| Command::from(*target))
+            .collect(),
         lift_mm: 0.0,
         pauses: Vec::new(),
         program: JobProgram::default(),
@@ -43,9 +46,9 @@ fn begin(it: &mut VirtualStation, job: &NewJob) -> (ClientId, u64) {
 /// Waits until the job is paused in the journal.
 fn paused(it: &mut VirtualStation, job: u64) {
     let latest = it.now() + Duration::from_secs(60);
-    let is_paused = |it: &VirtualStation| {
-        let state = it.job(job).unwrap().state;
-        matches!(state, JobState::Paused { .. }) && it.supervisor().is_at_rest()
+    let is_paused = |station: &VirtualStation| {
+        let state = station.job(job).unwrap().state;
+        matches!(state, JobState::Paused { .. }) && station.supervisor().is_at_rest()
     };
     assert!(
         it.run_until(latest, is_paused),
@@ -61,7 +64,7 @@ fn finish(it: &mut VirtualStation, job: u64, wanted: &NewJob) -> Vec<usize> {
     it.ask(anna, Request::ConfirmPose).unwrap();
     it.start(anna, job).unwrap();
     let latest = it.now() + Duration::from_secs(60);
-    let is_done = |it: &VirtualStation| it.job(job).unwrap().state == JobState::Done;
+    let is_done = |station: &VirtualStation| station.job(job).unwrap().state == JobState::Done;
     assert!(
         it.run_until(latest, is_done),
         "{:?}",
@@ -131,8 +134,9 @@ fn a_station_that_stood_still_while_the_arm_went_on_sends_nothing_twice() {
             let trust = it.supervisor().state().trust;
             assert!(trust.trusted, "{personality}, {stalled_ms} ms: {trust:?}");
             let over = it.now() + Duration::from_secs(20);
-            let rests = |it: &VirtualStation| {
-                it.supervisor().is_at_rest() && it.job(job).unwrap().state != JobState::Running
+            let rests = |station: &VirtualStation| {
+                station.supervisor().is_at_rest()
+                    && station.job(job).unwrap().state != JobState::Running
             };
             assert!(it.run_until(over, rests), "{personality}, {stalled_ms} ms");
             let times = if it.job(job).unwrap().state == JobState::Done {
@@ -163,8 +167,8 @@ fn a_program_whose_arm_was_reset_is_paused_and_sends_nothing_before_a_person_has
         it.stall(Duration::from_secs(3));
         let before = it.packets().len();
         paused(&mut it, job);
-        let told = it.notices().iter().map(|it| &*it.text);
-        let lies: Vec<_> = told.filter(|it| it.contains("sent again")).collect();
+        let told = it.notices().iter().map(|notice| &*notice.text);
+        let lies: Vec<_> = told.filter(|text| text.contains("sent again")).collect();
         assert!(lies.is_empty(), "{personality}: {lies:?}");
         let moves = it.packets()[before..]
             .iter()

@@ -78,7 +78,7 @@ fn a_stop_right_behind_the_release_of_a_button_switches_the_laser_off_too() {
             );
             // The release, which the laser's packet may have damaged on the line, is repeated.
             it.run_for(Duration::from_secs(2));
-            let again = |it: &Command| matches!(it, Command::JointJog(it) if it.axis == JointJogAxis::Released);
+            let again = |command: &Command| matches!(command, Command::JointJog(jog) if jog.axis == JointJogAxis::Released);
             assert!(
                 sent_since(&it, before).iter().any(again),
                 "{personality}, {later_ms} ms"
@@ -115,8 +115,9 @@ fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
         "still-moving"
     );
     let minute = it.now() + Duration::from_mins(1);
-    let at_rest = |it: &VirtualStation| {
-        it.supervisor()
+    let at_rest = |station: &VirtualStation| {
+        station
+            .supervisor()
             .state()
             .stop
             .is_some_and(|stop| stop.at_rest)
@@ -142,7 +143,7 @@ fn what_waits_is_never_sent_after_a_stop() {
         .filter(|it| matches!(it, Command::MoveTo(_)))
         .count();
     assert_eq!(moved, 0);
-    let failed = |it: &&dobot_api::Notice| matches!(it.news, News::CommandFailed { .. });
+    let failed = |notice: &&dobot_api::Notice| matches!(notice.news, News::CommandFailed { .. });
     assert!(it.notices().iter().filter(failed).count() >= 3);
 }
 
@@ -182,7 +183,7 @@ fn unplugged_in_a_jog(personality: Personality) -> (VirtualStation, ClientId) {
 }
 
 fn notices_with(it: &VirtualStation, text: &str) -> usize {
-    let has = |it: &&Notice| it.text.contains(text);
+    let has = |notice: &&Notice| notice.text.contains(text);
     it.notices().iter().filter(has).count()
 }
 
@@ -335,7 +336,9 @@ fn an_arm_that_still_moves_is_let_go_by_a_reset_of_the_fleet_when_it_rests() {
     other.adopt_fleet_stops(&one.reset_fleet("Ms Weber"));
     assert_eq!(other.ask(ben, target(0.0)).unwrap_err().kind(), "stopped");
     let minute = other.now() + Duration::from_mins(1);
-    assert!(other.run_until(minute, |it| it.supervisor().state().stop.is_none()));
+    assert!(other.run_until(minute, |station| {
+        station.supervisor().state().stop.is_none()
+    }));
     assert!(other.supervisor().is_at_rest());
 }
 

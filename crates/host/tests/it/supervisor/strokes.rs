@@ -90,7 +90,7 @@ pub(crate) fn wait_until_paused(it: &mut VirtualStation, job: u64) {
     it.run_for(Duration::from_millis(10));
     let minute = it.now() + Duration::from_secs(60);
     assert!(
-        it.run_until(minute, |it| is_paused(it, job)),
+        it.run_until(minute, |station| is_paused(station, job)),
         "{:?}",
         it.job(job).map(|j| j.state)
     );
@@ -99,7 +99,7 @@ pub(crate) fn wait_until_paused(it: &mut VirtualStation, job: u64) {
 pub(crate) fn finish(it: &mut VirtualStation, job: u64) {
     let minutes = it.now() + Duration::from_secs(600);
     assert!(
-        it.run_until(minutes, |it| is_over(it, job)),
+        it.run_until(minutes, |station| is_over(station, job)),
         "{:?}",
         it.supervisor().job()
     );
@@ -109,10 +109,11 @@ pub(crate) fn finish(it: &mut VirtualStation, job: u64) {
 /// Lets the job go on until so many of its commands are over.
 pub(crate) fn run_to(it: &mut VirtualStation, command: usize) {
     let minutes = it.now() + Duration::from_secs(600);
-    let there = |it: &VirtualStation| {
-        it.supervisor()
+    let there = |station: &VirtualStation| {
+        station
+            .supervisor()
             .job()
-            .is_some_and(|it| it.completed >= command)
+            .is_some_and(|job| job.completed >= command)
     };
     assert!(it.run_until(minutes, there), "{:?}", it.supervisor().job());
 }
@@ -121,7 +122,7 @@ pub(crate) fn run_to(it: &mut VirtualStation, command: usize) {
 pub(crate) fn drawn(it: &VirtualStation) -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut was_down = false;
-    for at in it.arm().samples().iter().map(|it| it.position) {
+    for at in it.arm().samples().iter().map(|sample| sample.position) {
         let is_down = at.z.0 <= DOWN_MM + 0.05;
         if is_down && !was_down {
             strokes.push(Stroke::default());
@@ -136,7 +137,7 @@ pub(crate) fn drawn(it: &VirtualStation) -> Vec<Stroke> {
 
 pub(crate) fn length_mm(strokes: &[Stroke]) -> f64 {
     let step = |pair: &[Point]| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
-    let length = |it: &Stroke| it.points.windows(2).map(step).sum::<f64>();
+    let length = |stroke: &Stroke| stroke.points.windows(2).map(step).sum::<f64>();
     strokes.iter().map(length).sum()
 }
 
@@ -213,7 +214,7 @@ fn a_long_drawing_ends_where_it_should_for_all_the_rounding_of_a_stock_arm() {
     };
     let (mut it, _, job) = started(personality, &planned);
     let hours = it.now() + Duration::from_secs(7200);
-    assert!(it.run_until(hours, |it| is_over(it, job)));
+    assert!(it.run_until(hours, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 
@@ -303,7 +304,7 @@ fn a_job_at_half_the_speed_takes_twice_as_long_and_draws_the_same() {
 /// How long the pen is on the paper, in seconds.
 fn drawing_s(samples: &[Sample]) -> f64 {
     let down = |it: &&[Sample]| it.iter().all(|it| it.position.z.0 < DOWN_MM + 0.02);
-    let takes_s = |it: &[Sample]| it[1].at.saturating_sub(it[0].at).as_secs_f64();
+    let takes_s = |sample: &[Sample]| sample[1].at.saturating_sub(sample[0].at).as_secs_f64();
     samples.windows(2).filter(down).map(takes_s).sum()
 }
 

@@ -104,7 +104,10 @@ fn mouse_and_hand_never_hang_an_arm_at_its_lower_stop_whatever_the_gap_between_t
         [210.0, 0.0, -29.0],
         [230.0, -20.0, -28.0],
     ];
-    for (row, start) in rows.into_iter().flat_map(|row| starts.map(|it| (row, it))) {
+    for (row, start) in rows
+        .into_iter()
+        .flat_map(|row| starts.map(|start| (row, start)))
+    {
         for gap_ms in gaps_ms {
             let by = if gap_ms % 20 == 0 { By::Api } else { By::Raw };
             let (mut it, anna) = stock();

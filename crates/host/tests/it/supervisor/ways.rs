@@ -81,7 +81,7 @@ fn off_mm(at: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
     let times = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let (way, here) = (minus(to, from), minus(at, from));
     let share = (times(here, way) / times(way, way)).clamp(0.0, 1.0);
-    let off = minus(here, way.map(|it| it * share));
+    let off = minus(here, way.map(|mm| mm * share));
     times(off, off).sqrt()
 }
 
@@ -160,7 +160,7 @@ fn a_place_beyond_reach_is_refused_with_the_last_one_that_is_allowed() {
             .expect("the way begins where the arm may be");
         let reach_mm = nearest[0].hypot(nearest[1]).hypot(nearest[2]);
         assert!(reach_mm > 250.0, "{nearest:?}");
-        let [x, y, z] = nearest.map(|it| it.to_string().parse().unwrap());
+        let [x, y, z] = nearest.map(|mm| mm.to_string().parse().unwrap());
         asked(&mut it, anna, line(x, y, z)).unwrap();
     }
 }
@@ -173,7 +173,7 @@ fn the_marked_way_of_a_job_is_what_its_pen_draws() {
             [(230.0, 20.0), (200.0, 20.0)],
         ]
         .map(|ends| Stroke::open(ends.map(|(x, y)| Point::new(x, y)).to_vec()));
-        let planned = pen_job(personality, &strokes.clone().map(|it| (it, None)));
+        let planned = pen_job(personality, &strokes.clone().map(|stroke| (stroke, None)));
         let (it, _, job) = started(personality, &planned);
         let path = it.job_path(job).unwrap();
         let marked: f64 = (1..path.path_mm.len())

@@ -100,9 +100,9 @@ impl Bench {
         loop {
             match self.station.next().await.unwrap() {
                 StationEvent::State(state) => {
-                    let status = state.arm.map(|it| it.status);
+                    let status = state.arm.map(|arm| arm.status);
                     self.seen.extend(status.as_ref().map(position));
-                    if !asked && state.job.is_some_and(|it| it.completed >= until) {
+                    if !asked && state.job.is_some_and(|job| job.completed >= until) {
                         asked = true;
                         self.station.request(Request::PauseJob).await.unwrap();
                     }
@@ -124,7 +124,7 @@ impl Bench {
         let mut idle = 0;
         loop {
             let state = self.station.state().await.unwrap();
-            let moves = state.arm.is_some_and(|it| it.moving);
+            let moves = state.arm.is_some_and(|arm| arm.moving);
             let busy = moves || state.queue.waiting + state.queue.under_way > 0;
             idle = if busy { 0 } else { idle + 1 };
             if idle > 3 {
@@ -135,10 +135,10 @@ impl Bench {
 
     pub(crate) fn samples(&self) -> Vec<Sample> {
         let arm = self.station.virtual_arm().unwrap();
-        let sample = |it: &dobot_sim::Sample| Sample {
-            at: it.at,
-            position: it.position,
-            laser: it.laser,
+        let sample = |sample: &dobot_sim::Sample| Sample {
+            at: sample.at,
+            position: sample.position,
+            laser: sample.laser,
         };
         arm.samples().iter().map(sample).collect()
     }

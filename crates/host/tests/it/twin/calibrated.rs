@@ -76,7 +76,7 @@ fn the_backlash_of_an_old_arm_is_taken_up_where_its_joints_turn_back() {
         let with = arm.draw(Some(known));
         let without = OldArm::new(personality, slack).draw(Some(stiff));
         // What is missing of the drawing, and what is drawn beside it, where the pen comes down and goes up too.
-        let missed = |it: &Deviation| it.missed.distance_mm;
+        let missed = |deviation: &Deviation| deviation.missed.distance_mm;
         assert!(
             missed(&with) < missed(&without) / 2.0,
             "{with:?}, {without:?}"
@@ -135,7 +135,10 @@ impl OldArm {
             .map(|(joint, deg)| format!("zero={joint}:{deg}"));
         let slack = joints.iter().zip(backlash_deg);
         let slack = slack.map(|(joint, deg)| format!("backlash={joint}:{deg}"));
-        let faults: Vec<Fault> = zeros.chain(slack).map(|it| it.parse().unwrap()).collect();
+        let faults: Vec<Fault> = zeros
+            .chain(slack)
+            .map(|fault| fault.parse().unwrap())
+            .collect();
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         let arm = arm.with_faults(power_up, &faults, 0);
         let mut station = VirtualStation::with_arm(arm, power_up, Policy::default());

@@ -35,7 +35,7 @@ async fn a_laser_that_is_stopped_is_off() {
         let job = bench.draw_until(&plan, plan.command_of(4)).await;
         assert_eq!(job.phase, JobPhase::Paused);
         let samples = bench.samples();
-        assert!(samples.iter().any(|it| it.laser));
+        assert!(samples.iter().any(|sample| sample.laser));
         assert!(!samples.last().unwrap().laser);
     }
 }

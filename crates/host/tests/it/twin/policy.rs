@@ -146,8 +146,8 @@ impl Other {
         let machine = plan.machine();
         let mut running: Vec<Command> = plan.commands().collect();
         let first = plan.command_of(at);
-        let vector = |it: &Command| match it {
-            Command::WriteVector(it) => Some(*it),
+        let vector = |command: &Command| match command {
+            Command::WriteVector(vector) => Some(*vector),
             _ => None,
         };
         let before = running[..first].iter().filter_map(vector);
@@ -163,7 +163,9 @@ impl Other {
         for (command, other) in running[first..].iter_mut().zip(faster_or_slower) {
             *command = other.into();
         }
-        let rest = vectors.iter().position(|it| it.end_speed_mm_s == 0.0);
+        let rest = vectors
+            .iter()
+            .position(|vector| vector.end_speed_mm_s == 0.0);
         let chain = &vectors[..=rest.expect("a plan ends at rest")];
         let setup = plan.commands().take(plan.command_of(0) - 1);
         let resting = rest_each(chain, share, machine);

@@ -23,7 +23,10 @@ fn two_passes() -> [Pass; 2] {
 }
 
 fn wanted(passes: &[Pass]) -> Vec<Stroke> {
-    passes.iter().flat_map(|it| it.strokes.clone()).collect()
+    passes
+        .iter()
+        .flat_map(|pass| pass.strokes.clone())
+        .collect()
 }
 
 #[tokio::test]
@@ -52,9 +55,12 @@ async fn the_figures_are_those_of_the_run() {
         // What was planned is what happens, in whole ticks on a stock arm.
         let longer = time_s - plan.duration_s();
         assert!((-0.2..0.5).contains(&longer), "{personality:?}: {longer}");
-        let counts: Vec<_> = passes.iter().map(|it| (it.strokes, it.tool)).collect();
+        let counts: Vec<_> = passes
+            .iter()
+            .map(|pass| (pass.strokes, pass.tool))
+            .collect();
         assert_eq!(counts, [(1, Tool::Pen), (2, Tool::Pen)]);
-        let times: f64 = passes.iter().map(|it| it.time_s).sum();
+        let times: f64 = passes.iter().map(|pass| pass.time_s).sum();
         assert!((times - time_s).abs() < 1e-9);
     }
 }
@@ -109,7 +115,7 @@ async fn the_timeline_tells_where_the_tool_is_at_any_time() {
             for (found, wanted) in found.into_iter().zip(end) {
                 assert!((found - wanted).abs() < 0.1, "{found} instead of {wanted}");
             }
-            let after = samples.iter().filter(|it| it.at >= trace.began());
+            let after = samples.iter().filter(|sample| sample.at >= trace.began());
             for sample in after {
                 let time = sample.at.saturating_sub(trace.began()).as_secs_f64();
                 if time > timeline.duration_s {

@@ -31,10 +31,10 @@ impl Height {
     pub(super) fn apply(&mut self, command: &Command) -> Command {
         match command {
             Command::WriteVector(vector) if takes_height(vector) => self.vector(*vector).into(),
-            Command::MoveTo(it) if self.offset_mm != 0.0 => {
-                let z_mm = single(f64::from(it.z_mm) + self.offset_mm);
-                self.raised_mm = f64::from(z_mm) - f64::from(it.z_mm);
-                let mut target = *it;
+            Command::MoveTo(planned) if self.offset_mm != 0.0 => {
+                let z_mm = single(f64::from(planned.z_mm) + self.offset_mm);
+                self.raised_mm = f64::from(z_mm) - f64::from(planned.z_mm);
+                let mut target = *planned;
                 target.z_mm = z_mm;
                 target.into()
             }

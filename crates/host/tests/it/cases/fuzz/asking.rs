@@ -48,7 +48,11 @@ impl Asking {
     /// What is asked next.
     pub(crate) fn next(&mut self, chance: &mut Chance, it: &VirtualStation) -> FuzzStep {
         let who = chance.one(&self.people);
-        let holder = it.supervisor().state().lease.map_or(who, |it| it.client);
+        let holder = it
+            .supervisor()
+            .state()
+            .lease
+            .map_or(who, |lease| lease.client);
         let who = if chance.below(10) == 0 { who } else { holder };
         let asked = match chance.below(100) {
             0..10 => match &self.before {
@@ -192,7 +196,9 @@ fn number(chance: &mut Chance, from: f32, to: f32) -> f32 {
 /// Somewhere in reach, or a little away from where the arm will be.
 fn place(chance: &mut Chance, it: &VirtualStation) -> [f32; 3] {
     let model = it.supervisor().session().model();
-    let here = model.map_or(Position::new(200.0, 0.0, 0.0), |it| it.place.pose.position);
+    let here = model.map_or(Position::new(200.0, 0.0, 0.0), |model| {
+        model.place.pose.position
+    });
     if chance.below(3) == 0 {
         #[expect(clippy::cast_possible_truncation, reason = "a packet carries no more")]
         return [here.x, here.y, here.z].map(|it| it.0 as f32 + step(chance));

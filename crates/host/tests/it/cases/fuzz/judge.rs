@@ -86,7 +86,10 @@ impl Judge {
     /// Voice that leaves for an arm in motion hangs a stock arm, with its motors running (note N50).
     fn look_for_voice(&mut self, it: &VirtualStation) {
         let joints = it.arm().mechanics().joints_at(it.now());
-        let moves = self.before.replace(joints).is_some_and(|it| it != joints);
+        let moves = self
+            .before
+            .replace(joints)
+            .is_some_and(|previous| previous != joints);
         let mut sent = it.packets().iter().skip(self.packets);
         if moves && sent.any(|(_, bytes)| bytes[0] == VOICE_HEADER) {
             self.lose(HANGS, "voice was sent while it moved".to_owned());

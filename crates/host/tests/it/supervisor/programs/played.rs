@@ -111,7 +111,7 @@ impl<'a> Play<'a> {
     fn new(program: &'a Program, is_played: impl Fn(&RecordedPacket) -> bool) -> Self {
         let packets = program.packets.iter().rev();
         Self {
-            packets: packets.filter(|it| is_played(it)).collect(),
+            packets: packets.filter(|packet| is_played(packet)).collect(),
             one_per_status: program.one_per_status,
         }
     }
@@ -125,7 +125,7 @@ impl<'a> Play<'a> {
         };
         let mut due = Vec::new();
         while due.len() < most {
-            let is_due = |it: &mut &RecordedPacket| Duration::from_millis(it.at_ms) <= now;
+            let is_due = |packet: &mut &RecordedPacket| Duration::from_millis(packet.at_ms) <= now;
             match self.packets.pop_if(is_due) {
                 Some(packet) => due.push(packet),
                 None => break,
@@ -157,9 +157,9 @@ pub(super) fn at_a_bare_arm(program: &Program) -> (Seen, Vec<Refused>) {
 /// Whether a stock arm hangs or loses its pose by what a program sends up to a packet, and not
 /// without that one.
 pub(super) fn is_trapped_by(program: &Program, trap: &RecordedPacket) -> bool {
-    let before = |it: &RecordedPacket| it.refused.is_none() && it.at_ms <= trap.at_ms;
-    let is_lost = |it: &Refused| matches!(it, Refused::Hangs(_) | Refused::PoseLost);
-    let with_it = |it: &RecordedPacket| before(it) || std::ptr::eq(it, trap);
+    let before = |packet: &RecordedPacket| packet.refused.is_none() && packet.at_ms <= trap.at_ms;
+    let is_lost = |refused: &Refused| matches!(refused, Refused::Hangs(_) | Refused::PoseLost);
+    let with_it = |packet: &RecordedPacket| before(packet) || std::ptr::eq(packet, trap);
     !at_an_arm(program, before).1.iter().any(is_lost)
         && at_an_arm(program, with_it).1.iter().any(is_lost)
 }
@@ -251,6 +251,6 @@ fn troubles(it: &VirtualStation, from: usize) -> Vec<String> {
         )
     };
     let notices = it.notices()[from..].iter();
-    let troubles = notices.filter(|it| is_trouble(&it.news));
-    troubles.map(|it| it.text.clone()).collect()
+    let troubles = notices.filter(|notice| is_trouble(&notice.news));
+    troubles.map(|notice| notice.text.clone()).collect()
 }

@@ -76,9 +76,13 @@ impl RecordedPacket {
         if self.hex.is_empty() {
             return frame(&self.floats);
         }
-        let digits: Vec<u32> = self.hex.chars().filter_map(|it| it.to_digit(16)).collect();
+        let digits: Vec<u32> = self
+            .hex
+            .chars()
+            .filter_map(|character| character.to_digit(16))
+            .collect();
         let bytes = digits.chunks(2).map(|it| it[0] * 16 + it[1]);
-        let bytes: Vec<u8> = bytes.map(|it| u8::try_from(it).unwrap()).collect();
+        let bytes: Vec<u8> = bytes.map(|byte| u8::try_from(byte).unwrap()).collect();
         let bytes: [u8; PACKET_LEN] = bytes.try_into().unwrap();
         Frame::from_bytes(&bytes).unwrap()
     }
@@ -105,9 +109,9 @@ pub(super) fn program(name: &str) -> Program {
 /// The names of all of them.
 pub(super) fn names() -> Vec<String> {
     let files = fs::read_dir(folder()).unwrap();
-    let paths = files.map(|it| it.unwrap().path());
+    let paths = files.map(|file| file.unwrap().path());
     let mut names: Vec<String> = paths
-        .map(|it| it.file_stem().unwrap().to_str().unwrap().to_owned())
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
         .collect();
     names.sort();
     names
