@@ -503,7 +503,7 @@ impl NoArm {
         let why = match (&state.link.problem, state.link.phase) {
             (Some(problem), _) => problem.clone(),
             (None, LinkPhase::Searching) => "no arm has been found yet".into(),
-            (None, _) => "the arm says nothing".into(),
+            (None, _) => "the arm does not respond".into(),
         };
         Self::Unusable(why)
     }
@@ -541,7 +541,7 @@ mod tests {
     #[test]
     fn a_job_is_over_or_paused_from_when_it_has_run_and_not_before() {
         let mut watch = JobWatch::new(7);
-        let mut told = |job, phase| {
+        let mut handle = |job, phase| {
             let notice = Notice {
                 number: 1,
                 at_s: 0.0,
@@ -550,9 +550,9 @@ mod tests {
             };
             watch.handle_notice(&notice).map(|(phase, _)| phase)
         };
-        assert_eq!(told(7, JobPhase::Paused), None);
-        assert_eq!(told(7, JobPhase::Running), None);
-        assert_eq!(told(8, JobPhase::Done), None);
-        assert_eq!(told(7, JobPhase::Paused), Some(JobPhase::Paused));
+        assert_eq!(handle(7, JobPhase::Paused), None);
+        assert_eq!(handle(7, JobPhase::Running), None);
+        assert_eq!(handle(8, JobPhase::Done), None);
+        assert_eq!(handle(7, JobPhase::Paused), Some(JobPhase::Paused));
     }
 }

@@ -577,10 +577,10 @@ mod tests {
 
     #[tokio::test]
     async fn a_panic_where_the_journal_is_written_ends_the_station() {
-        let (driver, mut told) = mpsc::channel(1);
+        let (driver, mut messages) = mpsc::channel(1);
         std::thread::spawn(move || watch(&driver, || panic!("the disk is made of cheese")));
-        let Some(Message::Failed(text)) = told.recv().await else {
-            panic!("it is told as a failure");
+        let Some(Message::Failed(text)) = messages.recv().await else {
+            panic!("it is reported as a failure");
         };
         assert_eq!(text, "the thread that writes the journal panicked");
     }

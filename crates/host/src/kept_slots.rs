@@ -42,12 +42,12 @@ impl KeptSlots {
     ///
     /// The reason of a failure, in one line.
     pub(crate) fn read(&self, now_ms: i64) -> Result<Vec<TimeSlot>, String> {
-        let told = |why: String| format!("{}: {why}", self.0.display());
-        let Some(text) = read_file(&self.0).map_err(|error| told(error.to_string()))? else {
+        let describe = |why: String| format!("{}: {why}", self.0.display());
+        let Some(text) = read_file(&self.0).map_err(|error| describe(error.to_string()))? else {
             return Ok(Vec::new());
         };
         let content: Content =
-            toml::from_str(&text).map_err(|error| told(error.message().to_owned()))?;
+            toml::from_str(&text).map_err(|error| describe(error.message().to_owned()))?;
         let slots = content.slot.into_iter().map(|slot| slot.after(now_ms));
         Ok(slots.filter(|slot| slot.ends_in_s >= LEFT_S).collect())
     }

@@ -53,7 +53,7 @@ impl ServiceManager {
 
     /// Sends a notification.
     #[cfg(unix)]
-    pub fn tell(&self, notification: Notification) {
+    pub fn notify(&self, notification: Notification) {
         if let Some((socket, address)) = &self.socket {
             // It may be gone.
             let _ = socket.send_to_addr(notification.text(), address);
@@ -62,7 +62,7 @@ impl ServiceManager {
 
     /// This system has none.
     #[cfg(not(unix))]
-    pub fn tell(&self, _: Notification) {}
+    pub fn notify(&self, _: Notification) {}
 }
 
 impl Notification {

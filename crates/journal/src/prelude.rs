@@ -32,9 +32,10 @@ pub fn model_at<'a>(
     window: &Window,
 ) -> Option<Model> {
     let model = Model::new(dialect, window.start.as_ref()?);
-    let told = prelude(before);
+    let settings = prelude(before);
     Some(
-        told.iter()
+        settings
+            .iter()
             .fold(model, |model, command| model.begun(command)),
     )
 }

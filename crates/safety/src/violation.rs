@@ -71,7 +71,7 @@ impl Violation {
         let least = Rounded(allowed.min);
         let message = if rule == TABLE || rule == BELOW_PAPER {
             format!(
-                "{name} would be {found_here}{unit}; {rule} allows {least}{unit} or more with this tool"
+                "{name} would be {found_here}{unit}; {rule} allows {least}{unit} and more with this tool"
             )
         } else {
             let most = Rounded(allowed.max);

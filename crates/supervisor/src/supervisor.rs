@@ -280,7 +280,7 @@ impl Supervisor {
             at_s: self.arm.now().as_secs_f64(),
             link: self.link.view(&self.arm.session().link()),
             arm: self.arm.last().map(|reported| {
-                let status = self.arm.true_status(&reported);
+                let status = self.arm.calibrated_status(&reported);
                 ArmView {
                     status,
                     told: Some(reported).filter(|_| self.arm.is_calibrated()),

@@ -148,12 +148,12 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         log.tell(&format!("no browser could be opened: {error}"));
     }
     let service_manager = ServiceManager::of_environment();
-    service_manager.tell(Notification::Ready);
+    service_manager.notify(Notification::Ready);
     tokio::select! {
         () = tell(notices, log) => {}
         () = &mut interrupt => {}
     }
-    service_manager.tell(Notification::Stopping);
+    service_manager.notify(Notification::Stopping);
     log.tell("ending: the laser goes off, and the arm comes to rest");
     // The others still see how it comes to rest.
     let ended = async {

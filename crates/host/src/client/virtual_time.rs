@@ -19,7 +19,7 @@ pub(super) struct InVirtualTime {
     /// Events not taken yet; only the last of several states, unless each is requested.
     heard: VecDeque<StationEvent>,
     /// The number of notices taken.
-    told: usize,
+    taken: usize,
     dead_man_s: f64,
 }
 
@@ -33,7 +33,7 @@ impl InVirtualTime {
             station,
             client,
             heard: VecDeque::new(),
-            told: 0,
+            taken: 0,
             dead_man_s,
         }
     }
@@ -96,12 +96,12 @@ impl InVirtualTime {
 
     fn listen(&mut self) {
         let notices = self.station.notices();
-        let news = notices[self.told..]
+        let news = notices[self.taken..]
             .iter()
             .cloned()
             .map(StationEvent::Notice);
         self.heard.extend(news);
-        self.told = notices.len();
+        self.taken = notices.len();
         if self.station.poll_status() {
             self.heard
                 .retain(|event| !matches!(event, StationEvent::State(_)));

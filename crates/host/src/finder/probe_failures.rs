@@ -103,7 +103,7 @@ impl fmt::Display for NothingFound {
         } else if self.failures.is_empty() {
             f.write_str("; there is no USB serial port")?;
         }
-        for (address, failures) in &self.failure {
+        for (address, failure) in &self.failures {
             write!(f, "; {address}: {failure}")?;
         }
         if !self.passed_over.is_empty() {

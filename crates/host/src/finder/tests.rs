@@ -133,7 +133,7 @@ async fn a_silent_port_is_told_and_nothing_was_written_to_it() {
     let pty = pty();
     let port = port(pty.path());
     let nothing = finder().find_among(&[port], |_| {}).await;
-    let nothing = nothing.expect_err("nobody is there");
+    let nothing = nothing.expect_err("there is no arm");
     assert!(
         matches!(nothing.failures[..], [(_, ProbeFailure::Silent)]),
         "{nothing}"
@@ -212,15 +212,15 @@ async fn a_port_that_was_found_silent_is_not_opened_again_for_a_minute() {
     let mut news = Vec::new();
     for _ in 0..3 {
         let nothing = finder.find_among(&ports, |event| news.push(event)).await;
-        nothing.expect_err("nobody is there");
+        nothing.expect_err("there is no arm");
     }
     assert_eq!(listened_to(&news).len(), 1);
     let nothing = finder.find_among(&ports, |_| {}).await;
-    let nothing = nothing.expect_err("nobody is there").to_string();
+    let nothing = nothing.expect_err("there is no arm").to_string();
     assert!(nothing.contains("nothing was received"), "{nothing}");
     tokio::time::advance(std::time::Duration::from_mins(1)).await;
     let nothing = finder.find_among(&ports, |event| news.push(event)).await;
-    nothing.expect_err("nobody is there");
+    nothing.expect_err("there is no arm");
     assert_eq!(listened_to(&news).len(), 2);
 }
 
@@ -268,7 +268,7 @@ async fn a_named_address_without_anybody_is_told_with_its_reason() {
         named: vec!["serial:/dev/no-such-port".parse().expect("it is one")],
         ..Search::default()
     });
-    let nothing = finder.find(|_| {}).await.expect_err("nobody is there");
+    let nothing = finder.find(|_| {}).await.expect_err("there is no arm");
     let [(_, ProbeFailure::Open(OpenError::NoSuchPort { .. }))] = &nothing.failures[..] else {
         panic!("{nothing}");
     };

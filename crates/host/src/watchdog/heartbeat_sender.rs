@@ -94,7 +94,7 @@ impl HeartbeatSender {
             && now >= self.reported + period
         {
             self.reported = now;
-            self.service_manager.tell(Notification::Alive);
+            self.service_manager.notify(Notification::Alive);
         }
         let silent = now.saturating_sub(self.last?);
         if silent >= PERIOD {

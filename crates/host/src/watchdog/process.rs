@@ -28,7 +28,7 @@ pub fn guard(note: &Path) -> io::Result<()> {
         watchdog: Watchdog::new(clock.now()),
         clock,
         line: Vec::new(),
-        told: None,
+        reported: None,
         ended: false,
         reporter: Reporter::start(note),
     };
@@ -47,7 +47,7 @@ struct Guard {
     /// The rest of the packet being written.
     line: Vec<u8>,
     /// The last reported silence.
-    told: Option<Silence>,
+    reported: Option<Silence>,
     /// Whether the heartbeat pipe is closed.
     ended: bool,
     reporter: Reporter,
@@ -153,10 +153,10 @@ impl Guard {
     /// Reports what it does on standard error and in the note for the next start.
     fn report(&mut self) {
         let silence = self.watchdog.silence();
-        if silence == self.told {
+        if silence == self.reported {
             return;
         }
-        self.told = silence;
+        self.reported = silence;
         let Some(silence) = silence else {
             return;
         };

@@ -96,18 +96,18 @@ impl Arm {
     }
 
     /// Returns the status with calibrated positions and angles.
-    pub(super) fn true_status(&self, told: &Status) -> Status {
+    pub(super) fn calibrated_status(&self, raw: &Status) -> Status {
         let Some(model) = self.session.model().filter(|_| self.is_calibrated()) else {
-            return *told;
+            return *raw;
         };
-        let mut place = ArmPlace::of_status(told);
+        let mut place = ArmPlace::of_status(raw);
         // A joint with backlash that last turned back stands further than its motor reports.
         let arm = &model.calibration;
         place.joints = arm.joints_at(&place.joints, self.turned_deg);
         let place = model.true_place(&place);
         Status {
-            suction: told.suction,
-            gripper_deg: told.gripper_deg,
+            suction: raw.suction,
+            gripper_deg: raw.gripper_deg,
             ..place.status()
         }
     }
@@ -116,7 +116,7 @@ impl Arm {
     /// status.
     pub(super) fn end_status(&self) -> Option<Status> {
         if self.is_idle() {
-            return self.last.map(|last| self.true_status(&last));
+            return self.last.map(|last| self.calibrated_status(&last));
         }
         let model = self.session.model()?;
         Some(Status {

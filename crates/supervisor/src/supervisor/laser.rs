@@ -52,8 +52,8 @@ impl Arm {
     pub(super) fn part_from_laser(&mut self) {
         let lately = |off: Duration| self.now().saturating_sub(off) < LATELY;
         let waits = self.session().under_way() > 0;
-        let told = self.session().laser_told_off();
-        if !told.is_some_and(|off| waits || lately(off)) {
+        let sent_at = self.session().laser_told_off();
+        if !sent_at.is_some_and(|off| waits || lately(off)) {
             self.send_urgent(LASER_OFF);
         }
     }
