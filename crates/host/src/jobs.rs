@@ -318,7 +318,7 @@ pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), R
 
 /// Returns whether a job last came to rest at a pause for a person.
 fn waits_for_person(job: &Job) -> bool {
-    let last = job.behind.pauses.checked_sub(1);
+    let last = job.history.pauses.checked_sub(1);
     let pause = last.and_then(|last| job.pauses.get(last));
     job.state.phase() == JobPhase::Paused
         && pause.is_some_and(|pause| pause.before == job.window.completed)
@@ -338,7 +338,7 @@ pub(crate) fn view(job: &Job) -> JobView {
         completed: job.program.at(job.window.completed, job.commands).1,
         planned_s: job.planned_s,
         left_s: job.planned_s.filter(|_| job.window.completed == 0),
-        took_s: job.behind.ran_s.filter(|_| job.state == JobState::Done),
+        took_s: job.history.ran_s.filter(|_| job.state == JobState::Done),
         speed_percent: job.adjustment.speed_percent,
         height_mm: job
             .adjustment
@@ -529,7 +529,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             phase,
             reason,
             window,
-            behind,
+            history,
         } => {
             // A job that does not run was given nothing: its progress has not changed.
             if let Some(window) = window
@@ -538,7 +538,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
                 journal.extend_window(JobId(*job), window)?;
             }
             let state = JobState::new(*phase, reason.clone());
-            journal.set_state_behind(JobId(*job), &state, *behind)
+            journal.set_state_with_history(JobId(*job), &state, *history)
         }
         Effect::Adjust { job, adjustment } => journal.adjust(JobId(*job), adjustment),
     }

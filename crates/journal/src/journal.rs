@@ -14,7 +14,7 @@ use crate::store::{
     CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, MISSING_FACT, OFFERS, PLACES, REFUSALS,
     STEPS, Store, WINDOWS, fact,
 };
-use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
+use crate::{Adjustment, Job, JobHistory, JobId, JournalError, PlannedJob, Window};
 
 /// A file of jobs that survives crashes and power cuts.
 ///
@@ -193,16 +193,16 @@ impl Journal {
     /// # Errors
     ///
     /// [`JournalError::NoSuchJob`], [`JournalError::Number`], or the storage fails.
-    pub fn set_state_behind(
+    pub fn set_state_with_history(
         &self,
         id: JobId,
         state: &JobState,
-        behind: Behind,
+        history: JobHistory,
     ) -> Result<(), JournalError> {
-        finite("the time that it ran", behind.ran_s)?;
+        finite("the time that it ran", history.ran_s)?;
         self.change(id, |row| {
             row.go_on(id, state)?;
-            row.behind = behind;
+            row.history = history;
             Ok(())
         })
     }

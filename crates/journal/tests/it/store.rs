@@ -5,7 +5,7 @@ use std::fs;
 use crate::lab::{START, job, vector};
 use dobot_api::{JobPause, JobState};
 use dobot_journal::{
-    Adjustment, Behind, HeightChange, JobId, Journal, JournalError, PlannedJob, Window,
+    Adjustment, HeightChange, JobHistory, JobId, Journal, JournalError, PlannedJob, Window,
 };
 use dobot_wire::{Command, Configuration, Dialect, Status};
 use proptest::prelude::*;
@@ -357,7 +357,7 @@ fn a_journal_of_the_first_format_is_read_and_gone_on_with() {
     let found = journal.job(id).unwrap();
     assert_eq!((found.title.as_str(), found.commands), ("a picture", 3));
     assert_eq!(found.adjustment, Adjustment::default());
-    assert_eq!((found.planned_s, found.behind.ran_s), (None, None));
+    assert_eq!((found.planned_s, found.history.ran_s), (None, None));
     journal.set_state(id, &JobState::Running).unwrap();
     assert_eq!(journal.job(id).unwrap().state, JobState::Running);
 }
@@ -385,17 +385,19 @@ fn what_a_person_changed_and_what_a_job_has_behind_it_come_back() {
     };
     journal.adjust(id, &adjustment).unwrap();
     let reason = "the blue pen".to_owned();
-    let behind = Behind {
+    let history = JobHistory {
         pauses: 1,
         ran_s: Some(3.25),
     };
     let paused = JobState::Paused { reason };
-    journal.set_state_behind(id, &paused, behind).unwrap();
+    journal
+        .set_state_with_history(id, &paused, history)
+        .unwrap();
     drop(journal);
     let found = Journal::open(&path).unwrap().job(id).unwrap();
     assert_eq!((found.planned_s, found.pauses), (Some(12.5), pauses));
     assert_eq!(found.adjustment, adjustment);
-    assert_eq!((found.state, found.behind), (paused, behind));
+    assert_eq!((found.state, found.history), (paused, history));
 }
 
 #[test]

@@ -161,7 +161,7 @@ impl Run {
     /// Restores a job that was running when the station ended unexpectedly.
     pub(super) fn recovered(mut started: StartedJob, window: Window) -> Self {
         // How long it ran is unknown.
-        started.behind.ran_s = None;
+        started.history.ran_s = None;
         let window = started.in_plan(window);
         let kept = started.completed;
         let mut run = Self::new(started, kept, Phase::Locating { window }, None);
@@ -293,7 +293,7 @@ impl Run {
 
     /// Adds the time it ran.
     fn note_ran(&mut self) {
-        if let (Some(ran), Some(before_s)) = (self.ran.take(), &mut self.started.behind.ran_s) {
+        if let (Some(ran), Some(before_s)) = (self.ran.take(), &mut self.started.history.ran_s) {
             *before_s += ran.last_over.saturating_sub(ran.since).as_secs_f64();
         }
     }

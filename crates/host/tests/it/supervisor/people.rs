@@ -88,7 +88,7 @@ fn a_station_that_is_killed_before_the_person_was_told_waits_all_the_same() {
             let (mut it, _, job) = started(personality, &planned);
             run_to(&mut it, planned.pauses[0].before - 1);
             it.run_for(Duration::from_millis(before_ms));
-            let told = it.job(job).unwrap().behind.pauses == 1;
+            let told = it.job(job).unwrap().history.pauses == 1;
             it.crash(Duration::from_secs(1)).unwrap();
             wait_until_paused(&mut it, job);
             let anna = it.client("Anna");

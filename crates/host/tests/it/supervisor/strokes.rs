@@ -416,7 +416,7 @@ fn a_job_that_is_done_tells_how_long_it_took_without_its_pauses() {
             }
             finish(&mut it, job);
             let job = it.job(job).unwrap();
-            (job.behind.ran_s.unwrap(), job.planned_s.unwrap())
+            (job.history.ran_s.unwrap(), job.planned_s.unwrap())
         };
         let (took, planned_s) = took_s(false);
         assert!(

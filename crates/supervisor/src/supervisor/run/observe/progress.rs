@@ -43,7 +43,7 @@ impl Run {
 
     /// Describes how long it took and how far the plan was off.
     fn took(&self) -> String {
-        let Some(ran_s) = self.started.behind.ran_s else {
+        let Some(ran_s) = self.started.history.ran_s else {
             return String::new();
         };
         let planned = self.started.plan.planned_s();
@@ -104,7 +104,7 @@ impl Run {
             phase,
             reason,
             window: Some(self.started.counted(self.certain())),
-            behind: self.started.behind,
+            history: self.started.history,
         };
         vec![
             JobEffect::Keep(effect),

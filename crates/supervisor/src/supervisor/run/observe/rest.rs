@@ -119,7 +119,7 @@ impl Run {
             phase: then,
             reason: Some(reason),
             window,
-            behind: self.started.behind,
+            history: self.started.history,
         })];
         effects.extend(then.is_over().then_some(JobEffect::Forget));
         effects
@@ -139,7 +139,7 @@ impl Run {
         self.step_end = None;
         let waited = self.started.next_pause().map(|(before, _)| before);
         if for_person && waited == Some(self.next) {
-            self.started.behind.pauses += 1;
+            self.started.history.pauses += 1;
         }
         self.note_ran();
         self.phase = Phase::Paused {

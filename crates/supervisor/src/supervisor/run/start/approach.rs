@@ -60,7 +60,7 @@ impl Run {
             phase,
             reason: None,
             window: None,
-            behind: self.started.behind,
+            history: self.started.history,
         };
         [
             JobEffect::Keep(effect),

@@ -1,7 +1,7 @@
 //! A job to start, and its journal entries.
 
 use dobot_api::{JobKind, JobPause, JobPhase, JobProgram};
-use dobot_journal::{Adjustment, Behind, Job, Window};
+use dobot_journal::{Adjustment, Job, JobHistory, Window};
 use dobot_wire::{Dialect, PlaybackAdjustment, Status, single};
 
 use crate::supervisor::JobPlan;
@@ -32,7 +32,7 @@ pub enum Effect {
         /// The window, if it is certain and has changed.
         window: Option<Window>,
         /// The job's history apart from commands.
-        behind: Behind,
+        history: JobHistory,
     },
     /// A person has changed the speed or the height of the job. It must be on the disk before a
     /// command changed by it is sent.
@@ -73,7 +73,7 @@ pub struct StartedJob {
     /// The number of completed commands, by position in the plan.
     pub completed: usize,
     /// The job's history apart from commands.
-    pub behind: Behind,
+    pub history: JobHistory,
     /// Commands that may be done beyond that, if not determined yet.
     pub doubt: Option<Window>,
     /// Whether it comes to rest after the next step.
@@ -101,7 +101,7 @@ impl StartedJob {
             adjustment: job.adjustment.clone(),
             back,
             completed: window.completed,
-            behind: job.behind,
+            history: job.history,
             doubt: (window.upto > window.completed).then_some(window),
             single_step: false,
         }
@@ -109,12 +109,12 @@ impl StartedJob {
 
     /// Returns the next pause for a person: the command, by position in the plan, and the message.
     pub(crate) fn next_pause(&self) -> Option<(usize, &str)> {
-        self.pause(self.behind.pauses)
+        self.pause(self.history.pauses)
     }
 
     /// Returns the message of the pause that the job has reached.
     pub(crate) fn waits_for_person(&self) -> Option<&str> {
-        let (before, message) = self.pause(self.behind.pauses.checked_sub(1)?)?;
+        let (before, message) = self.pause(self.history.pauses.checked_sub(1)?)?;
         (before == self.completed && self.doubt.is_none()).then_some(message)
     }
 
