@@ -189,7 +189,7 @@ impl Session {
         if let Reply::Accepted { command, .. } = self.client.request_at_rest(request).await? {
             let ears = &self.ears;
             let see = |state: &State| tell(ears, state);
-            self.client.finished_watched(command, see).await?;
+            self.client.finished_with_states(command, see).await?;
         }
         Ok(())
     }

@@ -94,7 +94,7 @@ impl To {
         let mut station = match StationClient::connect(&address, &client_name(verb)).await {
             Ok(station) => station,
             // It was killed, and could not take back that it runs.
-            Err(error) if error.is_nobody() && !named => return Ok(None),
+            Err(error) if error.is_not_running() && !named => return Ok(None),
             Err(error) => return Err(error.into()),
         };
         if self.address.is_none() && self.dialect.is_none() && self.policy.is_none() {

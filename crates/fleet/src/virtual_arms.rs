@@ -10,7 +10,7 @@ use dobot_api::problem_kinds::{ALL_ARMS_GIVEN, ARM_NOT_STARTED, NAME_TAKEN, NO_S
 use dobot_api::{GivenArm, GivenArms, JobPhase, LinkPhase, MemberAbout, Problem};
 use dobot_host::StationHandle;
 use dobot_session::Address;
-use dobot_station::{ArmWish, ArmsPort, Config, Station, StationApi, WantedArm};
+use dobot_station::{ArmSelection, ArmWish, ArmsPort, Config, Station, StationApi};
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::{JoinHandle, JoinSet};
 use tokio::time::{Instant, MissedTickBehavior, interval, timeout};
@@ -136,8 +136,8 @@ impl Giving {
         }
     }
 
-    async fn give(&mut self, wanted: WantedArm) -> Result<GivenArm, Problem> {
-        let WantedArm { name, seen } = wanted;
+    async fn give(&mut self, wanted: ArmSelection) -> Result<GivenArm, Problem> {
+        let ArmSelection { name, seen } = wanted;
         if let Some(given) = self.given.iter_mut().find(|it| it.view.name == name) {
             given.used = Instant::now();
             return Ok(given.view.clone());

@@ -28,7 +28,7 @@ pub(crate) struct ArmThread {
 
 /// The thread with its driver running.
 #[derive(Debug)]
-pub(crate) struct ArmAtWork {
+pub(crate) struct RunningArmThread {
     runtime: Handle,
     ended: oneshot::Receiver<Result<(), String>>,
 }
@@ -75,10 +75,10 @@ impl ArmThread {
 
     /// Runs the driver with the first result of connecting; the thread and all its tasks end with
     /// it.
-    pub(crate) fn run(self, driver: Driver, first: Option<Connecting>) -> ArmAtWork {
+    pub(crate) fn run(self, driver: Driver, first: Option<Connecting>) -> RunningArmThread {
         // If the thread has ended, waiting for it reports that.
         let _ = self.driver.send((driver, first));
-        ArmAtWork {
+        RunningArmThread {
             runtime: self.runtime,
             ended: self.ended,
         }
@@ -90,7 +90,7 @@ impl ArmThread {
     }
 }
 
-impl ArmAtWork {
+impl RunningArmThread {
     /// Spawns another task on the thread.
     pub(crate) fn spawn(&self, task: impl Future<Output = ()> + Send + 'static) {
         self.runtime.spawn(task);
@@ -133,9 +133,9 @@ mod tests {
     use crate::driver::DriverParts;
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
-    use crate::kept_slots::KeptSlots;
     use crate::known_arms::KnownArms;
     use crate::recording::Recording;
+    use crate::saved_slots::SavedSlots;
     use crate::watchdog::{Hazards, HeartbeatSender, JogKind};
     use crate::{Finder, Found, Search};
     use dobot_supervisor::Supervisor;
@@ -175,7 +175,7 @@ mod tests {
     fn at_work(
         link: Link,
         panic_stop: &Arc<PanicStop>,
-    ) -> (ArmAtWork, tokio::sync::mpsc::Sender<Message>) {
+    ) -> (RunningArmThread, tokio::sync::mpsc::Sender<Message>) {
         let folder = tempfile::tempdir().unwrap();
         let folders = Folders::at(folder.path());
         let policy = Policy::default();
@@ -188,7 +188,7 @@ mod tests {
             channels,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
             arms: KnownArms::read(&folders.arms()).unwrap(),
-            slots: KeptSlots::at(&folders.slots()),
+            slots: SavedSlots::at(&folders.slots()),
             jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
             recording: Recording::new(None, None),
             stop: None,

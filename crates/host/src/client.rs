@@ -20,7 +20,7 @@ use tokio::time::{Instant, timeout};
 use crate::{PlannedFor, Rules};
 
 use self::local::Local;
-use self::virtual_time::InVirtualTime;
+use self::virtual_time::VirtualTimeClient;
 
 pub use self::local::{LocalArm, OpenArmError};
 
@@ -74,7 +74,7 @@ pub struct StationClient {
 enum ClientRoute {
     Running(Box<Remote>, StationAddress),
     Local(Box<Local>),
-    Virtual(Box<InVirtualTime>),
+    Virtual(Box<VirtualTimeClient>),
 }
 
 impl StationClient {
@@ -117,7 +117,7 @@ impl StationClient {
     #[must_use]
     pub fn with_virtual_arm(power_up: PowerUp, policy: Policy, name: &str) -> Self {
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
-        Self::with_this_virtual_arm(arm, power_up, policy, name)
+        Self::with_custom_virtual_arm(arm, power_up, policy, name)
     }
 
     /// Runs a supervisor with the given virtual arm, for example one with faults or in a world.
@@ -127,13 +127,13 @@ impl StationClient {
     ///
     /// Never: an in-memory journal can always be created.
     #[must_use]
-    pub fn with_this_virtual_arm(
+    pub fn with_custom_virtual_arm(
         arm: VirtualArm,
         power_up: PowerUp,
         policy: Policy,
         name: &str,
     ) -> Self {
-        let station = InVirtualTime::new(arm, power_up, policy, name);
+        let station = VirtualTimeClient::new(arm, power_up, policy, name);
         Self::new(ClientRoute::Virtual(Box::new(station)))
     }
 
@@ -279,7 +279,7 @@ impl StationClient {
 
     /// Removes a job that was refused before it started; the next attempt queues its own. Errors
     /// are ignored, because the reason of the refusal is what matters.
-    pub async fn forget_unbegun(&mut self, job: u64) {
+    pub async fn remove_unstarted(&mut self, job: u64) {
         let Ok(jobs) = self.jobs().await else {
             return;
         };
@@ -296,7 +296,7 @@ impl StationClient {
     /// [`RemoteError::Failed`] if the arm is not at the command's end or the link is lost,
     /// otherwise the errors of [`next`](Self::next).
     pub async fn finished(&mut self, command: u64) -> Result<(), RemoteError> {
-        self.finished_watched(command, |_| {}).await
+        self.finished_with_states(command, |_| {}).await
     }
 
     /// Waits like [`finished`](Self::finished), passing every state to `see`.
@@ -304,7 +304,7 @@ impl StationClient {
     /// # Errors
     ///
     /// Same as [`finished`](Self::finished).
-    pub async fn finished_watched(
+    pub async fn finished_with_states(
         &mut self,
         command: u64,
         mut see: impl FnMut(&State),

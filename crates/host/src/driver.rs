@@ -22,12 +22,12 @@ use crate::Found;
 use crate::connect::{Connecting, Source};
 use crate::disk::Disk;
 use crate::handle::{DriverChannels, Message, PassedPacket};
-use crate::host::in_time_of_arm;
+use crate::host::scaled_to_arm_time;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
-use crate::kept_slots::KeptSlots;
-use crate::kept_stop::{Content, KeptStop};
 use crate::known_arms::{KnownArms, NewText};
 use crate::recording::Recording;
+use crate::saved_slots::SavedSlots;
+use crate::saved_stop::{Content, SavedStop};
 use crate::watchdog::HeartbeatSender;
 
 /// The task that owns the arm's port. It handles all events of the arm in one order.
@@ -38,8 +38,8 @@ pub(crate) struct Driver {
     channels: DriverChannels,
     source: Source,
     arms: KnownArms,
-    slots: KeptSlots,
-    stop: Option<KeptStop>,
+    slots: SavedSlots,
+    stop: Option<SavedStop>,
     disk: Disk,
     link: Option<Link>,
     /// The current or last address of the arm.
@@ -55,7 +55,7 @@ pub(crate) struct Driver {
     /// Pending answers.
     waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
     /// A start that waits until its job has come to rest.
-    held_start: Option<HeldStart>,
+    held_start: Option<DeferredStart>,
     /// For tasks that send messages to the driver.
     own: mpsc::Sender<Message>,
     heartbeats: HeartbeatSender,
@@ -71,8 +71,8 @@ pub(crate) struct DriverParts {
     pub(crate) channels: DriverChannels,
     pub(crate) source: Source,
     pub(crate) arms: KnownArms,
-    pub(crate) slots: KeptSlots,
-    pub(crate) stop: Option<KeptStop>,
+    pub(crate) slots: SavedSlots,
+    pub(crate) stop: Option<SavedStop>,
     pub(crate) disk: Disk,
     pub(crate) jobs: Jobs,
     pub(crate) recording: Recording,
@@ -83,7 +83,7 @@ pub(crate) struct DriverParts {
 
 /// A start that waits until its job has come to rest.
 #[derive(Debug)]
-struct HeldStart {
+struct DeferredStart {
     start: JobStart,
     until: Duration,
 }
@@ -162,7 +162,7 @@ impl Driver {
         let slots = self.slots.read(now_ms());
         let now = self.now();
         let taken = slots.and_then(|slots| {
-            let taken = self.supervisor.handle_kept_slots(now, &slots);
+            let taken = self.supervisor.handle_saved_slots(now, &slots);
             taken.map_err(|refusal| refusal.to_string())
         });
         taken.map_err(|why| format!("the saved time slots were lost: {why}"))
@@ -170,15 +170,15 @@ impl Driver {
 
     /// Restores the stops that held when the previous station ended.
     pub(crate) fn recover_stop(&mut self) {
-        if let Some(Content { stop, fleet }) = self.stop.as_ref().map(KeptStop::read) {
+        if let Some(Content { stop, fleet }) = self.stop.as_ref().map(SavedStop::read) {
             let now = self.now();
-            self.supervisor.handle_kept_stops(now, stop, fleet);
+            self.supervisor.handle_saved_stops(now, stop, fleet);
         }
     }
 
     /// Saves the stops for the next station.
-    fn keep_stops(&mut self) {
-        let kept = self.supervisor.poll_kept_stops();
+    fn save_stops(&mut self) {
+        let kept = self.supervisor.poll_saved_stops();
         if let (Some(file), Some((stop, fleet))) = (&self.stop, kept) {
             let new = file.keep(&Content { stop, fleet });
             self.write_file(new.map(Some), "the stop cannot be kept");
@@ -186,7 +186,7 @@ impl Driver {
     }
 
     /// Saves the time slots for the next station.
-    fn keep_slots(&mut self) {
+    fn save_slots(&mut self) {
         let slots = self.slots.keep(&self.supervisor.slots(), now_ms());
         self.write_file(slots.map(Some), "the time slots cannot be saved");
     }
@@ -316,7 +316,7 @@ impl Driver {
             self.remember(&notice);
             self.channels.publish_notice(notice);
         }
-        self.keep_stops();
+        self.save_stops();
         if self.supervisor.poll_changed() {
             self.publish();
         }
@@ -462,7 +462,7 @@ impl Driver {
         client: ClientId,
         policy: &Policy,
     ) -> Result<(), Refusal> {
-        let of_arm = in_time_of_arm(policy, self.source.speed());
+        let of_arm = scaled_to_arm_time(policy, self.source.speed());
         self.supervisor.handle_policy(now, client, of_arm)?;
         self.jobs.set_policy(policy);
         self.recording.tools(now, policy);
@@ -530,7 +530,7 @@ impl Driver {
             let answer = self.supervisor.handle_request(now, client, job);
             self.send();
             if sets_slots && matches!(answer, Some(Ok(_))) {
-                self.keep_slots();
+                self.save_slots();
             }
             match answer {
                 // The requester may have left.
@@ -570,7 +570,7 @@ impl Driver {
                     single_step: matches!(request, Request::StepJob { .. }),
                     reply,
                 };
-                self.start_job(HeldStart { start, until });
+                self.start_job(DeferredStart { start, until });
             }
             Request::CancelJob { job } if !self.is_at(job) => {
                 jobs.cancel(job, self.supervisor.client_name(client), reply);
@@ -586,7 +586,7 @@ impl Driver {
     }
 
     /// Starts a job, or defers that while the job comes to rest.
-    fn start_job(&mut self, held: HeldStart) {
+    fn start_job(&mut self, held: DeferredStart) {
         match self.startable(held.start.job) {
             Err(Refusal::StillMoving { .. })
                 if self.now() < held.until && self.held_start.is_none() =>

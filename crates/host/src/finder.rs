@@ -20,7 +20,7 @@ use self::listening::Listening;
 
 pub use probe_failures::{NothingFound, ProbeFailure};
 pub use reconnect::Reconnect;
-pub use search::{Search, WhereFound};
+pub use search::{KnownPort, Search};
 
 /// Searches for the arm.
 ///
@@ -92,7 +92,7 @@ impl Finder {
 
     /// Returns where an arm was last found, to save for the next start.
     #[must_use]
-    pub const fn last(&self) -> Option<&WhereFound> {
+    pub const fn last(&self) -> Option<&KnownPort> {
         self.search.last.as_ref()
     }
 

@@ -19,7 +19,7 @@ use self::check::check_new;
 pub(crate) use self::list::{again, forget, list, move_before};
 pub use self::offers::WITHDRAWN;
 pub(crate) use self::offers::answer;
-use crate::handle::{Message, OfferAnswer, OfferAsk};
+use crate::handle::{Message, OfferAnswer, OfferRequest};
 use crate::job_path::path_of;
 
 /// The jobs on the disk. Planning and writing may be slow, so both happen outside the driver.
@@ -103,7 +103,7 @@ impl Jobs {
 
     /// Checks a job again and returns it for the supervisor.
     pub(crate) fn started_job(&self, job: &Job, model: Model) -> Result<StartedJob, Refusal> {
-        look_again(&self.journal, &self.policy, job, model)
+        check_again(&self.journal, &self.policy, job, model)
     }
 
     /// Fails a job that cannot even be checked again.
@@ -143,7 +143,7 @@ impl Jobs {
     pub(crate) fn answer_offer(
         self,
         key: String,
-        ask: OfferAsk,
+        ask: OfferRequest,
         model: Result<Model, Refusal>,
         now_ms: i64,
         reply: oneshot::Sender<Result<OfferAnswer, Refusal>>,
@@ -417,7 +417,7 @@ pub(crate) fn startable(
         });
     }
     check_made_for(&job, &model)?;
-    look_again(journal, policy, &job, model)
+    check_again(journal, policy, &job, model)
 }
 
 /// Checks that the commands of a job were made for the arm as it is now.
@@ -444,7 +444,7 @@ pub(crate) fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {
 }
 
 /// Checks a job again and returns it for the supervisor.
-pub(crate) fn look_again(
+pub(crate) fn check_again(
     journal: &Journal,
     policy: &Policy,
     job: &Job,

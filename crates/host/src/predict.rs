@@ -106,7 +106,7 @@ impl DryRun {
         while let Some((completed, _)) = self.station.supervisor().job_progress() {
             until.resize(completed.max(until.len()), self.elapsed());
             if rests(&self.station, self.job) {
-                self.go_on(job, until.last().copied().unwrap_or_default())?;
+                self.resume(job, until.last().copied().unwrap_or_default())?;
             }
             let latest = self.station.now() + LONGEST;
             let is_elsewhere = |station: &VirtualStation| {
@@ -151,7 +151,7 @@ impl DryRun {
 
     /// Confirms a pause while the arm is at rest and resumes the job; the time at rest does not
     /// count.
-    fn go_on(&mut self, job: &NewJob, until: Duration) -> Result<(), Refusal> {
+    fn resume(&mut self, job: &NewJob, until: Duration) -> Result<(), Refusal> {
         let state = self.state()?;
         if !job
             .pauses
@@ -165,7 +165,7 @@ impl DryRun {
         self.station.start(self.client, self.job)?;
         let latest = self.station.now() + LONGEST;
         self.station
-            .run_until(latest, |station| station.supervisor().has_active_job());
+            .run_until(latest, |station| station.supervisor().is_executing_job());
         self.waited = self.station.now().saturating_sub(self.started + until);
         Ok(())
     }

@@ -11,13 +11,13 @@ use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, Journal, JournalError};
 use dobot_safety::Policy;
 use dobot_sim::{SerialLine, VirtualArm};
-use dobot_supervisor::{Effect, KeptFleetStop, Refusal, StartedJob, StoppedBy, Supervisor};
+use dobot_supervisor::{Effect, Refusal, SavedFleetStop, StartedJob, StoppedBy, Supervisor};
 use dobot_wire::Packet;
 
 use crate::job_path::path_of;
 use crate::jobs;
 use crate::watchdog::GAP;
-use crate::{OfferAnswer, OfferAsk};
+use crate::{OfferAnswer, OfferRequest};
 
 /// A supervisor and a virtual arm in virtual time, with a real journal: for tests of everything
 /// that can go wrong, thousands of times faster than real time.
@@ -49,7 +49,7 @@ pub struct VirtualStation {
     notices: Vec<Notice>,
     packets: Vec<(Duration, [u8; 42])>,
     /// The saved stops: this arm's own and the fleet-wide ones.
-    stops: (Option<StoppedBy>, Vec<KeptFleetStop>),
+    stops: (Option<StoppedBy>, Vec<SavedFleetStop>),
 }
 
 impl VirtualStation {
@@ -181,7 +181,7 @@ impl VirtualStation {
         self.started = self.now;
         let (own, fleet) = self.stops.clone();
         self.supervisor
-            .handle_kept_stops(Duration::ZERO, own, fleet);
+            .handle_saved_stops(Duration::ZERO, own, fleet);
         self.recover()?;
         self.plug();
         Ok(())
@@ -355,7 +355,7 @@ impl VirtualStation {
     /// # Errors
     ///
     /// [`Refusal`] if the journal cannot be written; then there is no answer.
-    pub fn offer(&mut self, key: &str, ask: OfferAsk) -> Result<OfferAnswer, Refusal> {
+    pub fn offer(&mut self, key: &str, ask: OfferRequest) -> Result<OfferAnswer, Refusal> {
         self.catch_up();
         let model = self.supervisor.planning_model();
         jobs::answer(&self.journal, &self.policy, key, ask, model, 0)
@@ -556,7 +556,7 @@ impl VirtualStation {
             .journal
             .job(JobId(job))
             .map_err(|error| jobs::journal_refusal(&error))?;
-        jobs::look_again(&self.journal, &self.policy, &job, model)
+        jobs::check_again(&self.journal, &self.policy, &job, model)
     }
 
     /// Transfers bytes and completes writes until nothing is left to do at this moment.
@@ -583,7 +583,7 @@ impl VirtualStation {
         while let Some(effect) = self.supervisor.poll_effect() {
             self.disk.push((self.now + self.disk_takes, effect));
         }
-        if let Some(stops) = self.supervisor.poll_kept_stops() {
+        if let Some(stops) = self.supervisor.poll_saved_stops() {
             self.stops = stops;
         }
         while let Some(notice) = self.supervisor.poll_notice() {

@@ -89,7 +89,7 @@ impl Job {
     /// Returns whether a request for `asked` is the one that created this job, as far as visible
     /// without its commands.
     #[must_use]
-    pub fn is_as(&self, asked: &PlannedJob) -> bool {
+    pub fn matches_request(&self, asked: &PlannedJob) -> bool {
         self.title == asked.title
             && self.kind == asked.kind
             && self.commands == asked.commands.len()

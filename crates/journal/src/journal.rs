@@ -185,7 +185,7 @@ impl Journal {
     /// [`JournalError::NoSuchJob`], [`JournalError::NotRunning`] if a job that is over was to run,
     /// or the storage fails.
     pub fn set_state(&self, id: JobId, state: &JobState) -> Result<(), JournalError> {
-        self.change(id, |row| row.go_on(id, state))
+        self.change(id, |row| row.change_state(id, state))
     }
 
     /// Sets the state of a job together with its history.
@@ -201,7 +201,7 @@ impl Journal {
     ) -> Result<(), JournalError> {
         finite("the time that it ran", history.ran_s)?;
         self.change(id, |row| {
-            row.go_on(id, state)?;
+            row.change_state(id, state)?;
             row.history = history;
             Ok(())
         })
@@ -489,7 +489,7 @@ fn asked_before(jobs: &[Job], asked: &PlannedJob) -> Result<Option<JobId>, Journ
         return Ok(None);
     };
     match jobs.iter().find(|job| job.key.as_ref() == Some(key)) {
-        Some(job) if job.is_as(asked) => Ok(Some(job.id)),
+        Some(job) if job.matches_request(asked) => Ok(Some(job.id)),
         Some(job) => Err(JournalError::KeyReused {
             key: key.clone(),
             job: job.id,

@@ -36,7 +36,7 @@ pub fn locate(
     let nearest = plainest(&ends, nearest(ends.iter(), rest), commands);
     let others = ends
         .iter()
-        .filter(|end| end.located != nearest.located && !end.is_the_same_as(&nearest, commands));
+        .filter(|end| end.located != nearest.located && !end.is_equivalent_to(&nearest, commands));
     judge(rest, nearest, others.copied().min_by(by_distance(rest)))
 }
 
@@ -72,7 +72,7 @@ pub fn window_end(
         let is_clear = |end: &End| {
             before
                 .iter()
-                .all(|earlier| earlier.is_told_from(end, commands))
+                .all(|earlier| earlier.is_distinct_from(end, commands))
         };
         if !more.iter().all(is_clear) {
             break;
@@ -149,7 +149,7 @@ fn nearest<'a>(ends: impl Iterator<Item = &'a End>, rest: Position) -> End {
 fn plainest(ends: &[End], nearest: End, commands: &[Command]) -> End {
     let same = ends
         .iter()
-        .filter(|end| end.is_the_same_as(&nearest, commands));
+        .filter(|end| end.is_equivalent_to(&nearest, commands));
     let plain = same.filter(|end| !end.located.lifted).copied().next();
     plain.unwrap_or(nearest)
 }

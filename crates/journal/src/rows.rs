@@ -88,7 +88,11 @@ impl JobRow {
 
     /// Changes the state. A job that is over never runs again: its end may have been reported
     /// already.
-    pub(crate) fn go_on(&mut self, job: JobId, state: &JobState) -> Result<(), JournalError> {
+    pub(crate) fn change_state(
+        &mut self,
+        job: JobId,
+        state: &JobState,
+    ) -> Result<(), JournalError> {
         if self.state.is_over() && *state == JobState::Running {
             let state = self.state.clone();
             return Err(JournalError::NotRunning { job, state });

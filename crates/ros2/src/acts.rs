@@ -175,7 +175,7 @@ pub(crate) async fn follow(
     let job = station.submit(plan.job).await.map_err(|it| no_job(&it))?;
     let started = station.request_at_rest(Request::StartJob { job }).await;
     if let Err(error) = started {
-        station.forget_unbegun(job).await;
+        station.remove_unstarted(job).await;
         return Err(no_job(&error));
     }
     let mut watch = JobWatch::new(job);

@@ -16,14 +16,14 @@ pub enum ArmWish {
     /// To know those that are given.
     List(oneshot::Sender<GivenArms>),
     /// To be given one.
-    Give(WantedArm, oneshot::Sender<Result<GivenArm, Problem>>),
+    Give(ArmSelection, oneshot::Sender<Result<GivenArm, Problem>>),
     /// That the one of this name ends.
     End(String, oneshot::Sender<Result<(), Problem>>),
 }
 
 /// A virtual arm that somebody wants.
 #[derive(Debug)]
-pub struct WantedArm {
+pub struct ArmSelection {
     /// What it is to be called in the fleet.
     pub name: String,
     /// The station of the fleet that is called so already.

@@ -47,7 +47,7 @@ use self::stop_latch::StopLatch;
 use self::stop_sequence::StopSequence;
 use crate::refusal::Refusal;
 
-pub use self::fleet_stops::KeptFleetStop;
+pub use self::fleet_stops::SavedFleetStop;
 pub use self::job::FORGETTABLE;
 pub use self::plan::{JobPlan, draws_below_mm};
 pub use self::run::{Effect, StartedJob};
@@ -224,7 +224,7 @@ impl Supervisor {
             self.notify(News::AtRest, "the arm is at rest".into());
             self.release_fleet_stop();
         }
-        self.judge_grip(&status);
+        self.check_grip(&status);
         self.with_run(Run::handle_status);
         // The detection last: it sets the dialect, which a job using the arm would forbid.
         self.watch_detection(&status);
@@ -435,7 +435,7 @@ impl Supervisor {
     /// # Errors
     ///
     /// [`Refusal::BadSlots`]; then there are no slots.
-    pub fn handle_kept_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
+    pub fn handle_saved_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
         self.handle_time(now);
         self.leases.set_slots(self.arm.now(), slots)?;
         self.outgoing.note_change();

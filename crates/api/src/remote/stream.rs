@@ -82,7 +82,7 @@ pub enum ConnectError {
 impl ConnectError {
     /// Returns whether no station runs there (as opposed to one that cannot be used).
     #[must_use]
-    pub const fn is_nobody(&self) -> bool {
+    pub const fn is_not_running(&self) -> bool {
         matches!(self, Self::Unreachable { .. })
     }
 

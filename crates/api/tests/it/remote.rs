@@ -251,7 +251,7 @@ async fn where_nobody_listens_there_is_no_station() {
     let (listener, address) = listen().await;
     drop(listener);
     let error = Remote::connect(&address, "test").await.unwrap_err();
-    assert!(error.is_nobody(), "{error:?}");
+    assert!(error.is_not_running(), "{error:?}");
     assert!(error.hint().unwrap().contains("dobot up"));
 }
 

@@ -109,7 +109,9 @@ fn lines(lease: Option<&LeaseView>, now_s: f64) -> Vec<String> {
     };
     let (name, client, time) = (&lease.name, lease.client.0, clock(now_s - lease.since_s));
     let mut lines = vec![format!("{name} (client {client}) has control, for {time}")];
-    let asks = |it: &dobot_api::Asking| format!("{} (client {}) asks for it", it.name, it.client.0);
+    let asks = |it: &dobot_api::ControlRequest| {
+        format!("{} (client {}) asks for it", it.name, it.client.0)
+    };
     lines.extend(lease.asked_by.iter().map(asks));
     lines
 }

@@ -71,7 +71,7 @@ impl Local {
         let prepared_arm = PreparedArm::open(&arm.address).await?;
         let host = Host::start(prepared_arm, setup(&arm))?;
         let handle = host.handle().clone();
-        for text in host.notes().iter().chain(host.of_watchdog()) {
+        for text in host.notes().iter().chain(host.watchdog_reports()) {
             handle.try_report_trouble(text.clone());
         }
         let (states, notices) = (handle.every_state(), handle.notices());

@@ -13,7 +13,7 @@ use crate::VirtualStation;
 
 /// A client of a supervisor in virtual time: time passes while it waits.
 #[derive(Debug)]
-pub(super) struct InVirtualTime {
+pub(super) struct VirtualTimeClient {
     station: VirtualStation,
     client: ClientId,
     /// Events not taken yet; only the last of several states, unless each is requested.
@@ -23,7 +23,7 @@ pub(super) struct InVirtualTime {
     dead_man_s: f64,
 }
 
-impl InVirtualTime {
+impl VirtualTimeClient {
     pub(super) fn new(arm: VirtualArm, power_up: PowerUp, policy: Policy, name: &str) -> Self {
         let dead_man_s = policy.jog.dead_man_s;
         let mut station = VirtualStation::with_arm(arm, power_up, policy);

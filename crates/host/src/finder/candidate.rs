@@ -2,7 +2,7 @@
 
 use dobot_session::{Address, DEFAULT_BAUD, Port, Usb};
 
-use super::{Search, WhereFound};
+use super::{KnownPort, Search};
 
 /// A port to try.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,9 +37,9 @@ enum Rank {
 
 impl Candidate {
     /// Returns where an arm was found, if this is a serial port.
-    pub(super) fn place(&self) -> Option<WhereFound> {
+    pub(super) fn place(&self) -> Option<KnownPort> {
         match &self.address {
-            Address::Serial { path, baud } => Some(WhereFound {
+            Address::Serial { path, baud } => Some(KnownPort {
                 path: path.clone(),
                 baud: *baud,
                 usb: self.usb.clone(),
@@ -110,7 +110,7 @@ fn automatic(search: &Search, ports: &[Port]) -> (Vec<Candidate>, Vec<String>) {
     )
 }
 
-fn rank(port: &Port, last: Option<&WhereFound>) -> Rank {
+fn rank(port: &Port, last: Option<&KnownPort>) -> Rank {
     match &port.usb {
         _ if last.is_some_and(|last| last.is(port)) => Rank::TheSame,
         _ if last.is_some_and(|last| last.may_be(port)) => Rank::PerhapsTheSame,

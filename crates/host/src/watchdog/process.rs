@@ -9,7 +9,7 @@ use rustix::event::{PollFd, PollFlags, poll};
 use rustix::io::Errno;
 
 use super::clock::Clock;
-use super::port::{Taken, timespec, write_some, write_within};
+use super::port::{WriteOutcome, timespec, write_some, write_within};
 use super::reporter::Reporter;
 use super::{Hazards, Heartbeat, JogKind, Silence, Watchdog};
 
@@ -101,9 +101,9 @@ impl Guard {
         }
         if !self.line.is_empty() {
             match write_some(port, &self.line) {
-                Taken::Some(written) => drop(self.line.drain(..written)),
-                Taken::Later => {}
-                Taken::Gone => gone = true,
+                WriteOutcome::Some(written) => drop(self.line.drain(..written)),
+                WriteOutcome::Later => {}
+                WriteOutcome::Gone => gone = true,
             }
         }
         if gone {

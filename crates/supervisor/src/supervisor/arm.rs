@@ -209,7 +209,7 @@ impl Arm {
     }
 
     /// Forgets that the arm was seen at rest.
-    pub(super) const fn lose_sight(&mut self) {
+    pub(super) const fn forget_rest(&mut self) {
         self.still = 0;
     }
 
@@ -261,7 +261,7 @@ impl Arm {
     }
 
     /// Returns the path a command would take if sent now, if all of it is allowed.
-    pub(super) fn foresee(&self, command: &Command) -> Result<PathPreview, Refusal> {
+    pub(super) fn preview(&self, command: &Command) -> Result<PathPreview, Refusal> {
         self.session.check(command)?;
         let Some(model) = self.session.model() else {
             return Err(Refusal::NoLink("no status has come yet".to_owned()));

@@ -61,7 +61,7 @@ impl Supervisor {
         self.check_guarded()?;
         self.detecting.check()?;
         match &self.run {
-            Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),
+            Some(run) if run.occupies_arm() => Err(Refusal::JobRunning(run.job())),
             _ => Ok(()),
         }
     }

@@ -29,7 +29,7 @@ impl Commands {
         command: &Command,
         rests_within: Duration,
     ) -> Result<CommandId, Refusal> {
-        let command = understood(arm, command, rests_within)?;
+        let command = translate(arm, command, rests_within)?;
         let waiting = arm.session().waiting();
         if waiting >= MOST_WAITING {
             return Err(Refusal::TooMany {
@@ -37,7 +37,7 @@ impl Commands {
                 most: MOST_WAITING,
             });
         }
-        if leads_somewhere(&command) && !knows_place(arm) {
+        if leads_somewhere(&command) && !knows_start(arm) {
             return Err(still_moving(rests_within));
         }
         let pieces = line_pieces(arm, &command)?;
@@ -67,13 +67,13 @@ impl Commands {
 
 /// Returns whether the start of a motion is known: after a jog, or a motion that ended elsewhere,
 /// only once the arm was seen at rest.
-fn knows_place(arm: &Arm) -> bool {
-    arm.session().model().is_none_or(Model::knows_place)
+fn knows_start(arm: &Arm) -> bool {
+    arm.session().model().is_none_or(Model::knows_start)
 }
 
 /// Translates a command for this arm: a voice order to a stock arm, which has no voice recognition
 /// or uses other numbers, becomes the motion or the button that the words mean (note N50).
-pub(super) fn understood(
+pub(super) fn translate(
     arm: &Arm,
     command: &Command,
     rests_within: Duration,

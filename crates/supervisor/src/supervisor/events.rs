@@ -7,7 +7,7 @@ use dobot_motion::LASER_OFF;
 use dobot_session::{Address, CommandId, Event};
 
 use super::Supervisor;
-use super::fleet_stops::KeptFleetStop;
+use super::fleet_stops::SavedFleetStop;
 use super::request::REASON_LEN;
 use super::run::{Effect, Run};
 use super::stop_latch::StopLatch;
@@ -34,7 +34,7 @@ impl Supervisor {
         let lost = self.link.handle_down(phase, problem);
         self.outgoing.note_change();
         if lost {
-            self.lose_link();
+            self.handle_link_loss();
             self.disarm_laser("the link to the arm was lost");
         }
     }
@@ -102,14 +102,14 @@ impl Supervisor {
     }
 
     /// Restores the stops that held when the station ended: they hold until a person clears them.
-    pub fn handle_kept_stops(
+    pub fn handle_saved_stops(
         &mut self,
         now: Duration,
         own: Option<StoppedBy>,
-        fleet: Vec<KeptFleetStop>,
+        fleet: Vec<SavedFleetStop>,
     ) {
         self.handle_time(now);
-        self.stop_latch.handle_kept(self.arm.now(), own, fleet);
+        self.stop_latch.handle_saved(self.arm.now(), own, fleet);
         self.outgoing.note_change();
     }
 
@@ -169,8 +169,8 @@ impl Supervisor {
     }
 
     /// Returns the stops to save, if they have changed: this arm's own and those of the fleet.
-    pub fn poll_kept_stops(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
-        self.stop_latch.poll_kept()
+    pub fn poll_saved_stops(&mut self) -> Option<(Option<StoppedBy>, Vec<SavedFleetStop>)> {
+        self.stop_latch.poll_saved()
     }
 
     /// Releases the arm after its fleet-wide stop was reset elsewhere.
@@ -218,8 +218,8 @@ impl Supervisor {
             .journal_requests
             .handle_not_written(self.arm.now(), effect, why);
         let why = format!("the journal of jobs cannot be written: {why}");
-        if self.run.as_ref().is_some_and(Run::has_the_arm) {
-            self.arm.part_from_laser();
+        if self.run.as_ref().is_some_and(Run::occupies_arm) {
+            self.arm.send_laser_off();
             self.drop_waiting(&why);
             self.interrupt_run(&why);
         }
@@ -268,7 +268,7 @@ impl Supervisor {
 
     /// Handles a disarmed laser: it goes off, and a burning job is paused.
     fn laser_disarmed(&mut self, why: &str) {
-        self.arm.part_from_laser();
+        self.arm.send_laser_off();
         self.interrupt_burning(why);
         let text = if self.link.is_there() {
             format!("the laser is off and disarmed: {why}")
@@ -292,7 +292,7 @@ impl Supervisor {
                 format!("command {command} is done"),
             ),
             Some(why) => {
-                self.arm.part_from_laser();
+                self.arm.send_laser_off();
                 self.notify(
                     News::CommandFailed { command },
                     format!("command {command}: {why}"),
@@ -356,13 +356,13 @@ impl Supervisor {
 
     fn fall_silent(&mut self, event: Event) {
         self.link.handle_silence(&failure(event));
-        self.lose_link();
+        self.handle_link_loss();
     }
 
     /// Handles the loss of the link: unsent commands are dropped; the arm finishes those it has.
-    fn lose_link(&mut self) {
-        self.arm.lose_sight();
-        self.arm.part_from_laser();
+    fn handle_link_loss(&mut self) {
+        self.arm.forget_rest();
+        self.arm.send_laser_off();
         // A line that loses statuses may still carry packets.
         self.arm.release_urgently();
         self.jogging
@@ -377,7 +377,7 @@ impl Supervisor {
     fn notice_reset(&mut self, evidence: &str) {
         self.jogging
             .revoke(Refusal::LetGo("the arm was reset".into()));
-        self.arm.part_from_laser();
+        self.arm.send_laser_off();
         // Nothing is sent again before a person has checked where the arm stands.
         self.interrupt_run("the arm was reset");
         // The session has also dropped its in-flight commands.

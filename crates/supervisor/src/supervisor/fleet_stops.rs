@@ -9,12 +9,12 @@ use crate::plain;
 
 /// The newest fleet-wide stop of each origin.
 #[derive(Clone, Debug, Default)]
-pub(super) struct FleetStops(BTreeMap<String, KeptFleetStop>);
+pub(super) struct FleetStops(BTreeMap<String, SavedFleetStop>);
 
 /// A fleet-wide stop, and whether this arm was released from it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct KeptFleetStop {
+pub struct SavedFleetStop {
     /// The stop.
     pub stop: FleetWideStop,
     /// Whether a person at this station has cleared it for this arm alone.
@@ -35,8 +35,8 @@ pub(super) enum Adopted {
 
 impl FleetStops {
     /// Restores the stops saved earlier.
-    pub(super) fn of(kept: Vec<KeptFleetStop>) -> Self {
-        let by_origin = |kept: KeptFleetStop| (kept.stop.origin.clone(), kept);
+    pub(super) fn of(kept: Vec<SavedFleetStop>) -> Self {
+        let by_origin = |kept: SavedFleetStop| (kept.stop.origin.clone(), kept);
         Self(kept.into_iter().map(by_origin).collect())
     }
 
@@ -115,13 +115,13 @@ impl FleetStops {
         self.0.values().map(|kept| kept.stop.clone()).collect()
     }
 
-    pub(super) fn kept(&self) -> Vec<KeptFleetStop> {
+    pub(super) fn kept(&self) -> Vec<SavedFleetStop> {
         self.0.values().cloned().collect()
     }
 
     fn put(&mut self, stop: FleetWideStop, is_reset_here: bool) {
         let origin = stop.origin.clone();
-        let kept = KeptFleetStop {
+        let kept = SavedFleetStop {
             stop,
             is_reset_here,
         };

@@ -114,7 +114,7 @@ impl Supervisor {
 
     /// Returns whether a job is executing its commands, as opposed to approaching its start.
     #[must_use]
-    pub fn has_active_job(&self) -> bool {
+    pub fn is_executing_job(&self) -> bool {
         self.run.as_ref().is_some_and(Run::is_running)
     }
 
@@ -129,11 +129,11 @@ impl Supervisor {
 
     /// Pauses the running job, if any, for this reason.
     pub(super) fn pause_for(&mut self, why: &str) -> Result<Reply, Refusal> {
-        let Some(run) = self.run.as_ref().filter(|run| run.has_the_arm()) else {
+        let Some(run) = self.run.as_ref().filter(|run| run.occupies_arm()) else {
             return Err(Refusal::NoJobRuns);
         };
         let at_work = run.is_at_work();
-        self.part_from_burning();
+        self.send_laser_off_if_burning();
         // A job that is coming to rest need not be interrupted or lifted again.
         if at_work {
             self.come_to_rest(JobPhase::Paused, why);
@@ -150,7 +150,7 @@ impl Supervisor {
         };
         let at_work = run.is_at_work();
         let why = format!("ended by {}", self.client_name(client));
-        self.part_from_burning();
+        self.send_laser_off_if_burning();
         if at_work {
             self.come_to_rest(JobPhase::Stopped, &why);
         } else {
@@ -162,7 +162,7 @@ impl Supervisor {
     }
 
     /// Returns the refusal to remove the current job.
-    pub(super) fn not_forgotten(&self, job: u64) -> Refusal {
+    pub(super) fn refuse_removal(&self, job: u64) -> Refusal {
         let found = self.job().filter(|view| view.job == job);
         found.map_or(Refusal::NoSuchJob(job), |view| Refusal::JobPhase {
             job,
@@ -223,9 +223,9 @@ impl Supervisor {
 
     /// Switches the laser off immediately if it may be on. An arm that draws with a pen gets the
     /// packet at rest: in the middle of a stroke it would stop the arm for a moment.
-    fn part_from_burning(&mut self) {
+    fn send_laser_off_if_burning(&mut self) {
         if self.arm.laser_view().on || self.run.as_ref().is_none_or(Run::burns) {
-            self.arm.part_from_laser();
+            self.arm.send_laser_off();
         }
     }
 
@@ -266,18 +266,18 @@ impl Supervisor {
 
     /// Handles a failure of the job: waiting commands are dropped, and it retries or is paused.
     fn fail_run(&mut self, why: &str) {
-        self.arm.part_from_laser();
+        self.arm.send_laser_off();
         self.drop_waiting(why);
         self.with_run(|run, _| run.fail(why));
     }
 
     /// Checks with each status whether the awaited grip is visible.
-    pub(super) fn judge_grip(&mut self, status: &Status) {
+    pub(super) fn check_grip(&mut self, status: &Status) {
         let now = self.arm.now();
         let lost = self
             .run
             .as_mut()
-            .and_then(|run| run.judge_grip(now, status));
+            .and_then(|run| run.check_grip(now, status));
         if let Some(why) = lost {
             self.fail_run(&why);
         }

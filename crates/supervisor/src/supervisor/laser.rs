@@ -49,7 +49,7 @@ impl Arm {
     /// Sends laser off urgently. It is repeated only after a while, unless a burning command was
     /// sent, and only to an arm with nothing else to do first: repeated bad requests must not fill
     /// its queue.
-    pub(super) fn part_from_laser(&mut self) {
+    pub(super) fn send_laser_off(&mut self) {
         let lately = |off: Duration| self.now().saturating_sub(off) < LATELY;
         let waits = self.session().under_way() > 0;
         let sent_at = self.session().laser_told_off();

@@ -3,9 +3,11 @@
 use std::collections::HashMap;
 use std::time::Duration;
 
-use dobot_api::{Asking, ClientId, LeaseView, LockView, Role, SlotsView, TimeSlot, is_same_person};
+use dobot_api::{
+    ClientId, ControlRequest, LeaseView, LockView, Role, SlotsView, TimeSlot, is_same_person,
+};
 
-use super::slots::{Slots, Turn};
+use super::slots::{SlotChange, Slots};
 use crate::plain;
 use crate::refusal::{Holder, Refusal};
 
@@ -51,7 +53,7 @@ struct Lock {
 
 /// Control that was lost; the arm comes to rest.
 #[derive(Debug)]
-pub(super) struct TimeOver {
+pub(super) struct LostControl {
     pub(super) why: String,
     pub(super) changes: Vec<Change>,
 }
@@ -175,10 +177,13 @@ impl Leases {
 
     /// Advances the time: returns the changes of time slots and of control. A holder outside its
     /// slot loses control; consecutive slots of one student cause no notice.
-    pub(super) fn handle_time(&mut self, now: Duration) -> (Vec<Turn>, Option<TimeOver>) {
+    pub(super) fn handle_time(&mut self, now: Duration) -> (Vec<SlotChange>, Option<LostControl>) {
         let before = self.slots.student().map(str::to_owned);
-        let turns: Vec<_> = std::iter::from_fn(|| self.slots.poll_turn(now)).collect();
-        if turns.iter().all(|turn| matches!(turn, Turn::Ending { .. })) {
+        let turns: Vec<_> = std::iter::from_fn(|| self.slots.poll_change(now)).collect();
+        if turns
+            .iter()
+            .all(|turn| matches!(turn, SlotChange::Ending { .. }))
+        {
             return (turns, None);
         }
         let after = self.slots.student();
@@ -196,7 +201,7 @@ impl Leases {
             (None, None) => "a time slot is over".to_owned(),
         };
         let changes = self.end(&why);
-        (turns, Some(TimeOver { why, changes }))
+        (turns, Some(LostControl { why, changes }))
     }
 
     /// Returns when the next change is due.
@@ -224,7 +229,7 @@ impl Leases {
                 message: lock.message.clone(),
             });
         }
-        match self.slots.others_time(self.person(client)) {
+        match self.slots.other_slot(self.person(client)) {
             Some(others) => Err(Refusal::Slot {
                 student: others.student.to_owned(),
                 group: others.group.map(str::to_owned),
@@ -371,7 +376,7 @@ impl Leases {
     }
 
     pub(super) fn view(&self) -> Option<LeaseView> {
-        let asking = |&client: &ClientId| Asking {
+        let asking = |&client: &ClientId| ControlRequest {
             client,
             name: self.name(client),
         };

@@ -98,7 +98,7 @@ impl JobPlan {
         given: usize,
         program: &JobProgram,
     ) -> Result<Self, Refusal> {
-        let first = check_beginning(&commands)?;
+        let first = check_first_motion(&commands)?;
         let cycle = Cycle::of(program, commands.len());
         let commands = cycle.map_or(commands.clone(), |cycle| cycle.unroll(commands));
         let burns = commands.iter().any(burns);
@@ -499,7 +499,7 @@ fn somewhere(tool: Tool) -> ArmPlace {
 
 /// Returns the index of the first motion. It must be a target, because relative motions need a
 /// known start, wherever the arm was before.
-fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
+fn check_first_motion(commands: &[Command]) -> Result<usize, Refusal> {
     let calm = |command: &Command| {
         matches!(
             command,
@@ -517,7 +517,7 @@ fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
     match first.map(|index| (index, &commands[index])) {
         None => bad(0, "no command moves the arm"),
         Some((index, Command::MoveTo(_) | Command::MoveJoints(_))) => {
-            no_references(commands).map(|()| index)
+            check_no_references(commands).map(|()| index)
         }
         Some((index, _)) => bad(
             index,
@@ -527,7 +527,7 @@ fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
 }
 
 /// After new initial angles, the arm's position no longer follows from earlier positions.
-fn no_references(commands: &[Command]) -> Result<(), Refusal> {
+fn check_no_references(commands: &[Command]) -> Result<(), Refusal> {
     let reference = |command: &Command| {
         matches!(
             command,

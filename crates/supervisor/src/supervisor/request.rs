@@ -8,10 +8,10 @@ use dobot_safety::Policy;
 use dobot_wire::{Command, Configuration, Dialect, Packet, single};
 
 use super::amend::amended;
-use super::commands::{button, understood};
+use super::commands::{button, translate};
 use super::events::NOT_DELIVERED;
-use super::lease::{Change, TimeOver};
-use super::slots::Turn;
+use super::lease::{Change, LostControl};
+use super::slots::SlotChange;
 use super::stop_latch::StopLatch;
 use super::stop_latch::StoppedBy;
 use super::{Supervisor, still_moving};
@@ -75,7 +75,7 @@ impl Supervisor {
     ) -> Option<Result<Reply, Refusal>> {
         self.handle_time(now);
         if let Request::CheckCommand { command } = request {
-            return Some(self.foresee(&command));
+            return Some(self.preview(&command));
         }
         if let Request::Near {
             x_mm,
@@ -99,7 +99,7 @@ impl Supervisor {
             self.notify_refused(client, refusal);
             if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.leases.has(client) {
                 // The client's idea of the arm is wrong.
-                self.arm.part_from_laser();
+                self.arm.send_laser_off();
             }
         }
         self.outgoing.note_change();
@@ -143,7 +143,7 @@ impl Supervisor {
     /// Checks that a client may change policy or calibration: nothing may be in flight.
     fn check_may_change(&self, client: ClientId) -> Result<(), Refusal> {
         self.leases.check_role(client, Role::Admin)?;
-        if let Some(job) = self.job().filter(|_| self.has_active_job()) {
+        if let Some(job) = self.job().filter(|_| self.is_executing_job()) {
             return Err(Refusal::JobRunning(job.job));
         }
         self.detecting.check()?;
@@ -209,10 +209,10 @@ impl Supervisor {
     }
 
     /// Returns the path a command would take if it were sent now.
-    fn foresee(&self, command: &Command) -> Result<Reply, Refusal> {
+    fn preview(&self, command: &Command) -> Result<Reply, Refusal> {
         let command = &self.arm.raw_command(command)?;
-        let command = understood(&self.arm, command, self.rests_within())?;
-        let way = self.arm.foresee(&command)?;
+        let command = translate(&self.arm, command, self.rests_within())?;
+        let way = self.arm.preview(&command)?;
         Ok(Reply::Way { way })
     }
 
@@ -278,7 +278,7 @@ impl Supervisor {
             Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
             Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
             Request::CancelJob { job } => self.cancel_job(client, job),
-            Request::ForgetJob { job } => Err(self.not_forgotten(job)),
+            Request::ForgetJob { job } => Err(self.refuse_removal(job)),
             Request::CheckCommand { .. }
             | Request::Near { .. }
             | Request::Calibrate { .. }
@@ -393,7 +393,7 @@ impl Supervisor {
     /// job comes to rest; the next holder can resume it.
     pub(super) fn watch_slots(&mut self) {
         let (turns, over) = self.leases.handle_time(self.arm.now());
-        if let Some(TimeOver { why, changes }) = over {
+        if let Some(LostControl { why, changes }) = over {
             self.follow_lease(changes);
             // Without a running job there is nothing to pause.
             let _ = self.pause_for(&why);
@@ -444,7 +444,7 @@ impl Supervisor {
     /// Without control nothing moves: buttons are released, waiting commands dropped, and the laser
     /// goes off. A drawing with a pen continues; it belongs to the station.
     fn lease_over(&mut self, client: ClientId, why: &str) {
-        self.arm.part_from_laser();
+        self.arm.send_laser_off();
         self.disarm_laser(why);
         self.release_button();
         self.end_detection(why);
@@ -581,7 +581,7 @@ impl Supervisor {
     }
 
     pub(super) fn set_dialect(&mut self, dialect: Dialect) -> Result<Reply, Refusal> {
-        if let Some(run) = self.run.as_ref().filter(|run| run.has_the_arm()) {
+        if let Some(run) = self.run.as_ref().filter(|run| run.occupies_arm()) {
             return Err(Refusal::JobRunning(run.job()));
         }
         if self.arm.session().dialect() != Some(&dialect) {
@@ -596,21 +596,21 @@ impl Supervisor {
 }
 
 /// Returns the notice for a time slot.
-fn slot_notice(turn: Turn) -> (News, String) {
+fn slot_notice(turn: SlotChange) -> (News, String) {
     match turn {
-        Turn::Began { student, lasts } => {
+        SlotChange::Began { student, lasts } => {
             let text = format!(
                 "the time slot of {student} has begun and lasts {}",
                 span(lasts.as_secs_f64())
             );
             (News::SlotBegan { student }, text)
         }
-        Turn::Ending { student, left } => {
+        SlotChange::Ending { student, left } => {
             let left = span(left.as_secs_f64());
             let text = format!("the time slot of {student} ends in {left}");
             (News::SlotEnding { student }, text)
         }
-        Turn::Ended { student } => {
+        SlotChange::Ended { student } => {
             let text = format!("the time slot of {student} is over");
             (News::SlotEnded { student }, text)
         }

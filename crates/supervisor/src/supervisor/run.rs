@@ -34,7 +34,7 @@ pub(super) struct Run {
     next: usize,
     permit: Permit,
     /// The last result of [`Run::window_end`].
-    reach: Option<Reach>,
+    reach: Option<WindowLimit>,
     speeds: Speeds,
     /// Given to the session and not over.
     given: VecDeque<SentCommand>,
@@ -44,7 +44,7 @@ pub(super) struct Run {
     /// A speed change by a person, sent before the next target.
     target_speed: Option<PlaybackAdjustment>,
     /// The time since the start or resume.
-    ran: Option<Ran>,
+    ran: Option<RunTime>,
     /// Where it comes to rest when run step by step.
     step_end: Option<usize>,
     /// A completed grip that no status shows yet.
@@ -100,14 +100,14 @@ enum ToolHeight {
 
 /// The end of the journal window for a number of completed commands.
 #[derive(Clone, Copy, Debug)]
-struct Reach {
+struct WindowLimit {
     completed: usize,
     upto: usize,
 }
 
 /// When the job started to run and when its last command was over.
 #[derive(Clone, Copy, Debug)]
-struct Ran {
+struct RunTime {
     since: Duration,
     last_over: Duration,
 }
@@ -131,7 +131,7 @@ enum Phase {
         then: JobPhase,
         reason: String,
         upto: usize,
-        rests: Rests,
+        rests: RestMode,
     },
     /// Lifting the tool for a pause.
     Lifting {
@@ -145,7 +145,7 @@ enum Phase {
 
 /// How a job comes to rest after its last command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Rests {
+enum RestMode {
     AsItIs,
     /// With the tool lifted as soon as all is given.
     Lifted,
@@ -240,7 +240,7 @@ impl Run {
     }
 
     /// Returns whether no other client may move the arm.
-    pub(super) const fn has_the_arm(&self) -> bool {
+    pub(super) const fn occupies_arm(&self) -> bool {
         !matches!(self.phase, Phase::Paused { .. })
     }
 
@@ -350,7 +350,7 @@ impl Run {
         match &model {
             Some(model) => {
                 let upto = end(model);
-                self.reach = Some(Reach { completed, upto });
+                self.reach = Some(WindowLimit { completed, upto });
                 upto
             }
             None => end(&Model::new(dialect, status)),

@@ -32,7 +32,7 @@ struct Slot {
 
 /// A change of a slot.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Turn {
+pub(super) enum SlotChange {
     Began { student: String, lasts: Duration },
     Ending { student: String, left: Duration },
     Ended { student: String },
@@ -40,7 +40,7 @@ pub(super) enum Turn {
 
 /// A slot of another student.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct OthersTime<'a> {
+pub(super) struct OtherSlot<'a> {
     pub(super) student: &'a str,
     pub(super) group: Option<&'a str>,
     /// The remaining time.
@@ -67,7 +67,7 @@ impl Slots {
     }
 
     /// Advances the time: returns the next change of a slot.
-    pub(super) fn poll_turn(&mut self, now: Duration) -> Option<Turn> {
+    pub(super) fn poll_change(&mut self, now: Duration) -> Option<SlotChange> {
         self.now = now;
         // A slot that was over before it could begin had no effect.
         while self
@@ -82,18 +82,18 @@ impl Slots {
         let left = first.until.saturating_sub(now);
         if left.is_zero() {
             self.all.pop_front();
-            return Some(Turn::Ended { student });
+            return Some(SlotChange::Ended { student });
         }
         if !first.started && first.from <= now {
             first.started = true;
-            return Some(Turn::Began {
+            return Some(SlotChange::Began {
                 student,
                 lasts: left,
             });
         }
         if first.started && !first.warned && left <= WARNING {
             first.warned = true;
-            return Some(Turn::Ending { student, left });
+            return Some(SlotChange::Ending { student, left });
         }
         None
     }
@@ -116,9 +116,9 @@ impl Slots {
     }
 
     /// Returns the current slot, if slot is not this person's.
-    pub(super) fn others_time(&self, person: &str) -> Option<OthersTime<'_>> {
+    pub(super) fn other_slot(&self, person: &str) -> Option<OtherSlot<'_>> {
         let slot = self.current()?;
-        (!is_same_person(&slot.student, person)).then(|| OthersTime {
+        (!is_same_person(&slot.student, person)).then(|| OtherSlot {
             student: &slot.student,
             group: slot.group.as_deref(),
             left: slot.until.saturating_sub(self.now),
@@ -263,11 +263,11 @@ mod tests {
 
     /// Returns the changes of the slots at these seconds.
     fn turns(slots: &mut Slots, at_s: u64) -> Vec<String> {
-        std::iter::from_fn(|| slots.poll_turn(s(at_s)))
+        std::iter::from_fn(|| slots.poll_change(s(at_s)))
             .map(|turn| match turn {
-                Turn::Began { student, lasts } => format!("{student} has {lasts:?}"),
-                Turn::Ending { student, left } => format!("{student} has {left:?} left"),
-                Turn::Ended { student } => format!("{student} is over"),
+                SlotChange::Began { student, lasts } => format!("{student} has {lasts:?}"),
+                SlotChange::Ending { student, left } => format!("{student} has {left:?} left"),
+                SlotChange::Ended { student } => format!("{student} is over"),
             })
             .collect()
     }
@@ -306,13 +306,13 @@ mod tests {
             slot("Chen", 150.0, 200.0),
         ];
         slots.set(s(0), &all).unwrap();
-        slots.poll_turn(s(0)).unwrap();
-        let others = slots.others_time("Ben").unwrap();
+        slots.poll_change(s(0)).unwrap();
+        let others = slots.other_slot("Ben").unwrap();
         assert_eq!(
             (others.student, others.left, others.free_in),
             ("Anna", s(60), s(120))
         );
-        assert!(slots.others_time(" ANNA ").is_none());
+        assert!(slots.other_slot(" ANNA ").is_none());
         let view = slots.view().unwrap();
         assert_eq!(view.next.unwrap().student, "Ben");
         assert_eq!(view.free_s, Some(120.0));

@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_api::{FleetWideStop, StopView};
 use serde::{Deserialize, Serialize};
 
-use super::fleet_stops::{Adopted, FleetStops, KeptFleetStop};
+use super::fleet_stops::{Adopted, FleetStops, SavedFleetStop};
 use super::still_moving;
 use crate::refusal::Refusal;
 
@@ -116,11 +116,11 @@ impl StopLatch {
     }
 
     /// Restores the stops saved before the station started.
-    pub(super) fn handle_kept(
+    pub(super) fn handle_saved(
         &mut self,
         now: Duration,
         own: Option<StoppedBy>,
-        fleet: Vec<KeptFleetStop>,
+        fleet: Vec<SavedFleetStop>,
     ) {
         self.own = own;
         self.fleet = FleetStops::of(fleet);
@@ -222,7 +222,7 @@ impl StopLatch {
     }
 
     /// Returns the stops to save, if they have changed.
-    pub(super) fn poll_kept(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
+    pub(super) fn poll_saved(&mut self) -> Option<(Option<StoppedBy>, Vec<SavedFleetStop>)> {
         let is_changed = std::mem::take(&mut self.is_changed);
         is_changed.then(|| (self.own.clone(), self.fleet.kept()))
     }

@@ -26,7 +26,7 @@ fn ch340(path: &str) -> Port {
 
 fn found_at(port: &Port, baud: u32) -> Search {
     Search {
-        last: Some(WhereFound {
+        last: Some(KnownPort {
             path: port.path.clone(),
             baud,
             usb: port.usb.clone(),

@@ -10,7 +10,9 @@ use dobot_wire::{Command, Status};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 use crate::supervisor::run::observe::grip_check::{SEEN_WITHIN, UnseenGrip};
-use crate::supervisor::run::{Effect, JobEffect, Phase, Ran, Rests, Run, SentCommand, ToolHeight};
+use crate::supervisor::run::{
+    Effect, JobEffect, Phase, RestMode, Run, RunTime, SentCommand, ToolHeight,
+};
 
 impl Run {
     /// Handles a command that was dropped before it was sent.
@@ -49,7 +51,7 @@ impl Run {
             return of_job.is_some() || of_way || self.is_approaching();
         }
         if of_way && self.is_approaching() {
-            self.set_out(now);
+            self.start_commands(now);
         } else if of_way {
             self.tool = ToolHeight::Down;
         }
@@ -59,7 +61,7 @@ impl Run {
     /// Supplies session and journal. The tool is lifted only if `may_lift`.
     pub(in crate::supervisor) fn feed(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<JobEffect> {
         if matches!(self.phase, Phase::Approaching { last: None }) {
-            self.set_out(arm.now());
+            self.start_commands(arm.now());
         }
         if !self.gives() {
             return Vec::new();
@@ -72,8 +74,8 @@ impl Run {
             let given = self.set_target_speed(arm).and_then(|()| self.lower(arm));
             let given = given.and_then(|()| self.send(arm, &command));
             if let Err(refusal) = given {
-                arm.part_from_laser();
-                effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
+                arm.send_laser_off();
+                effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), RestMode::Lifted));
                 break;
             }
         }
@@ -136,7 +138,7 @@ impl Run {
             Phase::Draining {
                 then,
                 reason,
-                rests: Rests::Lifted,
+                rests: RestMode::Lifted,
                 ..
             } => {
                 let (then, reason) = (*then, reason.clone());
@@ -154,13 +156,13 @@ impl Run {
             .filter(|(before, _)| *before == self.next);
         if let Some((_, message)) = here {
             let message = message.to_owned();
-            return Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson));
+            return Some(self.drain(JobPhase::Paused, &message, RestMode::ForPerson));
         }
         let is_over = self.next == self.started.end();
         let here = self
             .step_end
             .filter(|step_end| *step_end == self.next && !is_over);
-        here.map(|_| self.drain(JobPhase::Paused, "the step is done", Rests::AsItIs))
+        here.map(|_| self.drain(JobPhase::Paused, "the step is done", RestMode::AsItIs))
     }
 
     /// Asks the journal early, so that the arm does not wait for the disk.
@@ -187,9 +189,9 @@ impl Run {
     }
 
     /// Starts the commands once the resume point is reached, up to the next pause for a person.
-    fn set_out(&mut self, now: Duration) {
+    fn start_commands(&mut self, now: Duration) {
         self.phase = self.running();
-        self.ran = Some(Ran {
+        self.ran = Some(RunTime {
             since: now,
             last_over: now,
         });
@@ -203,7 +205,7 @@ impl Run {
     fn gives(&self) -> bool {
         match self.phase {
             Phase::Running { .. } => true,
-            Phase::Draining { upto, rests, .. } => rests == Rests::Lifted || self.next < upto,
+            Phase::Draining { upto, rests, .. } => rests == RestMode::Lifted || self.next < upto,
             _ => false,
         }
     }

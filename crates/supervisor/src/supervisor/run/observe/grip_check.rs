@@ -33,7 +33,7 @@ impl Run {
     }
 
     /// Checks the awaited grip: seen, or overdue and why.
-    pub(in crate::supervisor) fn judge_grip(
+    pub(in crate::supervisor) fn check_grip(
         &mut self,
         now: Duration,
         status: &Status,

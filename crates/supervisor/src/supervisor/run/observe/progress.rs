@@ -88,7 +88,7 @@ impl Run {
 
     /// Handles the end of all commands with the arm at rest: checks that it is where the job ends.
     fn finish(&mut self, arm: &mut Arm) -> Vec<JobEffect> {
-        arm.part_from_laser();
+        arm.send_laser_off();
         self.note_ran();
         let (job, title) = (self.job(), &self.started.title);
         let (phase, reason) = match arm.last().and_then(|status| self.misses_end(&status)) {
@@ -153,11 +153,11 @@ pub(crate) fn locate_at(
     let model = model_at(dialect, settings, window).unwrap_or_else(|| Model::new(dialect, status));
     let lift_mm = started.plan.lift();
     let next = locate(commands, window, &model, lift_mm, position(status))?.next;
-    Ok(behind_seen_grips(&started.plan, next..window.upto, status))
+    Ok(skip_seen_grips(&started.plan, next..window.upto, status))
 }
 
 /// A grip shows in the status, not in the position: grips that are seen are done.
-fn behind_seen_grips(plan: &JobPlan, commands: Range<usize>, status: &Status) -> usize {
+fn skip_seen_grips(plan: &JobPlan, commands: Range<usize>, status: &Status) -> usize {
     let seen = |index: &usize| plan.grips_in_place(*index) && plan.shows_grip(*index, status);
     commands.start + commands.take_while(seen).count()
 }

@@ -6,7 +6,7 @@ use dobot_wire::Command;
 
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
-use crate::supervisor::run::{JobEffect, Phase, Rests, Run, StartedJob};
+use crate::supervisor::run::{JobEffect, Phase, RestMode, Run, StartedJob};
 
 /// How often the same command was sent again in a row.
 #[derive(Clone, Copy, Debug, Default)]
@@ -41,7 +41,7 @@ impl Run {
         Some(self.drain(
             JobPhase::Running,
             &format!("{why}; it is sent again"),
-            Rests::ToTryAgain,
+            RestMode::ToTryAgain,
         ))
     }
 
@@ -58,7 +58,7 @@ impl Run {
 
     /// Pauses the job because lost commands cannot be sent again.
     pub(in crate::supervisor) fn give_up(&mut self, why: &str) -> JobEffect {
-        self.drain(JobPhase::Paused, why, Rests::AsItIs)
+        self.drain(JobPhase::Paused, why, RestMode::AsItIs)
     }
 
     /// Continues from where the arm rests: after what it has done or, if that is unclear, from the

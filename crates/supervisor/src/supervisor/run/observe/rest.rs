@@ -4,7 +4,7 @@ use dobot_api::{JobPhase, News};
 use dobot_journal::Window;
 
 use crate::supervisor::arm::Arm;
-use crate::supervisor::run::{Effect, JobEffect, Phase, Rests, Run, ToolHeight, straight, word};
+use crate::supervisor::run::{Effect, JobEffect, Phase, RestMode, Run, ToolHeight, straight, word};
 
 impl Run {
     /// Ends a job that sends no more commands, as its phase requires.
@@ -12,7 +12,7 @@ impl Run {
         match &mut self.phase {
             // Nothing moves for it: its progress no longer matters.
             Phase::Paused { .. } | Phase::Locating { .. } => {
-                Some(self.drain(JobPhase::Stopped, why, Rests::AsItIs))
+                Some(self.drain(JobPhase::Stopped, why, RestMode::AsItIs))
             }
             Phase::Draining { then, reason, .. } | Phase::Lifting { then, reason, .. } => {
                 *then = JobPhase::Stopped;
@@ -26,9 +26,9 @@ impl Run {
     /// Comes to rest along the path and lifts the tool. Unsent commands have been dropped already.
     pub(in crate::supervisor) fn come_to_rest(&mut self, then: JobPhase, why: &str) -> JobEffect {
         let rests = if self.is_down() {
-            Rests::Lifted
+            RestMode::Lifted
         } else {
-            Rests::AsItIs
+            RestMode::AsItIs
         };
         let effect = self.drain(then, why, rests);
         self.brake();
@@ -38,7 +38,7 @@ impl Run {
     /// Interrupts the job: the in-flight commands finish, then it is paused.
     pub(in crate::supervisor) fn interrupt(&mut self, why: &str) -> Option<JobEffect> {
         if self.is_at_work() {
-            return Some(self.drain(JobPhase::Paused, why, Rests::AsItIs));
+            return Some(self.drain(JobPhase::Paused, why, RestMode::AsItIs));
         }
         if let Phase::Draining {
             then,
@@ -47,16 +47,16 @@ impl Run {
             rests,
         } = &mut self.phase
         {
-            let was_to_try_again = *rests == Rests::ToTryAgain;
+            let was_to_try_again = *rests == RestMode::ToTryAgain;
             if was_to_try_again {
                 *then = JobPhase::Paused;
                 why.clone_into(reason);
             }
             // It does not reach the place of its pause.
-            if *rests == Rests::ForPerson && self.next < *upto {
+            if *rests == RestMode::ForPerson && self.next < *upto {
                 why.clone_into(reason);
             }
-            (*upto, *rests) = (self.next, Rests::AsItIs);
+            (*upto, *rests) = (self.next, RestMode::AsItIs);
             return was_to_try_again.then(|| self.notify(JobPhase::Paused, why));
         }
         None
@@ -64,14 +64,14 @@ impl Run {
 
     /// Interrupts a burning job and lifts the tool.
     pub(in crate::supervisor) fn interrupt_burning(&mut self, why: &str) -> JobEffect {
-        self.drain(JobPhase::Paused, why, Rests::Lifted)
+        self.drain(JobPhase::Paused, why, RestMode::Lifted)
     }
 
     pub(in crate::supervisor::run) fn drain(
         &mut self,
         then: JobPhase,
         reason: &str,
-        rests: Rests,
+        rests: RestMode,
     ) -> JobEffect {
         self.phase = Phase::Draining {
             then,
@@ -97,7 +97,7 @@ impl Run {
                 then,
                 reason,
                 upto: self.next,
-                rests: Rests::AsItIs,
+                rests: RestMode::AsItIs,
             }
         };
     }
@@ -105,7 +105,7 @@ impl Run {
     /// Handles the end of everything in flight: the progress is certain and is saved.
     pub(crate) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<JobEffect> {
         if let Phase::Draining {
-            rests: Rests::ToTryAgain,
+            rests: RestMode::ToTryAgain,
             ..
         } = self.phase
         {
@@ -113,7 +113,7 @@ impl Run {
             return vec![JobEffect::TryAgain];
         }
         let window = self.come_to_end(&reason);
-        arm.part_from_laser();
+        arm.send_laser_off();
         let mut effects = vec![JobEffect::Keep(Effect::Phase {
             job: self.job(),
             phase: then,
@@ -128,7 +128,7 @@ impl Run {
     /// Returns the progress, if it is certain.
     fn come_to_end(&mut self, reason: &str) -> Option<Window> {
         let for_person = match &self.phase {
-            Phase::Draining { rests, .. } => *rests == Rests::ForPerson,
+            Phase::Draining { rests, .. } => *rests == RestMode::ForPerson,
             _ => false,
         };
         if matches!(self.phase, Phase::Lifting { .. }) {

@@ -26,7 +26,7 @@ impl Run {
         let started = located(started, status)?;
         check_holds(&started, status)?;
         let JobApproach { mut first, lower } = approach(&started, status);
-        first.extend(behind_cut_line(&started, status, arm));
+        first.extend(reposition_after_cut_line(&started, status, arm));
         let step_end = started.single_step.then(|| started.step_end());
         let mut run = Self::new(started, kept, Phase::Approaching { last: None }, status);
         run.step_end = step_end;
@@ -145,7 +145,11 @@ fn settle() -> [Command; 2] {
 
 /// Before a straight line whose predecessor may have been cut short: a MOVJ to where the arm is,
 /// without which a stock arm would start with a jump (note N46).
-fn behind_cut_line(started: &StartedJob, status: Option<Status>, arm: &Arm) -> Option<Command> {
+fn reposition_after_cut_line(
+    started: &StartedJob,
+    status: Option<Status>,
+    arm: &Arm,
+) -> Option<Command> {
     let next = started.plan.commands().get(started.completed)?;
     let trap = Err(SendError::Trap(TrajectoryError::BehindCutLine));
     let here = started.plan.start(started.completed).or(status)?;
