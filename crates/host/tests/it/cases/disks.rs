@@ -106,7 +106,7 @@ struct Platter {
 
 impl Disk {
     fn fill(&self, full: bool) {
-        self.with(|it| it.full = full);
+        self.with(|disk| disk.full = full);
     }
 
     fn with<T>(&self, what: impl FnOnce(&mut Platter) -> T) -> T {
@@ -115,11 +115,11 @@ impl Disk {
 
     fn change(&self, end: u64, what: impl FnOnce(&mut Vec<u8>, usize)) -> io::Result<()> {
         let end = usize::try_from(end).map_err(io::Error::other)?;
-        self.with(|it| {
-            if it.full {
+        self.with(|disk| {
+            if disk.full {
                 return Err(ErrorKind::StorageFull.into());
             }
-            what(&mut it.bytes, end);
+            what(&mut disk.bytes, end);
             Ok(())
         })
     }
@@ -127,13 +127,13 @@ impl Disk {
 
 impl StorageBackend for Disk {
     fn len(&self) -> io::Result<u64> {
-        Ok(self.with(|it| it.bytes.len() as u64))
+        Ok(self.with(|disk| disk.bytes.len() as u64))
     }
 
     fn read(&self, offset: u64, out: &mut [u8]) -> io::Result<()> {
         let offset = usize::try_from(offset).map_err(io::Error::other)?;
-        self.with(|it| {
-            let found = it.bytes.get(offset..offset + out.len());
+        self.with(|disk| {
+            let found = disk.bytes.get(offset..offset + out.len());
             out.copy_from_slice(found.ok_or(ErrorKind::UnexpectedEof)?);
             Ok(())
         })

@@ -25,7 +25,7 @@ impl Paper {
         let ink: Vec<[Position; 2]> = samples
             .windows(2)
             .map(|pair| [pair[0].position, pair[1].position])
-            .filter(|pair| pair.iter().all(|it| is_down(*it)))
+            .filter(|pair| pair.iter().all(|sample| is_down(*sample)))
             .map(|pair| pair.map(flat))
             .collect();
         let off = |at: Position| {

@@ -200,7 +200,9 @@ impl Scene {
     fn given_once(&self) -> Vec<Command> {
         let times = self.it.packets()[self.since..].iter().map(|(at, _)| *at);
         let sent: Vec<_> = times.zip(self.sent(self.since)).collect();
-        let cut_short = sent.windows(2).map(|it| it[1].0 < it[0].0 + LINE_TIME);
+        let cut_short = sent
+            .windows(2)
+            .map(|pair| pair[1].0 < pair[0].0 + LINE_TIME);
         let cut_short = cut_short.chain([false]);
         let counted = sent.iter().zip(cut_short).filter(|((_, it), _)| counts(it));
         let counted: Vec<_> = counted.collect();

@@ -147,7 +147,7 @@ fn begin_elsewhere(it: &VirtualStation, wanted: &mut NewJob) {
             first.z_mm - here.z_mm,
         ]
         .iter()
-        .all(|it| it.abs() < 1.0)
+        .all(|off| off.abs() < 1.0)
     {
         first.mode = MovingMode::Jump;
     }
@@ -210,11 +210,17 @@ fn befall(
 
 /// Whether the arm jogs, by its packets.
 fn is_held(scene: &Scene) -> bool {
-    let last = scene.sent(0).into_iter().rev().find_map(|it| match it {
-        Command::LinearJog(it) => Some(it.axis != LinearJogAxis::Released),
-        Command::JointJog(it) if (it.axis as u8) <= 8 => Some(it.axis != JointJogAxis::Released),
-        _ => None,
-    });
+    let last = scene
+        .sent(0)
+        .into_iter()
+        .rev()
+        .find_map(|command| match command {
+            Command::LinearJog(it) => Some(it.axis != LinearJogAxis::Released),
+            Command::JointJog(it) if (it.axis as u8) <= 8 => {
+                Some(it.axis != JointJogAxis::Released)
+            }
+            _ => None,
+        });
     last.unwrap_or_default()
 }
 

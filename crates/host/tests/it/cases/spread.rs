@@ -25,7 +25,7 @@ impl Spread {
 
     /// How many values are above this one.
     pub(crate) fn above(&self, most: f64) -> usize {
-        self.0.iter().filter(|it| **it > most).count()
+        self.0.iter().filter(|value| **value > most).count()
     }
 
     /// The value that so many of a hundred are not above.
@@ -40,7 +40,7 @@ impl Spread {
 /// As cells of a table: least, middle, 99 of 100, most.
 impl fmt::Display for Spread {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [least, middle, nearly, most] = [0, 50, 99, 100].map(|it| self.percent(it));
+        let [least, middle, nearly, most] = [0, 50, 99, 100].map(|percent| self.percent(percent));
         write!(f, "{least:.2} | {middle:.2} | {nearly:.2} | {most:.2}")
     }
 }

@@ -166,7 +166,7 @@ fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
     }
     let finished = scene.finish(job);
     let arm = scene.it.arm_mut();
-    let lost = std::iter::from_fn(|| arm.poll_refused()).any(|it| it == Refused::TooLong);
+    let lost = std::iter::from_fn(|| arm.poll_refused()).any(|refused| refused == Refused::TooLong);
     match finished {
         Err(_) if lost && failed(&scene.it, job) => Ok(false),
         finished => finished.map(|()| true),

@@ -69,8 +69,12 @@ impl Fate {
 impl GuardedMotion {
     /// Each button of both kinds that moves the arm, a burn, a way.
     pub(crate) fn all() -> Vec<Self> {
-        let joints = JointJogAxis::ALL[1..=8].iter().map(|it| Self::Joint(*it));
-        let lines = LinearJogAxis::ALL[1..=8].iter().map(|it| Self::Linear(*it));
+        let joints = JointJogAxis::ALL[1..=8]
+            .iter()
+            .map(|axis| Self::Joint(*axis));
+        let lines = LinearJogAxis::ALL[1..=8]
+            .iter()
+            .map(|axis| Self::Linear(*axis));
         joints
             .chain(lines)
             .chain([Self::Burning, Self::Moving])
@@ -264,7 +268,7 @@ fn own_packets(fate: Fate, at: Duration, told: Hazards) -> Vec<(Duration, Packet
     if fate != Fate::Panicked {
         return Vec::new();
     }
-    let gaps = (0..).map(|it| at + Duration::from_millis(60) * it);
+    let gaps = (0..).map(|n| at + Duration::from_millis(60) * n);
     gaps.zip(told.stop_packets()).collect()
 }
 

@@ -65,7 +65,7 @@ fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_
 fn an_arm_that_ignores_the_default_pause_is_not_said_to_pause() {
     let mut it = virtual_station(Personality::Firmware11);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
-    assert_eq!(told(&it, |it| matches!(it, News::Pausing { .. })), None);
+    assert_eq!(told(&it, |news| matches!(news, News::Pausing { .. })), None);
     let done = |news: &News| *news == News::CommandDone { command: number };
     let (done_s, _) = told(&it, done).expect("it is told");
     assert!(done_s < 6.0, "{done_s}");
@@ -80,7 +80,7 @@ fn a_pause_of_its_own_is_told_as_the_commands() {
             ..target([220.0, 40.0, 20.0])
         };
         let number = sent(&mut it, pausing);
-        let (_, text) = told(&it, |it| matches!(it, News::Pausing { .. })).expect("it is told");
+        let (_, text) = told(&it, |news| matches!(news, News::Pausing { .. })).expect("it is told");
         let expected = format!("the arm waits 7.5 s here: the pause of command {number}");
         assert_eq!(text, expected, "{personality}");
     }

@@ -57,7 +57,8 @@ fn burned(it: &VirtualStation) -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut burns = false;
     for pair in samples.windows(2) {
-        let [from, to] = [pair[0].position, pair[1].position].map(|it| Point::new(it.x.0, it.y.0));
+        let [from, to] = [pair[0].position, pair[1].position]
+            .map(|position| Point::new(position.x.0, position.y.0));
         if pair[1].laser && !burns {
             strokes.push(Stroke::open(vec![from]));
         }
@@ -127,7 +128,7 @@ fn a_laser_drawing_takes_another_speed_and_keeps_its_height_where_it_burns() {
             .unwrap();
         finish(&mut it, job);
         assert_burned_once(&it, &personality.to_string());
-        let heights = it.arm().samples().windows(2).filter(|it| it[1].laser);
+        let heights = it.arm().samples().windows(2).filter(|pair| pair[1].laser);
         let steepest_mm = heights
             .map(|pair| (pair[1].position.z.0 - pair[0].position.z.0).abs())
             .fold(0.0, f64::max);

@@ -13,8 +13,8 @@ const BOTH: [Personality; 2] = [Personality::Specification, Personality::Firmwar
 
 /// Neither the supervisor nor the journal has it at work: the arm rests.
 fn rests(it: &VirtualStation, job: u64) -> bool {
-    let works = |it| matches!(it, JobPhase::Queued | JobPhase::Running);
-    let current = it.supervisor().job().filter(|it| it.job == job);
+    let works = |phase| matches!(phase, JobPhase::Queued | JobPhase::Running);
+    let current = it.supervisor().job().filter(|view| view.job == job);
     !works(it.job(job).unwrap().state.phase())
         && !current.is_some_and(|current| works(current.phase))
 }

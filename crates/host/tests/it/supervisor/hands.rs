@@ -284,8 +284,9 @@ fn a_raw_programs_press_while_the_arm_runs_down_acts_too() {
         it.leave(anna);
         let program = it.client("a raw program");
         let dialect = personality.dialect();
-        let say =
-            |it: &mut VirtualStation, jog: Jog| it.send_raw(program, &jog.command().emit(&dialect));
+        let say = |station: &mut VirtualStation, jog: Jog| {
+            station.send_raw(program, &jog.command().emit(&dialect))
+        };
         let release = linear(LinearJogAxis::Released);
         say(&mut it, linear(PLUS)).unwrap();
         it.run_for(Duration::from_millis(500));
@@ -298,8 +299,8 @@ fn a_raw_programs_press_while_the_arm_runs_down_acts_too() {
         say(&mut it, joint(JointJogAxis::RearPlus)).unwrap();
         it.run_for(Duration::from_millis(500));
         let told = pressed(&it, before);
-        let acts = |it: &(Duration, Option<(JogAxis, f64)>)| {
-            it.1.is_some_and(|(axis, _)| axis == JogAxis::Rear)
+        let acts = |button: &(Duration, Option<(JogAxis, f64)>)| {
+            button.1.is_some_and(|(axis, _)| axis == JogAxis::Rear)
         };
         assert!(told.iter().any(acts), "{personality}: {told:?}");
         assert_eq!(refusals(&it), 0, "{personality}");

@@ -253,7 +253,7 @@ fn a_button_that_a_raw_program_holds_is_released_when_a_person_takes_control() {
         let sent = it.packets()[before..].iter();
         let commands: Vec<Command> = sent
             .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
-            .map(|it| Command::parse(&it, &personality.dialect()).unwrap())
+            .map(|packet| Command::parse(&packet, &personality.dialect()).unwrap())
             .collect();
         assert!(
             commands.contains(&RELEASED.into()),

@@ -61,7 +61,10 @@ proptest! {
 fn faulty(fault: &str) -> VirtualStation {
     let power_up = PowerUp::new(Personality::Firmware11);
     let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
-    let faults: Vec<Fault> = fault.split(' ').map(|it| it.parse().unwrap()).collect();
+    let faults: Vec<Fault> = fault
+        .split(' ')
+        .map(|fault| fault.parse().unwrap())
+        .collect();
     let mut arm = arm.with_faults(power_up, &faults, 7);
     arm.record(RECORDING_PERIOD);
     let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
@@ -243,8 +246,9 @@ fn which_arm_a_port_is_taken_to_have_is_told() {
     };
     let known = Calibrations::default().replaced_by(Some(file));
     supervisor.handle_known_calibration("serial:/dev/ttyUSB0@9600", &known);
-    let told = iter::from_fn(|| supervisor.poll_notice()).any(|it| {
-        it.text
+    let told = iter::from_fn(|| supervisor.poll_notice()).any(|notice| {
+        notice
+            .text
             .contains("the arm at serial:/dev/ttyUSB0@9600 is assumed to be desk 3")
     });
     assert!(told);

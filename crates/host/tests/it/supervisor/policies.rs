@@ -151,7 +151,7 @@ fn a_line_in_pieces_ends_where_the_whole_one_does_and_is_done_once() {
         let status = it.supervisor().state().arm.unwrap().status;
         let off = [status.x_mm - 200.0, status.y_mm - 90.0, status.z_mm - 20.0];
         assert!(
-            off.iter().all(|it| it.abs() < 0.1),
+            off.iter().all(|off| off.abs() < 0.1),
             "{personality}: {off:?}"
         );
     }

@@ -84,7 +84,7 @@ fn a_setting_above_its_ceiling_is_sent_as_the_ceiling_and_the_rest_as_it_is() {
             panic!("{sent:?}");
         };
         assert!((50.0..1e5).contains(&sent.float(n)), "{n}: {sent:?}");
-        let others = (1..=10).filter(|it| *it != n);
+        let others = (1..=10).filter(|other| *other != n);
         for other in others {
             assert_eq!(sent.float(other), floats[other - 1], "{n}");
         }
@@ -171,7 +171,7 @@ fn check_told(what: &str, program: &Program, served: &Served) {
                 // Whoever says the same again is not told again.
                 let mut told = served.troubles.iter();
                 assert!(
-                    told.any(|it| it.contains(reason)),
+                    told.any(|text| text.contains(reason)),
                     "{what}: {packet:?}: {texts:?}"
                 );
             }

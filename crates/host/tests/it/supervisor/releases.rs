@@ -18,8 +18,8 @@ const PERCENT: f32 = 50.0;
 
 /// The 16 buttons that move something, and those of the linear jog that do what a joint jog does.
 pub(crate) fn buttons() -> Vec<Jog> {
-    let joints = JointJogAxis::ALL.into_iter().filter(|it| it.moves());
-    let lines = LinearJogAxis::ALL.into_iter().filter(|it| it.moves());
+    let joints = JointJogAxis::ALL.into_iter().filter(|axis| axis.moves());
+    let lines = LinearJogAxis::ALL.into_iter().filter(|axis| axis.moves());
     joints.map(joint).chain(lines.map(linear)).collect()
 }
 
@@ -146,7 +146,7 @@ fn check_ended(delay_ms: u32, load_ms: u64, end: impl Fn(&mut VirtualStation, Cl
             let found = released(&it, from);
             assert!(!found.is_empty(), "{what}: it was released");
             assert!(
-                found.iter().all(|it| *it == state(jog)),
+                found.iter().all(|found| *found == state(jog)),
                 "{what}: {found:?}"
             );
         }
@@ -247,7 +247,7 @@ fn a_button_that_never_left_moves_nothing_and_the_one_before_is_released() {
             let found = released(&it, from);
             assert!(!found.is_empty(), "{what}");
             assert!(
-                found.iter().all(|it| *it == state(first)),
+                found.iter().all(|found| *found == state(first)),
                 "{what}: {found:?}"
             );
         }

@@ -75,9 +75,9 @@ fn finish(it: &mut VirtualStation, job: u64, wanted: &NewJob) -> Vec<usize> {
         .packets()
         .iter()
         .map(|(_, bytes)| Packet::from_bytes(bytes).unwrap())
-        .filter_map(|it| Command::parse(&it, &dialect).ok())
+        .filter_map(|packet| Command::parse(&packet, &dialect).ok())
         .collect();
-    let times = |command: &Command| sent.iter().filter(|it| *it == command).count();
+    let times = |command: &Command| sent.iter().filter(|other| *other == command).count();
     wanted.commands.iter().map(times).collect()
 }
 

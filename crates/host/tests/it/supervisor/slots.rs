@@ -297,9 +297,9 @@ proptest! {
     fn in_the_slot_of_one_student_no_other_one_ever_has_control(deeds in prop::collection::vec(deed(), 1..60)) {
         let mut it = virtual_station(Personality::Specification);
         let names = ["Anna", "Ben", "Chen", "an old program", "Ms Weber"];
-        let come = |it: &mut VirtualStation, who: usize| {
+        let come = |station: &mut VirtualStation, who: usize| {
             let role = if who == 4 { Role::Admin } else { Role::Control };
-            it.client_as(names[who], role)
+            station.client_as(names[who], role)
         };
         let mut people: Vec<_> = (0..5).map(|who| come(&mut it, who)).collect();
         for deed in deeds {

@@ -45,7 +45,8 @@ fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_s
         let release = |command: &Command| matches!(command, Command::LinearJog(jog) if jog.axis == LinearJogAxis::Released);
         assert!(said.iter().any(release), "{personality}: {said:?}");
         assert!(
-            said.iter().all(|it| release(it) || is_laser_off(it)),
+            said.iter()
+                .all(|command| release(command) || is_laser_off(command)),
             "{personality}: {said:?}"
         );
         let state = it.supervisor().state();

@@ -116,11 +116,11 @@ fn vectors_that_follow_one_another_burn_without_a_packet_between_them() {
         let sent: Vec<Command> = it.packets()[before..]
             .iter()
             .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
-            .map(|it| Command::parse(&it, &personality.dialect()).unwrap())
+            .map(|packet| Command::parse(&packet, &personality.dialect()).unwrap())
             .collect();
         let burning = |command: &Command| matches!(command, Command::WriteVector(_));
         assert!(sent.iter().take(4).all(burning), "{personality}: {sent:?}");
-        assert_eq!(sent.iter().filter(|it| burning(it)).count(), 4);
+        assert_eq!(sent.iter().filter(|command| burning(command)).count(), 4);
     }
 }
 

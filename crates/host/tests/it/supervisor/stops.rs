@@ -45,7 +45,7 @@ fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment()
         // A packet that left just before may have spoilt it: it is said again.
         it.run_for(Duration::from_secs(10));
         let said = sent_since(&it, before);
-        assert!(said.iter().filter(|it| **it == LASER_OFF).count() >= 2);
+        assert!(said.iter().filter(|command| **command == LASER_OFF).count() >= 2);
     }
 }
 
@@ -140,7 +140,7 @@ fn what_waits_is_never_sent_after_a_stop() {
     it.run_for(Duration::from_mins(1));
     let moved = sent_since(&it, before)
         .into_iter()
-        .filter(|it| matches!(it, Command::MoveTo(_)))
+        .filter(|command| matches!(command, Command::MoveTo(_)))
         .count();
     assert_eq!(moved, 0);
     let failed = |notice: &&dobot_api::Notice| matches!(notice.news, News::CommandFailed { .. });
@@ -268,7 +268,7 @@ fn two_stations() -> (VirtualStation, VirtualStation, ClientId) {
 fn moved_since(it: &VirtualStation, since: usize) -> bool {
     let sent = sent_since(it, since);
     sent.iter().any(
-        |it| !matches!(it, Command::JointJog(jog) if jog.speed_percent == 0.0 || *it == LASER_OFF),
+        |command| !matches!(command, Command::JointJog(jog) if jog.speed_percent == 0.0 || *command == LASER_OFF),
     )
 }
 

@@ -173,8 +173,8 @@ fn roughest_mm_s(samples: &[Sample]) -> f64 {
     };
     samples
         .windows(3)
-        .filter(|it| it.iter().all(|it| down(it.position)))
-        .map(|it| (speed_mm_s(&it[1..]) - speed_mm_s(&it[..2])).abs())
+        .filter(|samples| samples.iter().all(|sample| down(sample.position)))
+        .map(|samples| (speed_mm_s(&samples[1..]) - speed_mm_s(&samples[..2])).abs())
         .fold(0.0, f64::max)
 }
 
@@ -303,7 +303,11 @@ fn a_job_at_half_the_speed_takes_twice_as_long_and_draws_the_same() {
 
 /// How long the pen is on the paper, in seconds.
 fn drawing_s(samples: &[Sample]) -> f64 {
-    let down = |it: &&[Sample]| it.iter().all(|it| it.position.z.0 < DOWN_MM + 0.02);
+    let down = |samples: &&[Sample]| {
+        samples
+            .iter()
+            .all(|sample| sample.position.z.0 < DOWN_MM + 0.02)
+    };
     let takes_s = |sample: &[Sample]| sample[1].at.saturating_sub(sample[0].at).as_secs_f64();
     samples.windows(2).filter(down).map(takes_s).sum()
 }

@@ -77,7 +77,7 @@ fn place(it: &VirtualStation) -> [f64; 3] {
 
 /// How far a place is from the straight line between two others.
 fn off_mm(at: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
-    let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|it| a[it] - b[it]);
+    let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] - b[i]);
     let times = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let (way, here) = (minus(to, from), minus(at, from));
     let share = (times(here, way) / times(way, way)).clamp(0.0, 1.0);
@@ -181,7 +181,8 @@ fn the_marked_way_of_a_job_is_what_its_pen_draws() {
             .map(|index| {
                 let [from, to] = [path.path_mm[index - 1], path.path_mm[index]];
                 assert!(strokes.iter().any(|stroke| {
-                    let ends = [stroke.points[0], stroke.points[1]].map(|it| [it.x, it.y, to[2]]);
+                    let ends =
+                        [stroke.points[0], stroke.points[1]].map(|point| [point.x, point.y, to[2]]);
                     off_mm(from, ends[0], ends[1]) < 0.05 && off_mm(to, ends[0], ends[1]) < 0.05
                 }));
                 (from[0] - to[0]).hypot(from[1] - to[1])

@@ -87,7 +87,7 @@ impl Bench {
 
     async fn took(&mut self, job: u64) -> Duration {
         let jobs = self.station.jobs().await.unwrap();
-        let job = jobs.iter().find(|it| it.job == job).unwrap();
+        let job = jobs.iter().find(|view| view.job == job).unwrap();
         Duration::from_secs_f64(job.took_s.unwrap())
     }
 

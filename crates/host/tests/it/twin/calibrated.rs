@@ -174,7 +174,7 @@ impl OldArm {
 
     #[expect(clippy::cast_possible_truncation, reason = "as a command holds it")]
     fn go(&mut self, to: Joints) {
-        let angles = [to.base, to.rear, to.fore, to.servo].map(|it| it.0 as f32);
+        let angles = [to.base, to.rear, to.fore, to.servo].map(|angle| angle.0 as f32);
         let command = MoveJoints::to(angles).with_mode(MovingMode::MovJ).into();
         self.station
             .ask(self.client, Request::Command { command })
@@ -237,7 +237,7 @@ impl OldArm {
                 .jobs()
                 .unwrap()
                 .into_iter()
-                .find(|it| it.job == job);
+                .find(|view| view.job == job);
             match job.unwrap().phase {
                 JobPhase::Done => return deviation(&wanted, &ink),
                 JobPhase::Running => self.station.run_for(Duration::from_millis(5)),

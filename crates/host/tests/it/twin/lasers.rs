@@ -18,7 +18,7 @@ async fn a_laser_burns_the_strokes_and_nothing_else() {
     bench.draw(&plan).await;
     let samples = bench.samples();
     let trace = Trace::new(&plan, &PAPER, &samples, &strokes).unwrap();
-    let ink: Vec<_> = trace.ink().into_iter().map(|it| it.stroke).collect();
+    let ink: Vec<_> = trace.ink().into_iter().map(|ink| ink.stroke).collect();
     // Each stroke twice.
     assert_eq!(ink.len(), 4);
     let worst = deviation(&strokes, &ink);

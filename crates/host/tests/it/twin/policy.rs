@@ -237,7 +237,11 @@ fn a_laser_that_goes_off_behind_a_slow_shape_does_not_creep_on() {
         let pass = Pass::new(tool, vec![pentagon.clone()]);
         let machine = Machine::of(Dialect::FIRMWARE_1_1);
         let plan = Plan::new(&[pass], &Paper::level(-40.0), &machine).unwrap();
-        for vector in plan.moves.iter().filter(|it| it.kind == MoveKind::RunOut) {
+        for vector in plan
+            .moves
+            .iter()
+            .filter(|planned| planned.kind == MoveKind::RunOut)
+        {
             assert!(
                 vector.duration_s < 0.5,
                 "{burn_speed_mm_s} mm/s: {vector:?}"

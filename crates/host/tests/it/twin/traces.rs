@@ -73,12 +73,12 @@ async fn each_line_and_each_dot_is_found_in_its_pass() {
         let bench = drawn(&plan, personality).await;
         let trace = Trace::new(&plan, &PAPER, &bench.samples(), &wanted(&passes)).unwrap();
         let ink = trace.ink();
-        let of: Vec<u32> = ink.iter().map(|it| it.pass).collect();
+        let of: Vec<u32> = ink.iter().map(|line| line.pass).collect();
         assert_eq!(of, [0, 1, 1]);
         assert!(ink[1].stroke.length_mm() < 0.01 && ink[2].stroke.length_mm() < 0.01);
         for line in &ink {
             assert_eq!(line.errors_mm.len(), line.stroke.points.len());
-            assert!(line.errors_mm.iter().all(|&it| it < 0.1));
+            assert!(line.errors_mm.iter().all(|&mm| mm < 0.1));
         }
     }
 }
@@ -86,7 +86,10 @@ async fn each_line_and_each_dot_is_found_in_its_pass() {
 /// Where the timeline says the tool is, as its documentation tells a page to do it.
 fn seek(timeline: &Timeline, t: f64) -> [f64; 3] {
     let path = &timeline.path;
-    let i = path.t_s.partition_point(|&it| it <= t).saturating_sub(1);
+    let i = path
+        .t_s
+        .partition_point(|&time_s| time_s <= t)
+        .saturating_sub(1);
     let next = (i + 1).min(path.t_s.len() - 1);
     let span = path.t_s[next] - path.t_s[i];
     let share = if span > 0.0 {
@@ -94,7 +97,7 @@ fn seek(timeline: &Timeline, t: f64) -> [f64; 3] {
     } else {
         0.0
     };
-    [&path.x_mm, &path.y_mm, &path.z_mm].map(|it| it[i] + (it[next] - it[i]) * share)
+    [&path.x_mm, &path.y_mm, &path.z_mm].map(|mm| mm[i] + (mm[next] - mm[i]) * share)
 }
 
 #[tokio::test]
@@ -139,7 +142,7 @@ async fn the_moves_of_the_timeline_follow_one_another_stroke_by_stroke() {
     let names: Vec<&str> = moves
         .kind
         .iter()
-        .map(|&it| moves.kinds[usize::from(it)])
+        .map(|&kind| moves.kinds[usize::from(kind)])
         .collect();
     let dot = ["travel", "lower", "lift"];
     assert_eq!(names[..3], ["lower", "draw", "lift"]);

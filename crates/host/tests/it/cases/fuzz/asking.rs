@@ -201,7 +201,7 @@ fn place(chance: &mut Chance, it: &VirtualStation) -> [f32; 3] {
     });
     if chance.below(3) == 0 {
         #[expect(clippy::cast_possible_truncation, reason = "a packet carries no more")]
-        return [here.x, here.y, here.z].map(|it| it.0 as f32 + step(chance));
+        return [here.x, here.y, here.z].map(|mm| mm.0 as f32 + step(chance));
     }
     [
         number(chance, 140.0, 310.0),

@@ -151,7 +151,7 @@ fn power_up(program: &Program) -> PowerUp {
 
 /// The program at an arm that nobody guards, without what a station would refuse.
 pub(super) fn at_a_bare_arm(program: &Program) -> (Seen, Vec<Refused>) {
-    at_an_arm(program, |it| it.refused.is_none())
+    at_an_arm(program, |packet| packet.refused.is_none())
 }
 
 /// Whether a stock arm hangs or loses its pose by what a program sends up to a packet, and not

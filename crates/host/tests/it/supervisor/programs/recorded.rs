@@ -81,7 +81,7 @@ impl RecordedPacket {
             .chars()
             .filter_map(|character| character.to_digit(16))
             .collect();
-        let bytes = digits.chunks(2).map(|it| it[0] * 16 + it[1]);
+        let bytes = digits.chunks(2).map(|pair| pair[0] * 16 + pair[1]);
         let bytes: Vec<u8> = bytes.map(|byte| u8::try_from(byte).unwrap()).collect();
         let bytes: [u8; PACKET_LEN] = bytes.try_into().unwrap();
         Frame::from_bytes(&bytes).unwrap()
