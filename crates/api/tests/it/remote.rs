@@ -14,11 +14,11 @@ use tokio_tungstenite::tungstenite::protocol::CloseFrame;
 use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
 use tokio_tungstenite::{WebSocketStream, accept_hdr_async};
 
-/// A station that says what a test wants.
+/// A station that sends what a test wants.
 pub(crate) struct Fake<S = TcpStream>(WebSocketStream<S>);
 
 impl<S: AsyncRead + AsyncWrite + Unpin> Fake<S> {
-    /// Lets a client in and says hello; gives what it asked for.
+    /// Accepts a client and greets it; returns its request.
     pub(crate) async fn welcome(stream: S) -> (Self, String) {
         let mut asked = String::new();
         let note = |request: &server::Request, answer: server::Response| {
@@ -105,7 +105,7 @@ async fn an_answer_is_told_from_what_comes_before_it_and_nothing_of_that_is_lost
     assert_eq!(next_at_s(&mut remote).await, 2.0);
 }
 
-/// Until the client has heard all that was said, though nobody has asked it for anything.
+/// Waits until the client has received everything, without a request.
 async fn is_heard(fake: &mut Fake) {
     fake.0.send(Message::Ping("there?".into())).await.unwrap();
     let answer = fake.0.next().await.unwrap().unwrap();

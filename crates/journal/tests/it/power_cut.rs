@@ -1,4 +1,4 @@
-//! What a power cut leaves: all that was acknowledged, and nothing half.
+//! After a power cut everything acknowledged is there, and nothing partial.
 
 use crate::lab::{Disk, START, job};
 use dobot_api::JobState;
@@ -153,7 +153,7 @@ impl Act {
     }
 }
 
-/// What a journal holds, by its promises.
+/// The promised content of a journal.
 #[derive(Clone, Debug, Default)]
 struct Content {
     jobs: Vec<(Job, Vec<Command>)>,
@@ -240,7 +240,7 @@ impl Content {
         self.jobs.push((job, new.commands));
     }
 
-    /// The window behind the one that a running job has.
+    /// Returns the window after the one of a running job.
     fn next_window(&self, nth: usize, more: usize) -> Option<(JobId, Window)> {
         let (job, commands) = self.jobs.get(nth)?;
         let completed = job.window.upto;

@@ -1,4 +1,4 @@
-//! Where the arm rests tells which command was the last one done.
+//! Where the arm rests shows which command was the last one done.
 
 use crate::lab::program::{self, LIFT_MM, lifted};
 use crate::lab::vector;
@@ -302,7 +302,7 @@ const fn is_vector(command: &Command) -> bool {
     matches!(command, Command::WriteVector(_))
 }
 
-/// Where an arm may rest, by adding increments.
+/// The possible rest positions of an arm, by adding increments.
 struct Places {
     all: Vec<Place>,
     pen: Pen,
@@ -310,7 +310,7 @@ struct Places {
 
 #[derive(Clone, Copy, Debug)]
 struct Place {
-    /// The command behind the last motion.
+    /// The command after the last motion.
     next: usize,
     lifted: bool,
     at: Position,
@@ -370,7 +370,7 @@ impl Places {
 }
 
 impl Place {
-    /// Whether it was found, or what is as good.
+    /// Returns whether it was found, or an equivalent end.
     fn is(&self, found: Result<Located, Unclear>, commands: &[Command]) -> bool {
         found.is_ok_and(|Located { next, lifted }| {
             let found = Self {

@@ -1,4 +1,4 @@
-//! What the journal promises on a disk that works.
+//! The promises of the journal on a disk that works.
 
 use std::fs;
 
@@ -441,7 +441,7 @@ fn a_request_that_is_sent_again_queues_one_job_also_after_a_crash() {
     assert_ne!(journal.submit(&job("a picture", 3)).unwrap(), first);
     let error = journal.submit(&asked("7f", "b")).unwrap_err();
     assert!(matches!(error, JournalError::KeyReused { job, .. } if job == first));
-    // What is forgotten can be asked for anew.
+    // A removed job can be requested again.
     journal.remove(first).unwrap();
     assert_ne!(journal.submit(&asked("7f", "b")).unwrap(), first);
     assert_eq!(journal.jobs().unwrap().len(), 3);

@@ -14,7 +14,7 @@ use super::jobs::Sort;
 use super::scene::{Scene, Wrong, burns, cases};
 use super::spread::Spread;
 
-/// What became of the jobs whose journal could not be written.
+/// The outcome of jobs whose journal could not be written.
 #[derive(Debug, Default)]
 pub(crate) struct Disks {
     /// So many jobs.
@@ -29,11 +29,11 @@ pub(crate) struct Disks {
     pub repeated: usize,
     /// From the pause to the end of the light, in seconds, where it burnt.
     pub dark_s: Spread,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// Fills the disk in so many jobs.
+/// Fills the disk in this many jobs.
 pub(crate) fn run(jobs: u64) -> Disks {
     let mut figures = Disks::default();
     for (personality, sort, seed) in cases(jobs) {

@@ -12,7 +12,7 @@ use super::jobs::Sort;
 use super::scene::{LASER_OFF, Scene, Wrong, burns, cases};
 use super::spread::Spread;
 
-/// What became of the jobs whose station was killed.
+/// The outcome of jobs whose station was killed.
 #[derive(Debug, Default)]
 pub(crate) struct Kills {
     /// So often the station was killed.
@@ -27,7 +27,7 @@ pub(crate) struct Kills {
     pub lost: usize,
     /// Commands that it was given again.
     pub repeated: usize,
-    /// After that a person had to tell how far the arm had come.
+    /// Afterwards a person had to determine the progress of the arm.
     pub unclear: usize,
     /// The first packet after the start was not laser off.
     pub not_off_first: usize,
@@ -35,7 +35,7 @@ pub(crate) struct Kills {
     pub burnt_at_rest: usize,
     /// From the start of the station to the end of the light, in seconds, where it burnt then.
     pub off_after_s: Spread,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 

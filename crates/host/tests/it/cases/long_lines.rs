@@ -45,7 +45,7 @@ impl fmt::Display for LineEnd {
     }
 }
 
-/// What became of the lines in one material.
+/// The outcome of the lines in one material.
 #[derive(Debug)]
 pub(crate) struct LongLines {
     /// The material, or the pen.
@@ -54,13 +54,13 @@ pub(crate) struct LongLines {
     pub burns: bool,
     /// For each end, the time from then to the end of the light, or of a pen's motion along the line, in seconds.
     pub ends: [(LineEnd, Spread); 4],
-    /// How many of these were longer than they may be.
+    /// The number of these that were longer than allowed.
     pub late: usize,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// A line in each material, ended so often in each way.
+/// A line in each material, ended this often in each way.
 pub(crate) fn run(times: u64) -> Vec<LongLines> {
     let materials = Materials::built_in();
     materials
@@ -93,7 +93,7 @@ fn of(name: &str, material: &Material, times: u64) -> LongLines {
     }
 }
 
-/// How long the light, or a pen's motion along the line, goes on, in seconds.
+/// Returns how long the laser stays on, or a pen moves along the line, in seconds.
 fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> Result<f64, Wrong> {
     let mut chance = Chance::new(seed);
     let mut scene = Scene::new(personality)?;

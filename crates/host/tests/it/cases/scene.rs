@@ -28,7 +28,7 @@ pub(crate) struct Scene {
     since: usize,
 }
 
-/// What should not be, in one line.
+/// A violation, in one line.
 #[derive(Debug)]
 pub(crate) struct Wrong(pub String);
 
@@ -50,7 +50,7 @@ impl From<JournalError> for Wrong {
     }
 }
 
-/// How often the commands of a job were given to the arm.
+/// How often the commands of a job were sent to the arm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct GivenCounts {
     /// Never.
@@ -65,7 +65,7 @@ impl Scene {
         Self::faulty(personality, &[], 0)
     }
 
-    /// The same with faults.
+    /// A scene with faults.
     pub(crate) fn faulty(
         personality: Personality,
         faults: &[&str],
@@ -75,7 +75,7 @@ impl Scene {
         Self::with_journal(personality, faults, seed, journal)
     }
 
-    /// The same with a journal of one's own.
+    /// A scene with the given journal.
     pub(crate) fn with_journal(
         personality: Personality,
         faults: &[&str],
@@ -110,7 +110,7 @@ impl Scene {
         Ok(number)
     }
 
-    /// Starts a job or goes on with it, as a person does who has looked: the laser is armed.
+    /// Starts or resumes a job as a person does after looking: the laser is armed.
     pub(crate) fn start(&mut self, job: u64) -> Result<(), Wrong> {
         self.it.ask(self.anna, Request::ConfirmPose)?;
         self.it.ask(self.anna, Request::ArmLaser { for_s: 600.0 })?;
@@ -125,7 +125,7 @@ impl Scene {
         Ok(())
     }
 
-    /// How long a job takes.
+    /// Returns the planned duration of a job.
     pub(crate) fn planned(&self) -> Duration {
         let planned_s = self.it.supervisor().job().and_then(|job| job.planned_s);
         Duration::try_from_secs_f64(planned_s.unwrap_or(0.0)).unwrap_or_default()
@@ -170,7 +170,7 @@ impl Scene {
         Err(Wrong("the job is paused again and again".into()))
     }
 
-    /// What the arm was given of a job.
+    /// Returns how often the commands of a job were sent.
     pub(crate) fn given(&self, job: &NewJob) -> GivenCounts {
         let wanted: Vec<Command> = job.commands.iter().copied().filter(counts).collect();
         let mut given: Vec<_> = self.sent(self.since).into_iter().filter(counts).collect();

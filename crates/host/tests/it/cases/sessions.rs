@@ -16,7 +16,7 @@ use super::spread::Spread;
 use super::stops::{jog, targets, watch, work};
 use super::watchdogs::told;
 
-/// What goes wrong.
+/// An incident.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Incident {
     /// Somebody who may only watch stops the arm: here, or all arms of the fleet.
@@ -25,7 +25,7 @@ enum Incident {
     Freeze,
     /// The station is killed; its watchdog speaks for it, and the station is started again.
     Kill,
-    /// The cable is pulled for a while; perhaps somebody stops the arm meanwhile.
+    /// The cable is pulled for a while; a client may stop the arm meanwhile.
     Cable,
     /// The token of the person who has control is removed.
     Removal,
@@ -53,12 +53,12 @@ impl fmt::Display for Incident {
     }
 }
 
-/// What became of the arms.
+/// The outcome for the arms.
 #[derive(Debug, Default)]
 pub(crate) struct Sessions {
     /// So many sessions.
     pub times: usize,
-    /// What went wrong in them, in all.
+    /// The number of incidents.
     pub incidents: usize,
     /// Jobs that were done in the end, and right.
     pub jobs: usize,
@@ -68,11 +68,11 @@ pub(crate) struct Sessions {
     pub rest_s: Spread,
     /// From the last stop to the end of the light, in seconds, where it burnt.
     pub dark_s: Spread,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// Runs so many sessions.
+/// Runs this many sessions.
 pub(crate) fn run(sessions: u64) -> Sessions {
     let mut figures = Sessions::default();
     figures.wrong = each_seed(sessions, "a session", |personality, seed| {
@@ -106,9 +106,9 @@ const JOG: u64 = 4;
 struct Begun {
     id: u64,
     wanted: NewJob,
-    /// What of the machine's way was before it.
+    /// The number of machine samples before it.
     samples: usize,
-    /// The pen was on the paper: what it draws on its way to the start is not the job's.
+    /// The pen was on the paper: what it draws on its way to the start does not belong to the job.
     began_down: bool,
 }
 
@@ -178,7 +178,7 @@ fn befall(
             scene.anna = scene.it.client("Anna");
             Ok(())
         }
-        // Without its cable nobody lets go of a button: the arm goes on to the end of its axis.
+        // Without its cable a button is not released: the arm moves to the end of its axis.
         Incident::Cable if motion == JOG => stop(scene, true),
         Incident::Cable => {
             scene.it.unplug();
@@ -208,7 +208,7 @@ fn befall(
     }
 }
 
-/// Whether the arm jogs, by its packets.
+/// Returns whether the arm jogs, by its packets.
 fn is_held(scene: &Scene) -> bool {
     let last = scene
         .sent(0)

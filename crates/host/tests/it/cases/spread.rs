@@ -1,9 +1,9 @@
-//! How measured times are spread.
+//! The distribution of measured values.
 
 use std::fmt;
 use std::time::Duration;
 
-/// Measured values, to be told by their least, middle and greatest.
+/// Measured values, summarized by minimum, median and maximum.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spread(Vec<f64>);
 
@@ -23,12 +23,12 @@ impl Spread {
         self.0.iter().copied().fold(0.0, f64::max)
     }
 
-    /// How many values are above this one.
+    /// Returns the number of values above this one.
     pub(crate) fn above(&self, most: f64) -> usize {
         self.0.iter().filter(|value| **value > most).count()
     }
 
-    /// The value that so many of a hundred are not above.
+    /// Returns a percentile.
     pub(crate) fn percent(&self, percent: usize) -> f64 {
         let mut sorted = self.0.clone();
         sorted.sort_by(f64::total_cmp);

@@ -16,7 +16,7 @@ use super::jobs::Sort;
 use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
-/// What became of the station.
+/// The fate of the station.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fate {
     /// Killed.
@@ -27,7 +27,7 @@ pub(crate) enum Fate {
     Panicked,
 }
 
-/// What the arm was at.
+/// The motion of the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GuardedMotion {
     Joint(JointJogAxis),
@@ -36,7 +36,7 @@ pub(crate) enum GuardedMotion {
     Moving,
 }
 
-/// What became of arm and laser.
+/// The outcome for arm and laser.
 #[derive(Debug)]
 pub(crate) struct Guarded {
     pub fate: Fate,
@@ -46,19 +46,19 @@ pub(crate) struct Guarded {
     pub packet_s: Spread,
     /// From the station's end to the arm's rest, in seconds.
     pub rest_s: Spread,
-    /// How far the tool went from there, in millimetres.
+    /// The distance moved by the tool from there, in millimetres.
     pub went_mm: Spread,
-    /// How far the joint of a joint jog went from there, in degrees.
+    /// The distance moved by the joint of a joint jog from there, in degrees.
     pub went_deg: Spread,
     /// From the station's end to the end of the light, in seconds.
     pub lit_s: Spread,
-    /// How long the light was on and the arm stood, in seconds.
+    /// How long the laser was on while the arm stood still, in seconds.
     pub stood_s: Spread,
     /// Motion that no button asked for.
     pub unasked: usize,
     /// The laser was on in the end.
     pub burnt: usize,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
@@ -67,7 +67,7 @@ impl Fate {
 }
 
 impl GuardedMotion {
-    /// Each button of both kinds that moves the arm, a burn, a way.
+    /// Each button of both kinds that moves the arm, a burn, and a move.
     pub(crate) fn all() -> Vec<Self> {
         let joints = JointJogAxis::ALL[1..=8]
             .iter()
@@ -277,9 +277,9 @@ pub(super) struct After {
     arm: VirtualArm,
     now: Duration,
     watchdog: Watchdog,
-    /// When the first packet left.
+    /// How long it was on while the arm stood still.
     first: Option<Duration>,
-    /// When the laser was seen on last.
+    /// When the arm was last seen moving.
     pub lit: Duration,
     /// How long it was on while the arm stood.
     stood: Duration,

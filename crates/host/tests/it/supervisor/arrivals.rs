@@ -1,4 +1,4 @@
-//! What clients are told of commands that end in a pause.
+//! Notices to clients about commands that end in a pause.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use dobot_wire::{Command, Configuration, MoveTo};
 use super::drawing::virtual_station;
 use crate::cases::commands::target;
 
-/// What the vendor's client says first: a default pause of 100 s (note N10).
+/// The first packet of the vendor's client: a default pause of 100 s (note N10).
 const VENDORS: Command = Command::Configuration(Configuration::Playback {
     joint_speed_deg_s: 200.0,
     joint_acceleration_deg_s2: 200.0,
@@ -22,13 +22,13 @@ const VENDORS: Command = Command::Configuration(Configuration::Playback {
     jump_height_mm: 20.0,
 });
 
-/// When a notice came, and what it said.
+/// Returns the time and text of a notice.
 fn told(it: &VirtualStation, which: impl Fn(&News) -> bool) -> Option<(f64, String)> {
     let notice = it.notices().iter().find(|notice| which(&notice.news))?;
     Some((notice.at_s, notice.text.clone()))
 }
 
-/// Sends a target behind the vendor's first words, lets two minutes pass, and returns its number.
+/// Sends a target after the vendor's first packets, lets two minutes pass, and returns its number.
 fn sent(it: &mut VirtualStation, target: MoveTo) -> u64 {
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();

@@ -98,7 +98,8 @@ fn a_button_that_is_pressed_with_the_first_status_moves_its_own_joint() {
             ..PowerUp::new(Personality::Firmware11)
         };
         let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
-        // The station comes when the arm has told for a while: any of its statuses may be the first.
+        // The station connects when the arm has been sending for a while: any of its statuses may
+        // be the first.
         arm.handle_time(Duration::from_millis(2000 + after_ms));
         let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
         let anna = it.client("Anna");

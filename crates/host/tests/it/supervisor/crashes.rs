@@ -10,15 +10,15 @@ use proptest::prelude::*;
 
 use super::drawing::{drawn_mm, spiral, virtual_station, wanted_mm};
 
-/// Whether the arm rests, and the job can be started or gone on with: one that was killed in its
-/// first moments has not begun.
+/// Returns whether the arm is at rest and the job can be started or resumed: one killed in its
+/// first moments has not started.
 fn rests(it: &VirtualStation, job: u64) -> bool {
     let state = it.job(job).unwrap().state;
     it.supervisor().is_at_rest() && matches!(state, JobState::Queued | JobState::Paused { .. })
 }
 
-/// Draws a spiral and kills the station so many milliseconds after the start, and again after each
-/// going on.
+/// Draws a spiral and kills the station this many milliseconds after the start and after each
+/// resume.
 fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
     let mut it = virtual_station(personality);
     let drawing = spiral(12);

@@ -190,7 +190,7 @@ fn a_program_is_done_faster_and_slower_while_it_runs() {
         });
         mean_s.rotate_right(1);
         assert!(mean_s.is_sorted(), "{mean_s:?}");
-        // An arm is at 50 % unless it was told otherwise, so twice as fast is all that it can.
+        // The default of an arm is 50 %, so twice as fast is the maximum.
         let refused = it
             .ask(anna, Request::SetJobSpeed { percent: 201.0 })
             .unwrap_err();

@@ -30,8 +30,8 @@ fn hold(it: &mut VirtualStation, client: ClientId, jog: Jog, time: Duration) {
     }
 }
 
-/// What the arm was told of buttons, from a packet on: the axis that moves and its share, or none for a
-/// release.
+/// Returns the button packets sent to the arm, from a packet on: the axis that moves and its share,
+/// or `None` for a release.
 fn pressed(it: &VirtualStation, from: usize) -> Vec<(Duration, Option<(JogAxis, f64)>)> {
     let dialect = *it.supervisor().session().dialect().expect("it is known");
     let packets = it.packets()[from..].iter();
@@ -84,7 +84,7 @@ fn a_press_while_the_arm_runs_down_acts_when_it_rests_if_it_is_still_held() {
     }
 }
 
-/// The notices of presses of which the arm was never told.
+/// The notices of presses that were never sent to the arm.
 fn lost_presses(it: &VirtualStation) -> usize {
     let is_lost = |text: &str| text.contains("before the press was sent, so nothing moved");
     it.notices()
@@ -172,7 +172,7 @@ fn a_reversal_is_no_error_with_a_release_between_and_without() {
             it.run_for(Duration::from_secs(2));
             assert!(y_mm(&it) < far - 10.0, "{personality}: {} mm", y_mm(&it));
             assert_eq!(refusals(&it), 0, "{personality}");
-            // From plus to minus only through a release, by its own kind: see `releases`.
+            // From plus to minus only through a release of the same kind: see `releases`.
             let told = pressed(&it, before);
             let acts = told.iter().position(|(_, it)| it.is_some()).unwrap();
             assert!(

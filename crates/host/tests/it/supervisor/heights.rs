@@ -15,7 +15,8 @@ use super::strokes::{
     spiral, started, view, wait_until_paused,
 };
 
-/// How far above the plan the pen is on the paper, at the highest and lowest of the last moments.
+/// Returns the highest and lowest height above the plan of the pen on the paper in the last
+/// moments.
 fn heights_mm(it: &VirtualStation, from: Duration) -> (f64, f64) {
     let samples = it.arm().samples().iter().filter(|sample| sample.at >= from);
     let heights = samples.map(|sample| sample.position.z.0 - DOWN_MM);
@@ -171,7 +172,7 @@ fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
     let (mut it, mut anna, job) = started(personality, &planned);
     for &(ms, percent, offset_mm, pauses) in steps {
         it.run_for(Duration::from_millis(ms));
-        // Where it is done or comes to rest already that is refused.
+        // If it is done or coming to rest already, that is refused.
         let _ = it.ask(anna, Request::SetJobSpeed { percent });
         let _ = it.ask(anna, Request::SetJobHeight { offset_mm });
         it.run_for(Duration::from_millis(ms / 3));
@@ -237,7 +238,7 @@ fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
 /// Whatever the height, each vector that draws was sent once, in its turn.
 fn assert_sent_once(it: &VirtualStation, personality: Personality, planned: &NewJob) {
     let drawing = |command: Command| match command {
-        // What rounding leaves of a lift draws nothing.
+        // The rounding error of a lift draws nothing.
         Command::WriteVector(vector) if vector.x_mm.hypot(vector.y_mm) > 0.001 => {
             Some([vector.x_mm, vector.y_mm])
         }
@@ -275,7 +276,8 @@ proptest! {
 
 #[test]
 fn a_drawing_that_is_slowed_down_and_paused_while_it_does_that_comes_to_rest_soon() {
-    // The last vector before the rest would have begun at 0.004 mm/s, and gone on so for 400 s.
+    // The last vector before the rest would have begun at 0.004 mm/s, and continued like that for
+    // 400 s.
     let slower = (2486, 15.419_662_467_478_036, 0.0, true);
     draw_and_kill(Personality::Firmware11, &[slower]);
 }

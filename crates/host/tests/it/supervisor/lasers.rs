@@ -144,7 +144,7 @@ fn stop_as_promised(it: &mut VirtualStation, anna: ClientId) {
 
 #[test]
 fn a_stop_keeps_its_time_on_an_arm_that_a_detection_left_slow() {
-    // Each of them ends the detection behind another of its packets.
+    // Each of them ends the detection after a different packet.
     for (personality, tenths) in PERSONALITIES.into_iter().zip([1, 3]) {
         let after = Duration::from_millis(100 * tenths);
         let (mut it, anna) = detection_ended(personality, after);

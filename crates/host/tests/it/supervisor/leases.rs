@@ -126,7 +126,7 @@ fn a_locked_arm_is_the_administrators_and_says_so_to_everyone_else() {
     let before = it.packets().len();
     assert!(it.send_raw(ben, &packet(40.0)).is_err());
     assert_eq!(it.packets().len(), before, "nothing was sent");
-    // The teacher has the arm, and gives it to nobody while it is locked.
+    // The teacher has control, and grants it to no client while the arm is locked.
     it.ask(teacher, Request::TakeLease).unwrap();
     it.ask(teacher, UP).unwrap();
     it.ask(anna, Request::Stop { reason: None }).unwrap();
@@ -202,7 +202,7 @@ fn a_drawing_with_a_pen_goes_on_when_the_one_who_started_it_leaves() {
 
 const RELEASED: JointJog = JointJog::new(JointJogAxis::Released, 0.0);
 
-/// A packet that moves the arm by so many millimetres.
+/// A packet that moves the arm by this many millimetres.
 fn packet(y_mm: f32) -> Packet {
     vector([0.0, y_mm, 0.0], false).emit(&Dialect::SPECIFICATION)
 }
@@ -225,7 +225,7 @@ fn a_person_at_this_machine_takes_control_from_a_raw_program_which_cannot_be_ask
         .iter()
         .any(|notice| notice.text.contains("Anna took it"));
     assert!(told, "{:?}", it.notices());
-    // What waited is forgotten, and the program does not get control back by going on.
+    // Waiting packets are dropped, and the program does not get control back by sending more.
     assert_eq!(it.supervisor().session().waiting(), 0);
     for _ in 0..20 {
         let refused = it.send_raw(program, &packet(5.0)).unwrap_err();

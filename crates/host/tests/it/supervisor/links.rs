@@ -45,7 +45,8 @@ proptest! {
             if is_over(&it) {
                 break;
             }
-            // An arm that comes back with its base at 0 may have been reset meanwhile: somebody looks.
+            // An arm that comes back with its base at 0 may have been reset meanwhile: a person
+            // looks.
             it.ask(anna, Request::ConfirmPose).unwrap();
             it.start(anna, job).unwrap();
             // The journal writes that down.

@@ -42,7 +42,7 @@ fn finish(it: &mut VirtualStation, anna: ClientId, job: u64, drawing: &NewJob) {
     );
 }
 
-/// How often the tool was lifted by the station, which does that slowly.
+/// Returns how often the station lifted the tool, which it does slowly.
 fn lifts(it: &VirtualStation) -> usize {
     let dialect = Personality::Firmware11.dialect();
     let command = |bytes: &[u8; 42]| Command::parse(&Packet::from_bytes(bytes).unwrap(), &dialect);
@@ -142,7 +142,7 @@ fn a_pause_while_the_station_finds_out_where_the_arm_rests_repeats_nothing() {
         it.run_for(Duration::from_millis(pause_ms));
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
-        // Where it is found out already, nothing is at work any more.
+        // If it is known already, the job is no longer running.
         let _ = it.ask(anna, Request::PauseJob);
         wait_until_paused(&mut it, job);
         it.ask(anna, Request::ConfirmPose).unwrap();

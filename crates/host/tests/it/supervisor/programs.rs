@@ -20,7 +20,7 @@ fn packet(floats: &[f32]) -> Frame {
     floats.fold(Frame::ZERO, |frame, (n, value)| frame.with(n, *value))
 }
 
-/// What the arm got of what a program sends, one packet for each status.
+/// Returns what the arm got of a program's packets, one packet for each status.
 fn got(it: &mut VirtualStation, program: ClientId, packets: &[&[f32]]) -> Vec<Frame> {
     let before = it.packets().len();
     for floats in packets {
@@ -47,7 +47,7 @@ fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_tol
     assert_eq!(sent[0].float(10), 50.0, "the height of a JUMP");
     assert_eq!(sent[0].float(3), 200.0);
     assert_eq!(sent[1].float(5), 100.0, "what is in force");
-    // What comes of both is the policy's ceiling.
+    // The result of both is the policy's ceiling.
     let policy = it.supervisor().policy();
     let line_mm_s = f64::from(sent[0].float(7)) * f64::from(sent[1].float(3)) / 100.0;
     assert!(
@@ -61,7 +61,7 @@ fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_tol
         .filter(|notice| amended(&notice.news))
         .count();
     assert_eq!(told, 2);
-    // The same again is not told again.
+    // A repetition is not reported again.
     got(&mut it, program, &start[1..]);
     got(&mut it, program, &start[1..]);
     let told = it
@@ -128,8 +128,8 @@ fn the_default_pause_of_the_vendors_client_is_told_when_it_begins() {
     assert_eq!(told.map(|notice| notice.text.as_str()), Some(text));
 }
 
-/// Plays a program at a bare arm and at a station: they come to rest at the same places, with the same
-/// tools, but for what was refused; and all that was refused or changed was told.
+/// Plays a program on a bare arm and at a station: they come to rest at the same positions with the
+/// same tools, apart from refused packets; and every refusal and change was reported.
 fn check(name: &str) {
     let program = program(name);
     let what = format!("{}: {}", program.name, program.does);
@@ -154,7 +154,8 @@ fn check(name: &str) {
     );
 }
 
-/// Looks that each packet was taken, changed or refused as the data says, and that nothing else was told.
+/// Checks that each packet was accepted, changed or refused as the data states, and that nothing
+/// else was reported.
 fn check_told(what: &str, program: &Program, served: &Served) {
     assert_eq!(served.told.len(), program.packets.len(), "{what}");
     for (packet, (is_refused, texts)) in program.packets.iter().zip(&served.told) {
@@ -168,7 +169,7 @@ fn check_told(what: &str, program: &Program, served: &Served) {
         match reason {
             None => assert!(texts.is_empty(), "{what}: {packet:?}: {texts:?}"),
             Some(reason) => {
-                // Whoever says the same again is not told again.
+                // A repetition is not reported again.
                 let mut told = served.troubles.iter();
                 assert!(
                     told.any(|text| text.contains(reason)),
@@ -197,8 +198,8 @@ fn check_told(what: &str, program: &Program, served: &Served) {
     }
 }
 
-/// Looks that the arm got what the data says, in order. A held button that is said again, a release that
-/// is said again or of the other kind, and laser off are the station's own affair.
+/// Checks that the arm got what the data states, in order. A repeated held button, a repeated
+/// release or one of the other kind, and laser off are up to the station.
 fn check_packets(what: &str, program: &Program, got: &[Frame]) {
     let dialect = Dialect::FIRMWARE_1_1;
     let read = |frame: &Frame| Command::parse(&(*frame).into(), &dialect).unwrap();
@@ -237,7 +238,7 @@ fn bare_of_the_stations_own(commands: &[Command]) -> Vec<Command> {
     kept
 }
 
-/// What a refusal says that is to be done.
+/// The remedies in refusals.
 const REMEDIES: [&str; 3] = ["; send what is allowed", "; a JUMP goes there", "`dobot "];
 
 #[test]

@@ -1,4 +1,4 @@
-//! A button is released by its own kind of jog and by nothing else: no axis moves that nobody asked for.
+//! A button is released by its own kind of jog and by nothing else: no other axis moves.
 
 use std::time::Duration;
 
@@ -31,7 +31,7 @@ pub(crate) fn linear(axis: LinearJogAxis) -> Jog {
     Jog::Linear(LinearJog::new(axis, PERCENT))
 }
 
-/// A link whose bytes come up to so much late, either way.
+/// A link whose bytes are late by up to this much, in both directions.
 pub(crate) fn over(personality: Personality, delay_ms: u32) -> (VirtualStation, ClientId) {
     let power_up = PowerUp::new(personality);
     let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
@@ -46,7 +46,7 @@ pub(crate) fn over(personality: Personality, delay_ms: u32) -> (VirtualStation, 
     (it, anna)
 }
 
-/// A button held for so long; whoever refuses it before has let it go.
+/// A button held for this long; a refusal before that releases it.
 pub(crate) fn hold(it: &mut VirtualStation, client: ClientId, jog: Jog, ms: u64) {
     for _ in 0..=ms / 50 {
         if it.ask(client, Request::Jog { jog }).is_err() {
@@ -56,7 +56,7 @@ pub(crate) fn hold(it: &mut VirtualStation, client: ClientId, jog: Jog, ms: u64)
     }
 }
 
-/// Where everything is: the joints as the machine has them, x, y and z, and the gripper.
+/// The positions of everything: the joints as the machine has them, x, y and z, and the gripper.
 pub(crate) fn places(it: &mut VirtualStation) -> ([f64; 4], [f64; 3], f64) {
     it.run_for(Duration::from_secs(4));
     let arm = it.arm();

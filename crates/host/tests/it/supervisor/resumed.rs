@@ -1,4 +1,4 @@
-//! A program that was interrupted goes on where the arm is, and says truly how far it got.
+//! An interrupted program resumes where the arm is, and reports its progress truthfully.
 
 use std::time::Duration;
 
@@ -57,7 +57,7 @@ fn paused(it: &mut VirtualStation, job: u64) {
     );
 }
 
-/// Goes on to the end; each target that pauses was sent so often.
+/// Resumes to the end; each target with a pause was sent this often.
 fn finish(it: &mut VirtualStation, job: u64, wanted: &NewJob) -> Vec<usize> {
     let anna = it.client("Anna");
     it.ask(anna, Request::SeizeLease).unwrap();

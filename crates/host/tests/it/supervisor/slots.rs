@@ -1,4 +1,4 @@
-//! Time slots: whose time it is has control, and nobody else but administrators.
+//! Time slots: only the student of the current slot and administrators have control.
 
 use std::time::Duration;
 
@@ -75,7 +75,7 @@ fn in_a_slot_only_its_student_and_administrators_get_control() {
     it.ask(anna, Request::TakeLease).unwrap();
     assert_eq!(it.ask(ben, Request::AskLease).unwrap_err().kind(), "slot");
     it.ask(ben, Request::Stop { reason: None }).unwrap();
-    // The teacher has it in everybody's time, and gives it to nobody but the student.
+    // The teacher has control in every slot, and grants it only to the student.
     it.ask(teacher, Request::SeizeLease).unwrap();
     it.ask(anna, Request::AskLease).unwrap();
     it.ask(teacher, Request::GrantLease { to: anna }).unwrap();
@@ -202,7 +202,7 @@ fn a_list_by_which_the_time_of_a_student_goes_on_interrupts_nothing() {
     it.ask(anna, Request::TakeLease).unwrap();
     let job = it.submit(&spiral(8)).unwrap();
     it.start(anna, job).unwrap();
-    // Her job goes on without her, as it does in her time.
+    // Her job continues without her, as in her slot.
     it.leave(anna);
     it.run_for(Duration::from_secs(1));
     it.ask(teacher, set(&[slot("anna", 0.0, 900.0)])).unwrap();
@@ -248,7 +248,7 @@ fn cleared_slots_leave_control_where_it_is() {
     it.ask(ben, Request::TakeLease).unwrap();
 }
 
-/// What people do at an arm with time slots.
+/// Actions of people at an arm with time slots.
 #[derive(Clone, Debug)]
 enum Deed {
     Ask(usize, Request),
@@ -303,7 +303,7 @@ proptest! {
         };
         let mut people: Vec<_> = (0..5).map(|who| come(&mut it, who)).collect();
         for deed in deeds {
-            // What is refused is refused: here counts who has control.
+            // Refusals are fine: only control counts here.
             match deed {
                 Deed::Ask(who, request) => drop(it.ask(people[who], request)),
                 Deed::Grant(from, to) => drop(it.ask(people[from], Request::GrantLease { to: people[to] })),

@@ -1,4 +1,4 @@
-//! The laser never burns while the arm stands, whoever sent what burns.
+//! The laser never burns while the arm stands still, whatever the sender.
 
 use std::time::Duration;
 
@@ -13,7 +13,7 @@ use super::drawing::virtual_station;
 use crate::cases::commands::vector;
 use crate::cases::light::longest_stand_s;
 
-/// What the laser may stand at the most.
+/// The longest time that the laser may burn in one place.
 const MOST_S: f64 = 0.3;
 
 /// Control, and a laser that is armed.

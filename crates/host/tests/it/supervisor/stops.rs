@@ -18,7 +18,7 @@ fn target(y_mm: f32) -> Request {
     }
 }
 
-/// What was put on the wire since then.
+/// Returns the commands put on the wire since then.
 fn sent_since(it: &VirtualStation, since: usize) -> Vec<Command> {
     let packets = it.packets()[since..].iter();
     let frame = |bytes: &[u8; 42]| Packet::from_bytes(bytes).expect("the station sends packets");
@@ -42,7 +42,7 @@ fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment()
         it.ask(ben, STOP).unwrap();
         assert_eq!(sent_since(&it, before)[0], LASER_OFF);
         assert_eq!(it.packets()[before].0, at, "after {stop_ms} ms");
-        // A packet that left just before may have spoilt it: it is said again.
+        // A packet sent just before may have corrupted it: it is repeated.
         it.run_for(Duration::from_secs(10));
         let said = sent_since(&it, before);
         assert!(said.iter().filter(|command| **command == LASER_OFF).count() >= 2);
@@ -167,7 +167,7 @@ fn the_arm_rests_as_soon_as_was_promised_whenever_it_is_stopped() {
     }
 }
 
-/// A station whose cable is pulled while somebody holds a button.
+/// A station whose cable is pulled while a button is held.
 fn unplugged_in_a_jog(personality: Personality) -> (VirtualStation, ClientId) {
     let mut it = virtual_station(personality);
     let anna = it.client("Anna");
@@ -370,7 +370,7 @@ fn an_arm_that_a_person_lets_go_moves_while_the_others_stay_stopped_and_the_same
     other.run_for(Duration::from_secs(10));
     other.ask(ben, Request::ResetStop).unwrap();
     other.ask(ben, target(20.0)).unwrap();
-    // The others tell it again, also after a restart.
+    // The others send it again, also after a restart.
     other.run_for(Duration::from_secs(10));
     other.crash(Duration::from_secs(2)).unwrap();
     other.run_for(Duration::from_secs(1));

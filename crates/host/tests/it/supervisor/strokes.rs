@@ -32,7 +32,7 @@ pub(crate) fn pen_job(personality: Personality, passes: &[(Stroke, Option<&str>)
     pen_job_at(Pen::default().draw_speed_mm_s, personality, passes)
 }
 
-/// The same, drawn at this speed, in mm/s.
+/// A pen job at this speed, in mm/s.
 pub(crate) fn pen_job_at(
     draw_speed_mm_s: f64,
     personality: Personality,
@@ -67,7 +67,7 @@ pub(crate) fn machine(personality: Personality) -> Machine {
     Machine::of(personality.dialect())
 }
 
-/// A station, a client that has control, and a job that is under way.
+/// A station, a client that has control, and a running job.
 pub(crate) fn started(personality: Personality, job: &NewJob) -> (VirtualStation, ClientId, u64) {
     let mut it = virtual_station(personality);
     let anna = it.client("Anna");
@@ -106,7 +106,7 @@ pub(crate) fn finish(it: &mut VirtualStation, job: u64) {
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 
-/// Lets the job go on until so many of its commands are over.
+/// Runs the job until this many of its commands are over.
 pub(crate) fn run_to(it: &mut VirtualStation, command: usize) {
     let minutes = it.now() + Duration::from_secs(600);
     let there = |station: &VirtualStation| {
@@ -118,7 +118,7 @@ pub(crate) fn run_to(it: &mut VirtualStation, command: usize) {
     assert!(it.run_until(minutes, there), "{:?}", it.supervisor().job());
 }
 
-/// What the pen left on the paper.
+/// Returns the ink of the pen on the paper.
 pub(crate) fn drawn(it: &VirtualStation) -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut was_down = false;
@@ -258,7 +258,7 @@ fn a_pen_does_not_stand_on_the_paper_where_a_job_is_paused() {
     }
 }
 
-/// How long the pen stood on one place of the paper at the most, in seconds.
+/// Returns the longest time that the pen stood in one place on the paper, in seconds.
 fn longest_stand_s(samples: &[Sample]) -> f64 {
     let mut longest_s: f64 = 0.0;
     let mut since = samples[0];
@@ -301,7 +301,7 @@ fn a_job_at_half_the_speed_takes_twice_as_long_and_draws_the_same() {
     }
 }
 
-/// How long the pen is on the paper, in seconds.
+/// Returns how long the pen is on the paper, in seconds.
 fn drawing_s(samples: &[Sample]) -> f64 {
     let down = |samples: &&[Sample]| {
         samples

@@ -1,4 +1,4 @@
-//! What is said to an arm that does not hear it is carried out all the same (note N50).
+//! Voice orders to an arm without voice recognition are carried out anyway (note N50).
 
 use std::time::Duration;
 

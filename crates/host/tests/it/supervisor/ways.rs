@@ -1,4 +1,4 @@
-//! Where a command would lead, for those who ask before they send it.
+//! Previews of the path of a command before it is sent.
 
 use std::time::Duration;
 
@@ -75,7 +75,7 @@ fn place(it: &VirtualStation) -> [f64; 3] {
     [status.x_mm, status.y_mm, status.z_mm].map(f64::from)
 }
 
-/// How far a place is from the straight line between two others.
+/// Returns the distance from a point to the straight line between two others.
 fn off_mm(at: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
     let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] - b[i]);
     let times = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -132,7 +132,7 @@ fn what_a_place_is_near_to_is_told_before_the_arm_goes_there_and_with_its_state_
             let off = (reported.closeness - told.closeness).abs();
             assert!(off < 0.025, "{there:?}, {near:?}");
         }
-        // Beyond the limit it is as near as can be, and where no arm can be there is nothing to tell.
+        // Beyond the limit the closeness is 1, and where no arm can be there is no answer.
         let Ok(Reply::Near { near }) = it.ask(anna, near_at(220.0, 140.0)) else {
             panic!("the links span it");
         };

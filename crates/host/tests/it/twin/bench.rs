@@ -15,9 +15,9 @@ use dobot_sim::RECORDING_PERIOD;
 
 pub(crate) struct Bench {
     station: StationClient,
-    /// What a person was asked.
+    /// The questions to the person.
     pub(crate) asked: Vec<String>,
-    /// Where the statuses saw the tool.
+    /// The tool positions in the statuses.
     pub(crate) seen: Vec<Position>,
 }
 
@@ -36,7 +36,7 @@ impl Bench {
         }
     }
 
-    /// Draws it, and goes on at each pause; tells how long the arm was at it.
+    /// Draws the plan, resuming after each pause; returns how long the arm took.
     pub(crate) async fn draw(&mut self, plan: &Plan) -> Duration {
         let job = self.submit(plan).await;
         loop {
@@ -52,7 +52,7 @@ impl Bench {
         }
     }
 
-    /// Somebody pauses the drawing when so many commands are over; gives the job when the arm rests.
+    /// Pauses the drawing after this many commands; returns the job when the arm is at rest.
     pub(crate) async fn draw_until(&mut self, plan: &Plan, commands: usize) -> JobView {
         let job = self.submit(plan).await;
         let (phase, text) = self.run(job, commands).await;
@@ -91,7 +91,7 @@ impl Bench {
         Duration::from_secs_f64(job.took_s.unwrap())
     }
 
-    /// Until it does not run any more: how it ended, and what was told.
+    /// Waits until it no longer runs; returns its end and its notices.
     async fn run(&mut self, job: u64, until: usize) -> (JobPhase, String) {
         for request in [Request::ConfirmJob { job }, Request::StartJob { job }] {
             self.station.request(request).await.unwrap();
@@ -119,7 +119,7 @@ impl Bench {
         }
     }
 
-    /// Until nothing is under way any more; gives the job.
+    /// Waits until nothing is in flight; returns the job.
     async fn rest(&mut self) -> Option<JobView> {
         let mut idle = 0;
         loop {

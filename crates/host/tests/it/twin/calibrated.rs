@@ -22,7 +22,7 @@ struct OldArm {
     backlash_deg: [f64; 3],
 }
 
-/// What the arm says is wrong by this.
+/// The errors of the arm's reports.
 const TRUTH: Calibration = Calibration {
     base_deg: 4.0,
     rear_deg: -4.0,
@@ -40,7 +40,7 @@ const TOOL_ONLY: Calibration = Calibration {
     fore_deg: 0.0,
     ..TRUTH
 };
-/// What a calibration tells of its joints.
+/// The part of a calibration about its joints.
 const ZEROS: Calibration = Calibration {
     reach_mm: 0.0,
     left_mm: 0.0,
@@ -75,7 +75,7 @@ fn the_backlash_of_an_old_arm_is_taken_up_where_its_joints_turn_back() {
         };
         let with = arm.draw(Some(known));
         let without = OldArm::new(personality, slack).draw(Some(stiff));
-        // What is missing of the drawing, and what is drawn beside it, where the pen comes down and goes up too.
+        // The missing and the extra ink, including where the pen comes down and goes up.
         let missed = |deviation: &Deviation| deviation.missed.distance_mm;
         assert!(
             missed(&with) < missed(&without) / 2.0,
@@ -192,7 +192,7 @@ impl OldArm {
         )
     }
 
-    /// Draws the harbour; tells how far the true ink is from where the file wants it.
+    /// Draws the harbour; returns how far the true ink is from the drawing in the file.
     fn draw(&mut self, known: Option<CalibrationFile>) -> Deviation {
         let wanted = prepared(self.personality, None).wanted();
         // The rules know it too: they judge true places, and take no job that is meant for another arm.
@@ -214,7 +214,7 @@ impl OldArm {
         self.station.start(self.client, job).unwrap();
         let mut ink: Vec<Stroke> = Vec::new();
         let mut is_down = true;
-        // Where it stood before it drew is no ink.
+        // The position before it drew is not ink.
         let mut has_begun = false;
         loop {
             let now = self.station.arm().now();

@@ -1,4 +1,5 @@
-//! Whether the rules allow what is planned: a plan that a dry run takes may not be refused in the run.
+//! Whether the rules allow what is planned: a plan accepted by a dry run must not be refused in the
+//! run.
 
 use dobot_arm::{Pose, Position, Tool};
 use dobot_geometry::{Point, Stroke};
@@ -29,7 +30,7 @@ fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
         let walk = steps.iter().scan(start, |here, &(turn_deg, length_mm)| {
             let ahead = *here + dobot_geometry::direction(turn_deg) * length_mm;
             let is_inside = (160.0..260.0).contains(&ahead.x) && ahead.y.abs() < 90.0;
-            // Back over the middle, beside the way that it came.
+            // Back through the centre, beside the previous path.
             let back = Point::new(420.0 - here.x, 0.9 * -here.y);
             *here = if is_inside { ahead } else { back };
             Some(*here)
@@ -64,7 +65,7 @@ fn tool() -> impl Strategy<Value = DrawingTool> {
     ]
 }
 
-/// The first of the commands that the policy refuses, or that takes the arm ever so long, and why.
+/// Returns the first command that the policy refuses or that takes the arm too long, and why.
 fn refused(
     commands: Vec<Command>,
     start: [f64; 3],
@@ -74,7 +75,7 @@ fn refused(
     refused_behind(Before::Rest, commands, start, dialect, tool)
 }
 
-/// What the arm did before.
+/// The arm's previous motion.
 #[derive(Clone, Copy, Debug)]
 enum Before {
     /// Nothing since its power-up.
@@ -120,7 +121,7 @@ fn refused_behind(
         })
 }
 
-/// How long a vector may take: a tenth of its largest speed, and a second.
+/// Returns the longest duration of a vector: at a tenth of its largest speed, plus a second.
 fn most_s(command: &Command) -> f64 {
     match command {
         Command::WriteVector(it) => {
@@ -135,9 +136,10 @@ fn most_s(command: &Command) -> f64 {
 struct Other {
     /// All of its commands, when a person asks for that share while the arm draws.
     running: Vec<Command>,
-    /// Those from that vector on, behind a crash: up to the next rest each of them rests.
+    /// The commands from that vector on after a crash: up to the next rest, each of them ends at
+    /// rest.
     behind_a_crash: Vec<Command>,
-    /// Where the arm is then.
+    /// The arm's position then.
     here: [f64; 3],
 }
 
@@ -209,8 +211,8 @@ proptest! {
     }
 }
 
-/// Behind a burned vector that ended at 0.16 mm/s the way out, 0.3 mm, took two seconds: with the laser off a stock arm
-/// accelerates by 200 mm/s at each tick, or not at all.
+/// After a burned vector that ended at 0.16 mm/s the lead-out, 0.3 mm, took two seconds: with the
+/// laser off a stock arm accelerates by 200 mm/s at each tick, or not at all.
 #[test]
 fn a_laser_that_goes_off_behind_a_slow_shape_does_not_creep_on() {
     let sides = [

@@ -1,4 +1,4 @@
-//! What was carried out, told in figures and in time.
+//! Traces: the executed drawing in figures and over time.
 
 use dobot_arm::{Position, Tool};
 use dobot_controller::Personality;
@@ -8,7 +8,7 @@ use dobot_plan::{Pass, Plan};
 
 use super::bench::{Bench, PAPER, laser, line, pen, plan, square};
 
-/// What was carried out.
+/// Executes a plan.
 async fn drawn(plan: &Plan, personality: Personality) -> Bench {
     let mut bench = Bench::new(personality).await;
     bench.draw(plan).await;
@@ -52,7 +52,7 @@ async fn the_figures_are_those_of_the_run() {
         let way = 50.0_f64.sqrt() + 200.0_f64.sqrt();
         assert!((travel_mm - way).abs() < 0.5, "{travel_mm}");
         assert!(error_mm < 0.1, "{personality:?}: {error_mm}");
-        // What was planned is what happens, in whole ticks on a stock arm.
+        // The execution matches the plan, in whole ticks on a stock arm.
         let longer = time_s - plan.duration_s();
         assert!((-0.2..0.5).contains(&longer), "{personality:?}: {longer}");
         let counts: Vec<_> = passes
@@ -83,7 +83,7 @@ async fn each_line_and_each_dot_is_found_in_its_pass() {
     }
 }
 
-/// Where the timeline says the tool is, as its documentation tells a page to do it.
+/// Returns the tool position at a time, as documented for pages.
 fn seek(timeline: &Timeline, t: f64) -> [f64; 3] {
     let path = &timeline.path;
     let i = path

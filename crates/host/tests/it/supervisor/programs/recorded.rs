@@ -1,4 +1,4 @@
-//! Programs as `vectors/programs/` tells them.
+//! Programs as recorded in `vectors/programs/`.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use dobot_wire::{Frame, PACKET_LEN};
 use serde::Deserialize;
 
-/// What a program sends, and what becomes of it.
+/// A program's packets and their outcome.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Program {
@@ -18,10 +18,10 @@ pub(super) struct Program {
     pub(super) one_per_status: bool,
     #[serde(default)]
     pub(super) within: Within,
-    /// What the tilt sensors of rear arm and forearm read at power-up.
+    /// The readings of the tilt sensors of rear arm and forearm at power-up.
     #[serde(default = "as_usual")]
     pub(super) pose_deg: [f64; 2],
-    /// When the arms are compared; wherever they rest, if that is not said.
+    /// When the arms are compared; if absent, wherever they rest.
     #[serde(default)]
     pub(super) looks_ms: Vec<u64>,
     pub(super) packets: Vec<RecordedPacket>,
@@ -32,7 +32,7 @@ const fn as_usual() -> [f64; 2] {
     [45.0, 45.0]
 }
 
-/// How far two arms may be apart.
+/// The largest differences between two arms.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Within {
@@ -58,9 +58,9 @@ pub(super) struct RecordedPacket {
     floats: Vec<f32>,
     #[serde(default)]
     hex: String,
-    /// What the arm gets instead.
+    /// The packet sent to the arm instead.
     sent: Option<Vec<f32>>,
-    /// What those who watch read of that.
+    /// The notice about it.
     #[serde(rename = "told")]
     pub(super) news: Option<String>,
     /// The reason for which it is refused.
