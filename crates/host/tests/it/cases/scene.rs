@@ -217,7 +217,7 @@ impl Scene {
             .collect()
     }
 
-    /// Whether all of a job was given once, and is on the paper.
+    /// Checks that all of a job was sent once and is on the paper.
     pub(crate) fn check(&self, job: &NewJob) -> Result<(), Wrong> {
         let (given, paper) = (self.given(job), Paper::of(self.it.arm().samples(), job));
         if given == GivenCounts::default() && paper.is_right() {
@@ -236,12 +236,12 @@ impl Scene {
             .collect()
     }
 
-    /// Whether the laser burns.
+    /// Returns whether the laser burns.
     pub(crate) fn burns(&self) -> bool {
         burns(&self.it)
     }
 
-    /// When the arm came to rest last, as the machine has it, in seconds.
+    /// Returns when the arm last came to rest, according to the machine, in seconds.
     pub(crate) fn rested_s(&self) -> f64 {
         let samples = self.it.arm().samples();
         let Some(last) = samples.last() else {
@@ -263,7 +263,7 @@ impl Scene {
     }
 }
 
-/// Whether the laser burns.
+/// Returns whether the laser burns.
 pub(crate) fn burns(it: &VirtualStation) -> bool {
     it.arm().controller().outputs().laser
 }
@@ -295,6 +295,6 @@ pub(crate) fn each_seed(
     wrong.collect()
 }
 
-/// What switches the laser off.
+/// The command that switches the laser off.
 pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
 const PATIENCE: Duration = Duration::from_secs(120);

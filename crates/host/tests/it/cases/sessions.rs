@@ -224,7 +224,7 @@ fn is_held(scene: &Scene) -> bool {
     last.unwrap_or_default()
 }
 
-/// Whether a packet lets go of a button.
+/// Returns whether a packet releases a button.
 fn lets_go(command: &Command) -> bool {
     match command {
         Command::LinearJog(it) => it.axis == LinearJogAxis::Released,
@@ -233,7 +233,7 @@ fn lets_go(command: &Command) -> bool {
     }
 }
 
-/// Somebody who may only watch stops the arm; what is said of it must be true.
+/// A client that may only watch stops the arm; the answer must be true.
 fn stop(scene: &mut Scene, plugged: bool) -> Result<(), Wrong> {
     let before = scene.it.packets().len();
     let watcher = scene.it.client_as("the fleet", Role::Watch);
@@ -264,7 +264,7 @@ fn is_off_first(scene: &mut Scene, before: usize) -> Result<(), Wrong> {
     }
 }
 
-/// A person looks, and ends the job or goes on with it. The arm rests behind that, and is dark.
+/// A person looks, and ends or resumes the job. Afterwards the arm is at rest and its laser off.
 fn recover(
     figures: &mut Sessions,
     scene: &mut Scene,
@@ -281,7 +281,7 @@ fn recover(
     if !scene.it.run_until(latest, rests) {
         return Err(Wrong("it does not come to rest".into()));
     }
-    // What the watchdog or a new station says again.
+    // What the watchdog or a new station repeats.
     scene.it.run_for(Duration::from_millis(500));
     if scene.burns() {
         return Err(Wrong("the arm rests, and its laser is on".into()));

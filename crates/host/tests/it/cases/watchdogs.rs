@@ -103,7 +103,7 @@ impl fmt::Display for GuardedMotion {
     }
 }
 
-/// Each fate in each motion, so often.
+/// Each fate in each motion, this often.
 pub(crate) fn run(times: u64) -> Vec<Guarded> {
     let of_fate = |fate| {
         GuardedMotion::all()
@@ -170,8 +170,8 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
     Ok(())
 }
 
-/// The arm with its watchdog for fifteen seconds after the end of the station; when that told last that it lives, and the joints at
-/// its end.
+/// The arm with its watchdog for fifteen seconds after the end of the station; the time of the last
+/// heartbeat, and the joints at the station's end.
 pub(super) fn left_alone(
     scene: Scene,
     fate: Fate,
@@ -254,7 +254,7 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// What the watchdog knows: of every packet before it leaves.
+/// The watchdog's knowledge: every packet before it is sent.
 pub(super) fn told(scene: &Scene) -> Hazards {
     let dialect = scene.personality().dialect();
     let packets = scene.it.packets().iter();
@@ -263,7 +263,7 @@ pub(super) fn told(scene: &Scene) -> Hazards {
         .fold(Hazards::default(), |told, it| told.after(&it, &dialect))
 }
 
-/// What the station itself says in its last moment, and when.
+/// The packets of the station in its last moment, with their times.
 fn own_packets(fate: Fate, at: Duration, told: Hazards) -> Vec<(Duration, Packet)> {
     if fate != Fate::Panicked {
         return Vec::new();
@@ -277,13 +277,13 @@ pub(super) struct After {
     arm: VirtualArm,
     now: Duration,
     watchdog: Watchdog,
-    /// How long it was on while the arm stood still.
+    /// When the first packet was sent.
     first: Option<Duration>,
-    /// When the arm was last seen moving.
+    /// When the laser was last seen on.
     pub lit: Duration,
-    /// How long it was on while the arm stood.
+    /// How long it was on while the arm stood still.
     stood: Duration,
-    /// When the arm was seen moving last.
+    /// When the arm was last seen moving.
     pub rests: Duration,
     joints: Joints,
 }
@@ -394,7 +394,7 @@ fn turned(doing: GuardedMotion, from: &Joints, to: &Joints) -> f64 {
     }
 }
 
-/// Where the tool really is.
+/// Returns the true position of the tool.
 fn place(joints: &Joints) -> Position {
     forward(joints, Tool::SuctionCup).position
 }
@@ -406,5 +406,5 @@ fn name(axis: &impl serde::Serialize) -> String {
 
 /// From one beat to the next.
 const HEARTBEAT: Duration = Duration::from_millis(80);
-/// The arm is looked at so often.
+/// The interval of observations.
 const LOOK: Duration = Duration::from_millis(5);

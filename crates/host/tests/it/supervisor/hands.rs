@@ -292,7 +292,7 @@ fn a_raw_programs_press_while_the_arm_runs_down_acts_too() {
         it.run_for(Duration::from_millis(500));
         say(&mut it, release).unwrap();
         it.run_for(Duration::from_millis(100));
-        // As the vendor's client does it: said at once, and again after half a second.
+        // Like the vendor's client: sent immediately, and again after half a second.
         say(&mut it, joint(JointJogAxis::RearPlus)).unwrap();
         let before = it.packets().len();
         it.run_for(Duration::from_millis(500));
@@ -307,7 +307,7 @@ fn a_raw_programs_press_while_the_arm_runs_down_acts_too() {
     }
 }
 
-/// What a person does next, and for how long.
+/// A person's next action and its duration.
 #[derive(Clone, Copy, Debug)]
 enum Hand {
     Holds(Jog),

@@ -184,7 +184,7 @@ fn a_cable_that_is_pulled_disarms_the_laser() {
     it.plug();
     assert_armed_anew(&mut it, anna, job, "cable");
 }
-/// What an arm tells.
+/// A status of an arm.
 fn status() -> [u8; 42] {
     let power_up = PowerUp::new(Personality::Firmware11);
     let mut controller = Controller::power_up(power_up);

@@ -277,7 +277,8 @@ fn a_laser_does_not_creep_along_a_short_piece_for_a_long_line_before_it() {
     assert_eq!(refusal, None);
 }
 
-/// What may be left by those who used the arm before became what a run-out of 0.15 mm began with: next to nothing, or less.
+/// A speed left by previous clients of the arm became the start of a run-out of 0.15 mm: almost
+/// nothing, or less.
 #[test]
 fn a_laser_does_not_creep_behind_small_shapes_that_begin_with_a_speed_that_nobody_knows() {
     for sides in 3..9_u32 {
