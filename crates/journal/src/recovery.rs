@@ -88,11 +88,11 @@ pub fn window_end(
 pub enum Unclear {
     /// The arm rests where no command ends.
     #[error(
-        "the arm rests {distance_mm:.3} mm from the nearest place where it may have stopped, \
-         {nearest}; up to {NEAR_MM} mm is near enough: bring it there, or say how far it came"
+        "the arm rests {distance_mm:.3} mm from the nearest position where it may have stopped, \
+         {nearest}; up to {NEAR_MM} mm are allowed: move it there, or state how far it got"
     )]
     Nowhere {
-        /// The nearest place.
+        /// The nearest position.
         nearest: End,
         /// The distance to it.
         distance_mm: f64,
@@ -101,10 +101,10 @@ pub enum Unclear {
     /// The arm rests where either of two commands may have ended.
     #[error(
         "the arm rests {nearest_mm:.3} mm from {nearest} and {second_mm:.3} mm from {second}, too \
-         near to both to tell which: say which it is"
+         close to both to decide: state which it is"
     )]
     Between {
-        /// The nearest place.
+        /// The nearest position.
         nearest: End,
         /// The distance to it.
         nearest_mm: f64,

@@ -178,7 +178,7 @@ fn check_keep_out(name: &str, keep_out: &KeepOut) -> Option<InvalidValue> {
         });
     }
     match keep_out {
-        KeepOut::Box(area) => area(&format!("keep_out.{name}.box"), area),
+        KeepOut::Box(sides) => area(&format!("keep_out.{name}.box"), sides),
         KeepOut::Cylinder(cylinder) => {
             let key = |field: &str| format!("keep_out.{name}.cylinder.{field}");
             number(key("x_mm"), cylinder.x_mm, ANYWHERE)
