@@ -511,7 +511,7 @@ fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
 /// Writes an effect of the supervisor.
 pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalError> {
     match effect {
-        Effect::Give {
+        Effect::ExtendWindow {
             job,
             completed,
             upto,

@@ -263,11 +263,11 @@ impl Supervisor {
     fn apply_effects(&mut self, effects: impl IntoIterator<Item = JobEffect>) {
         for effect in effects {
             match effect {
-                JobEffect::Ask(effect) => self.journal_requests.ask(effect),
-                JobEffect::Keep(effect) => self.journal_requests.keep_phase(effect),
+                JobEffect::Write(effect) => self.journal_requests.ask(effect),
+                JobEffect::WritePhase(effect) => self.journal_requests.keep_phase(effect),
                 JobEffect::Notify(news, text) => self.notify(news, text),
-                JobEffect::Forget => self.run = None,
-                JobEffect::TryAgain => self.try_again(),
+                JobEffect::Drop => self.run = None,
+                JobEffect::Resend => self.resend_lost(),
             }
             self.outgoing.note_change();
         }

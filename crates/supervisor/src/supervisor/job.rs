@@ -284,11 +284,11 @@ impl Supervisor {
     }
 
     /// Sends lost commands again.
-    pub(super) fn try_again(&mut self) {
+    pub(super) fn resend_lost(&mut self) {
         let Some(run) = self.run.take() else {
             return;
         };
-        match run.try_again(&mut self.arm) {
+        match run.resend_lost(&mut self.arm) {
             Ok((run, effects)) => {
                 self.run = Some(run);
                 self.apply_effects(effects);

@@ -39,7 +39,7 @@ pub(super) struct Run {
     /// Given to the session and not over.
     given: VecDeque<SentCommand>,
     /// The carry-over of the last completed command.
-    left: CarriedOver,
+    carry_over: CarryOver,
     tool: ToolHeight,
     /// A speed change by a person, sent before the next target.
     target_speed: Option<PlaybackAdjustment>,
@@ -57,15 +57,15 @@ pub(super) struct Run {
 #[derive(Debug)]
 pub(super) enum JobEffect {
     /// Request this from the journal.
-    Ask(Effect),
+    Write(Effect),
     /// Write the phase of the job, repeating until it succeeds.
-    Keep(Effect),
+    WritePhase(Effect),
     /// Publish a notice.
     Notify(News, String),
     /// Drop the job.
-    Forget,
+    Drop,
     /// Send lost commands again.
-    TryAgain,
+    Resend,
 }
 
 /// A command of the job that the session has.
@@ -74,12 +74,12 @@ struct SentCommand {
     id: CommandId,
     index: usize,
     /// The carry-over after this command.
-    left: CarriedOver,
+    carry_over: CarryOver,
 }
 
 /// What a command carries over to the next one.
 #[derive(Clone, Copy, Debug, Default)]
-struct CarriedOver {
+struct CarryOver {
     /// The speed of the arm, or the speed kept for the next vector, in mm/s: on a stock arm
     /// slightly above 0 even at rest.
     speed_mm_s: f32,
@@ -152,7 +152,7 @@ enum RestMode {
     /// To wait for a person.
     ForPerson,
     /// To send lost commands again from there.
-    ToTryAgain,
+    ToResend,
 }
 
 impl Run {
@@ -165,7 +165,7 @@ impl Run {
         let window = started.in_plan(window);
         let kept = started.completed;
         let mut run = Self::new(started, kept, Phase::Locating { window }, None);
-        run.left.is_unknown = true;
+        run.carry_over.is_unknown = true;
         run
     }
 
@@ -183,7 +183,7 @@ impl Run {
             reach: None,
             speeds,
             given: VecDeque::new(),
-            left: CarriedOver::default(),
+            carry_over: CarryOver::default(),
             tool: ToolHeight::Down,
             target_speed: None,
             ran: None,
@@ -204,38 +204,40 @@ impl Run {
     }
 
     /// Returns the carry-over of the last command given.
-    fn left(&self) -> CarriedOver {
-        self.given.back().map_or(self.left, |sent| sent.left)
+    fn carry_over(&self) -> CarryOver {
+        self.given
+            .back()
+            .map_or(self.carry_over, |sent| sent.carry_over)
     }
 
     fn speed_mm_s(&self) -> f32 {
-        self.left().speed_mm_s
+        self.carry_over().speed_mm_s
     }
 
     /// Returns the carry-over of all completed commands, if they were done as planned.
-    fn planned_left(&self) -> CarriedOver {
+    fn planned_carry_over(&self) -> CarryOver {
         let next = self.started.plan.chain(self.started.completed).next();
-        CarriedOver {
+        CarryOver {
             speed_mm_s: next.map_or(0.0, |next| next.start_speed_mm_s),
             is_unknown: self.started.completed > 0,
-            ..CarriedOver::default()
+            ..CarryOver::default()
         }
     }
 
     /// Returns the carry-over after the next command.
-    fn after(&self, before: CarriedOver, command: &Command) -> CarriedOver {
+    fn after(&self, before: CarryOver, command: &Command) -> CarryOver {
         let machine = self.speeds.machine_at(&self.started.plan, self.next);
         match command {
-            Command::WriteVector(vector) => CarriedOver {
+            Command::WriteVector(vector) => CarryOver {
                 speed_mm_s: end_speed_mm_s(vector, before.speed_mm_s, &machine),
                 moves: vector.end_speed_mm_s > 0.0 && !vector.stop,
                 is_unknown: before.is_unknown && self.speeds.rests_each(self.next),
             },
-            _ if machine.has_ticks => CarriedOver {
+            _ if machine.has_ticks => CarryOver {
                 moves: false,
                 ..before
             },
-            _ => CarriedOver::default(),
+            _ => CarryOver::default(),
         }
     }
 
@@ -280,7 +282,7 @@ impl Run {
     /// Handles a completed journal write, possibly of this job.
     pub(super) fn handle_written(&mut self, effect: &Effect) {
         match effect {
-            Effect::Give { job, upto, .. } if *job == self.job() => {
+            Effect::ExtendWindow { job, upto, .. } if *job == self.job() => {
                 self.permit
                     .handle_given(upto.saturating_sub(self.started.back));
             }

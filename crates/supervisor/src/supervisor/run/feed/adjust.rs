@@ -57,7 +57,7 @@ impl Run {
     }
 
     fn keep_adjustment(&self) -> JobEffect {
-        JobEffect::Ask(Effect::Adjust {
+        JobEffect::Write(Effect::Adjust {
             job: self.job(),
             adjustment: self.started.adjustment.clone(),
         })

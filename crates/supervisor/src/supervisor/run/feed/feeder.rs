@@ -122,8 +122,12 @@ impl Run {
 
     fn send(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
         let id = arm.send(command)?;
-        let (index, left) = (self.next, self.after(self.left(), command));
-        self.given.push_back(SentCommand { id, index, left });
+        let (index, carry_over) = (self.next, self.after(self.carry_over(), command));
+        self.given.push_back(SentCommand {
+            id,
+            index,
+            carry_over,
+        });
         self.next += 1;
         Ok(())
     }
@@ -177,7 +181,7 @@ impl Run {
             upto,
             start: self.start(),
         });
-        let effect = Effect::Give {
+        let effect = Effect::ExtendWindow {
             job: self.job(),
             completed: counted.completed,
             upto: counted.upto,
@@ -185,7 +189,7 @@ impl Run {
         };
         self.permit
             .ask(upto, completed)
-            .then_some(JobEffect::Ask(effect))
+            .then_some(JobEffect::Write(effect))
     }
 
     /// Starts the commands once the resume point is reached, up to the next pause for a person.
@@ -240,7 +244,7 @@ impl Run {
 
     pub(in crate::supervisor::run) fn handle_done(&mut self, given: SentCommand, now: Duration) {
         self.started.completed = given.index + 1;
-        self.left = given.left;
+        self.carry_over = given.carry_over;
         self.handle_progress(now);
     }
 }

@@ -107,9 +107,9 @@ impl Run {
             history: self.started.history,
         };
         vec![
-            JobEffect::Keep(effect),
+            JobEffect::WritePhase(effect),
             JobEffect::Notify(News::Job { job, phase }, text),
-            JobEffect::Forget,
+            JobEffect::Drop,
         ]
     }
 

@@ -47,8 +47,8 @@ impl Run {
             rests,
         } = &mut self.phase
         {
-            let was_to_try_again = *rests == RestMode::ToTryAgain;
-            if was_to_try_again {
+            let was_to_resend = *rests == RestMode::ToResend;
+            if was_to_resend {
                 *then = JobPhase::Paused;
                 why.clone_into(reason);
             }
@@ -57,7 +57,7 @@ impl Run {
                 why.clone_into(reason);
             }
             (*upto, *rests) = (self.next, RestMode::AsItIs);
-            return was_to_try_again.then(|| self.notify(JobPhase::Paused, why));
+            return was_to_resend.then(|| self.notify(JobPhase::Paused, why));
         }
         None
     }
@@ -105,23 +105,23 @@ impl Run {
     /// Handles the end of everything in flight: the progress is certain and is saved.
     pub(crate) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<JobEffect> {
         if let Phase::Draining {
-            rests: RestMode::ToTryAgain,
+            rests: RestMode::ToResend,
             ..
         } = self.phase
         {
             self.next = self.started.completed;
-            return vec![JobEffect::TryAgain];
+            return vec![JobEffect::Resend];
         }
         let window = self.come_to_end(&reason);
         arm.send_laser_off();
-        let mut effects = vec![JobEffect::Keep(Effect::Phase {
+        let mut effects = vec![JobEffect::WritePhase(Effect::Phase {
             job: self.job(),
             phase: then,
             reason: Some(reason),
             window,
             history: self.started.history,
         })];
-        effects.extend(then.is_over().then_some(JobEffect::Forget));
+        effects.extend(then.is_over().then_some(JobEffect::Drop));
         effects
     }
 
@@ -132,7 +132,7 @@ impl Run {
             _ => false,
         };
         if matches!(self.phase, Phase::Lifting { .. }) {
-            self.left = self.after(self.left, &straight(self.lift_mm().into()));
+            self.carry_over = self.after(self.carry_over, &straight(self.lift_mm().into()));
         }
         self.next = self.started.completed;
         self.cycle_times.forget();
@@ -160,11 +160,11 @@ impl Run {
     /// Comes to rest along the current path, if that is soon: an arm without further commands stops
     /// abruptly.
     fn brake(&mut self) {
-        let left = self.left();
-        if left.moves
-            && let Some(end) = self
-                .speeds
-                .brake(&self.started.plan, self.next, left.speed_mm_s)
+        let carry_over = self.carry_over();
+        if carry_over.moves
+            && let Some(end) =
+                self.speeds
+                    .brake(&self.started.plan, self.next, carry_over.speed_mm_s)
             && let Phase::Draining { upto, .. } = &mut self.phase
         {
             *upto = end;

@@ -10,7 +10,7 @@ use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteVector, single};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 use crate::supervisor::run::observe::progress::{THERE_MM, locate_at};
-use crate::supervisor::run::{CarriedOver, Effect, JobEffect, Phase, Run, StartedJob, ToolHeight};
+use crate::supervisor::run::{CarryOver, Effect, JobEffect, Phase, Run, StartedJob, ToolHeight};
 
 impl Run {
     /// Starts a job, or resumes the paused one if it is the same.
@@ -32,13 +32,15 @@ impl Run {
         run.step_end = step_end;
         let is_planned = run.started.adjustment.speed_percent == 100.0;
         run.target_speed = run.started.target_speed(run.next).filter(|_| !is_planned);
-        let left = run.left_before(paused);
-        if left.is_unknown {
+        let carry_over = run.carry_over_before(paused);
+        if carry_over.is_unknown {
             run.speeds
                 .rest_each(&run.started.plan, run.started.completed);
         }
         let ways = first.iter().chain(&lower);
-        run.left = ways.fold(left, |left, command| run.after(left, command));
+        run.carry_over = ways.fold(carry_over, |carry_over, command| {
+            run.after(carry_over, command)
+        });
         for command in first.iter().chain(&lower) {
             arm.session().check(command)?;
         }
@@ -63,19 +65,19 @@ impl Run {
             history: self.started.history,
         };
         [
-            JobEffect::Keep(effect),
+            JobEffect::WritePhase(effect),
             JobEffect::Notify(News::Job { job, phase }, text),
         ]
     }
 
     /// Returns the carry-over for the next vector before anything is sent for the job: what the
     /// pause has left, otherwise what the plan says.
-    fn left_before(&self, paused: Option<&Self>) -> CarriedOver {
+    fn carry_over_before(&self, paused: Option<&Self>) -> CarryOver {
         let paused = paused.filter(|paused| paused.job() == self.job());
-        let left = paused
-            .map(|paused| paused.left)
-            .filter(|left| !left.is_unknown);
-        left.unwrap_or_else(|| self.planned_left())
+        let carry_over = paused
+            .map(|paused| paused.carry_over)
+            .filter(|carry_over| !carry_over.is_unknown);
+        carry_over.unwrap_or_else(|| self.planned_carry_over())
     }
 }
 

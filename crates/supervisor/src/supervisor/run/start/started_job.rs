@@ -11,7 +11,7 @@ use crate::supervisor::JobPlan;
 pub enum Effect {
     /// Must be on the disk before any command below `upto` is sent:
     /// [`Supervisor::handle_written`](crate::Supervisor::handle_written) confirms it.
-    Give {
+    ExtendWindow {
         /// The job.
         job: u64,
         /// The number of completed commands.
