@@ -66,7 +66,7 @@ const FIRST_STATUS: Duration = Duration::from_secs(6);
 /// # }
 /// ```
 pub struct StationClient {
-    way: ClientRoute,
+    route: ClientRoute,
     began: Instant,
 }
 
@@ -137,9 +137,9 @@ impl StationClient {
         Self::new(ClientRoute::Virtual(Box::new(station)))
     }
 
-    fn new(way: ClientRoute) -> Self {
+    fn new(route: ClientRoute) -> Self {
         Self {
-            way,
+            route,
             began: Instant::now(),
         }
     }
@@ -150,7 +150,7 @@ impl StationClient {
     ///
     /// [`RemoteError::Refused`] if it is refused, other variants if no answer comes.
     pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Running(remote, _) => remote.request(request).await,
             ClientRoute::Local(local) => local
                 .request(request)
@@ -186,7 +186,7 @@ impl StationClient {
     ///
     /// [`RemoteError`] if the connection is lost or the supervisor has ended.
     pub async fn next(&mut self) -> Result<StationEvent, RemoteError> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Running(remote, _) => remote.next().await,
             ClientRoute::Local(local) => local.next().await,
             ClientRoute::Virtual(station) => {
@@ -212,7 +212,7 @@ impl StationClient {
 
     /// Returns the next buffered event in virtual time; no time passes.
     pub fn buffered(&mut self) -> Option<StationEvent> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Virtual(station) => station.buffered(),
             ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
@@ -334,7 +334,7 @@ impl StationClient {
     ///
     /// [`JobsError`] if they are not available.
     pub async fn jobs(&mut self) -> Result<Vec<JobView>, JobsError> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Running(_, address) => Ok(fetch(address, "/api/v1/jobs").await?),
             ClientRoute::Local(local) => Ok(local.jobs().await.map_err(|error| refused(&error))?),
             ClientRoute::Virtual(station) => Ok(station.jobs().map_err(|error| refused(&error))?),
@@ -351,7 +351,7 @@ impl StationClient {
         mut rules: Rules,
         state: &State,
     ) -> Result<PlannedFor, JobsError> {
-        rules.calibrations = match &mut self.way {
+        rules.calibrations = match &mut self.route {
             ClientRoute::Running(_, address) => fetch(address, "/api/v1/calibration").await?,
             ClientRoute::Local(local) => local.calibrations(),
             ClientRoute::Virtual(station) => station.calibrations().clone(),
@@ -362,7 +362,7 @@ impl StationClient {
     /// Returns the client's number.
     #[must_use]
     pub const fn id(&self) -> ClientId {
-        match &self.way {
+        match &self.route {
             ClientRoute::Running(remote, _) => remote.hello().client,
             ClientRoute::Local(local) => local.id(),
             ClientRoute::Virtual(station) => station.id(),
@@ -372,7 +372,7 @@ impl StationClient {
     /// Returns the client's role.
     #[must_use]
     pub const fn role(&self) -> Role {
-        match &self.way {
+        match &self.route {
             ClientRoute::Running(remote, _) => remote.hello().role,
             ClientRoute::Local(_) | ClientRoute::Virtual(_) => Role::Admin,
         }
@@ -381,7 +381,7 @@ impl StationClient {
     /// Returns the dead-man time: how long a jog button stays pressed without a repeated request.
     #[must_use]
     pub fn dead_man(&self) -> Duration {
-        let seconds = match &self.way {
+        let seconds = match &self.route {
             ClientRoute::Running(remote, _) => remote.hello().dead_man_s,
             ClientRoute::Local(local) => local.dead_man_s(),
             ClientRoute::Virtual(station) => station.dead_man_s(),
@@ -392,7 +392,7 @@ impl StationClient {
 
     /// Lets time pass by the arm's clock.
     pub async fn wait(&mut self, time: Duration) {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Virtual(station) => station.wait(time),
             ClientRoute::Running(..) | ClientRoute::Local(_) => tokio::time::sleep(time).await,
         }
@@ -401,7 +401,7 @@ impl StationClient {
     /// Returns the time since this client connected, by the arm's clock.
     #[must_use]
     pub fn now(&self) -> Duration {
-        match &self.way {
+        match &self.route {
             ClientRoute::Virtual(station) => station.now(),
             ClientRoute::Running(..) | ClientRoute::Local(_) => self.began.elapsed(),
         }
@@ -410,7 +410,7 @@ impl StationClient {
     /// Returns the address of the arm, if this process has opened it.
     #[must_use]
     pub fn arm_address(&self) -> Option<&Address> {
-        match &self.way {
+        match &self.route {
             ClientRoute::Running(..) => None,
             ClientRoute::Local(local) => Some(local.address()),
             ClientRoute::Virtual(_) => Some(&Address::Virtual),
@@ -420,7 +420,7 @@ impl StationClient {
     /// Returns the virtual arm, if it is in this process.
     #[must_use]
     pub const fn virtual_arm(&self) -> Option<&VirtualArm> {
-        match &self.way {
+        match &self.route {
             ClientRoute::Virtual(station) => Some(station.arm()),
             ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
@@ -428,7 +428,7 @@ impl StationClient {
 
     /// Returns the virtual arm mutably.
     pub const fn virtual_arm_mut(&mut self) -> Option<&mut VirtualArm> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Virtual(station) => Some(station.arm_mut()),
             ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
@@ -437,7 +437,7 @@ impl StationClient {
     /// Disconnects and releases everything. If the supervisor runs in this process, the laser goes
     /// off, in-flight commands get a moment to finish, and the port is closed.
     pub async fn end(self) {
-        if let ClientRoute::Local(local) = self.way {
+        if let ClientRoute::Local(local) = self.route {
             local.end().await;
         }
     }
@@ -445,12 +445,12 @@ impl StationClient {
 
 impl fmt::Debug for StationClient {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let way: &dyn fmt::Debug = match &self.way {
+        let route: &dyn fmt::Debug = match &self.route {
             ClientRoute::Running(remote, _) => remote,
             ClientRoute::Local(local) => local,
             ClientRoute::Virtual(station) => station,
         };
-        f.debug_tuple("StationClient").field(way).finish()
+        f.debug_tuple("StationClient").field(route).finish()
     }
 }
 
