@@ -239,7 +239,7 @@ fn bare_of_the_stations_own(commands: &[Command]) -> Vec<Command> {
 }
 
 /// The remedies in refusals.
-const REMEDIES: [&str; 3] = ["; send what is allowed", "; a JUMP goes there", "`dobot "];
+const REMEDIES: [&str; 3] = ["; send an allowed packet", "; use a JUMP", "`dobot "];
 
 #[test]
 fn every_program_that_is_retold_is_played() {
