@@ -147,7 +147,7 @@ fn a_peer_that_sends_noise_is_told() {
         let _ = stream.read_to_end(&mut Vec::new());
     });
     dobot(&["status", "--to", &address])
-        .fails(1, &["without a valid status", "bytes that belong to none"]);
+        .fails(1, &["no valid status", "bytes that belong to none"]);
 }
 
 fn draw_square(address: &str) -> Outcome {
@@ -172,7 +172,7 @@ fn an_arm_that_falls_silent_before_a_drawing_gets_laser_off_all_the_same() {
         let _ = stream.read_to_end(&mut bytes);
         let _ = tell.send(bytes);
     });
-    draw_square(&address).fails(1, &["without a valid status"]);
+    draw_square(&address).fails(1, &["no valid status"]);
     let commands = commands(&told.recv().expect("the peer tells"));
     let last = commands.last().expect("something was sent");
     assert!(is_laser_off(last), "{commands:?}");
@@ -191,7 +191,7 @@ fn a_peer_that_closes_in_the_middle_of_a_drawing_is_told_with_how_far_it_got() {
 #[test]
 fn an_arm_that_falls_silent_in_a_drawing_gets_laser_off_and_nothing_that_moves_it() {
     let (outcome, _, after) = troubled(6, Trouble::Silence);
-    outcome.fails(1, &["without a valid status for", "dobot jobs start 1 --to tcp:"]);
+    outcome.fails(1, &["no valid status for", "dobot jobs start 1 --to tcp:"]);
     // What was permitted already may still have been on its way.
     let parting: Vec<_> = after.iter().skip_while(|it| vector(it).is_some()).collect();
     assert!(!parting.is_empty(), "{after:?}");
