@@ -197,7 +197,7 @@ impl Session {
     /// What the arm tells next.
     async fn status(&mut self) -> Result<Status, Failure> {
         if self.held.is_none() {
-            let state = self.client.heard().await?;
+            let state = self.client.first_state().await?;
             tell(&self.ears, &state);
             let arm = state.arm.ok_or(RemoteError::Silent)?;
             return Ok(arm.status);

@@ -57,7 +57,7 @@ impl Session {
 
     /// What is known of this arm: for it is planned.
     pub(super) async fn planned_for(&mut self) -> Result<(State, PlannedFor), Failure> {
-        let state = self.client.heard().await?;
+        let state = self.client.first_state().await?;
         let rules = Rules::of(&Policy::default());
         let arm = self.client.planned_for(rules, &state).await;
         Ok((state, arm.map_err(|it| failed(it.to_string()))?))
