@@ -220,7 +220,7 @@ fn run(
 
 async fn connect(at: Where, name: &str) -> Result<StationClient, Failure> {
     match at {
-        Where::Virtual(setup) => Ok(StationClient::with_this_virtual_arm(
+        Where::Virtual(setup) => Ok(StationClient::with_custom_virtual_arm(
             setup.arm(),
             setup.power_up,
             Policy::default(),

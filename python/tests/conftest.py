@@ -31,7 +31,7 @@ def station(tmp_path: Path) -> Iterator[str]:
             address = next(
                 word for line in lines for word in line.split() if word.startswith("http://")
             )
-            assert any("the arm tells its state" in line for line in lines)
+            assert any("the arm is connected" in line for line in lines)
             yield address
         finally:
             process.terminate()

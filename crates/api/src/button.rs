@@ -58,9 +58,9 @@ impl Button {
     /// the joint jog's name.
     #[must_use]
     pub fn name(self) -> &'static str {
-        let joint = |it: &Self| it.code() > LAST_OWN_AXIS && it.code() == self.code();
-        let named = |(_, it): &&(&str, Self)| *it == self || joint(it);
-        BUTTONS.iter().find(named).map_or("released", |it| it.0)
+        let joint = |other: &Self| other.code() > LAST_OWN_AXIS && other.code() == self.code();
+        let named = |(_, button): &&(&str, Self)| *button == self || joint(button);
+        BUTTONS.iter().find(named).map_or("released", |row| row.0)
     }
 
     /// Returns the jog command sent while the button is pressed.
@@ -186,7 +186,7 @@ impl FromStr for JogFrame {
 #[non_exhaustive]
 pub enum ButtonError {
     /// No button has this name.
-    #[error("allowed are {}", BUTTONS.map(|it| it.0).join(", "))]
+    #[error("allowed are {}", BUTTONS.map(|row| row.0).join(", "))]
     Unknown,
     /// No jog has this name.
     #[error("allowed are joint and linear")]

@@ -93,7 +93,11 @@ impl PaperPlane {
     /// Returns the plane lowered to the lowest touched point.
     #[must_use]
     pub fn table(&self) -> Plane {
-        let lowest_mm = self.heights.iter().map(|it| it[2]).fold(0.0, f64::min);
+        let lowest_mm = self
+            .heights
+            .iter()
+            .map(|height| height[2])
+            .fold(0.0, f64::min);
         Plane {
             z0_mm: self.z_mm + lowest_mm,
             ..self.plane()
@@ -186,7 +190,7 @@ impl CalibrationFile {
     }
 
     fn check_name(&self) -> Result<(), NoSuchArm> {
-        let characters = self.name.as_ref().map_or(1, |it| it.chars().count());
+        let characters = self.name.as_ref().map_or(1, |name| name.chars().count());
         if (1..=LONGEST_NAME).contains(&characters) {
             return Ok(());
         }
@@ -285,10 +289,10 @@ impl Calibrations {
     #[must_use]
     pub fn replaced_by(self, calibration: Option<CalibrationFile>) -> Self {
         let before = self.calibration;
-        let name = before.as_ref().and_then(|it| it.name.clone());
-        let calibration = calibration.map(|it| CalibrationFile {
-            name: it.name.or(name),
-            ..it
+        let name = before.as_ref().and_then(|before| before.name.clone());
+        let calibration = calibration.map(|calibration| CalibrationFile {
+            name: calibration.name.or(name),
+            ..calibration
         });
         Self {
             calibration,

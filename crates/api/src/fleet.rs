@@ -227,9 +227,11 @@ impl Recipients {
 /// English letters, digits and hyphens, starting with a letter.
 #[must_use]
 pub fn is_fleet_name(text: &str) -> bool {
-    let plain = |it: char| it.is_ascii_lowercase() || it.is_ascii_digit() || it == '-';
+    let plain = |character: char| {
+        character.is_ascii_lowercase() || character.is_ascii_digit() || character == '-'
+    };
     text.len() <= 40
-        && text.starts_with(|it: char| it.is_ascii_lowercase())
+        && text.starts_with(|character: char| character.is_ascii_lowercase())
         && text.chars().all(plain)
 }
 
@@ -265,7 +267,7 @@ mod tests {
             presence: Presence::Present,
             heard_at_s: 0.0,
             about: Some(MemberAbout {
-                groups: groups.iter().map(|&it| it.into()).collect(),
+                groups: groups.iter().map(|&group| group.into()).collect(),
                 ..MemberAbout::default()
             }),
             state: None,

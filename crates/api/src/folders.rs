@@ -78,7 +78,7 @@ impl Folders {
     /// The folder named by the environment variable `DOBOT_DATA`, otherwise this user's folders.
     #[must_use]
     pub fn of_environment() -> Option<Self> {
-        let named = std::env::var_os("DOBOT_DATA").filter(|it| !it.is_empty());
+        let named = std::env::var_os("DOBOT_DATA").filter(|folder| !folder.is_empty());
         named.map(Self::at).or_else(Self::of_person)
     }
 
@@ -173,7 +173,13 @@ impl Folders {
     /// The data folder of an arm used without a station, by the text of its address: its jobs.
     #[must_use]
     pub fn of_arm(&self, address: &str) -> Self {
-        let plain = |it: char| if it.is_ascii_alphanumeric() { it } else { '-' };
+        let plain = |character: char| {
+            if character.is_ascii_alphanumeric() {
+                character
+            } else {
+                '-'
+            }
+        };
         let name: String = address.chars().map(plain).collect();
         Self::at(self.data.join("arms").join(name))
     }

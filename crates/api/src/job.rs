@@ -66,13 +66,13 @@ impl JobProgram {
             least = step + 1;
         }
         match self.repeat {
-            Some(it) if it.from >= commands => Err(format!(
+            Some(repeat) if repeat.from >= commands => Err(format!(
                 "the cycle begins with command {}; the last one is {}",
-                it.from,
+                repeat.from,
                 commands.saturating_sub(1)
             )),
             Some(JobRepeat { times: Some(0), .. }) => {
-                Err("a cycle is done 0 times; allowed is 1 or more, or nothing for ever".into())
+                Err("a cycle runs 0 times; allowed is 1 or more, or no number to repeat until the job is ended".into())
             }
             _ => Ok(()),
         }
@@ -99,7 +99,7 @@ impl JobProgram {
         }
         let (cycles_done, within) = self.at(completed, commands);
         let is_plain = self.steps.is_empty();
-        let begun = self.steps.partition_point(|it| *it <= within);
+        let begun = self.steps.partition_point(|step| *step <= within);
         Some(ProgramView {
             steps: if is_plain { commands } else { self.steps.len() },
             step: match (is_plain, within == commands) {
@@ -108,7 +108,7 @@ impl JobProgram {
                 (false, false) => begun.saturating_sub(1),
             },
             cycles_done,
-            cycles: self.repeat.map_or(Some(1), |it| it.times),
+            cycles: self.repeat.map_or(Some(1), |repeat| repeat.times),
             planned_cycle_s: None,
             mean_cycle_s: None,
         })
@@ -121,7 +121,7 @@ impl JobProgram {
     pub fn at(&self, completed: usize, commands: usize) -> (u64, usize) {
         let Some(repeat) = self
             .repeat
-            .filter(|it| completed >= it.from && commands > it.from)
+            .filter(|repeat| completed >= repeat.from && commands > repeat.from)
         else {
             return (0, completed);
         };

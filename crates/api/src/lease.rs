@@ -28,12 +28,12 @@ pub struct LeaseView {
     /// When the holder got it, in seconds since the station started.
     pub since_s: f64,
     /// The clients that ask for control.
-    pub asked_by: Vec<Asking>,
+    pub asked_by: Vec<ControlRequest>,
 }
 
 /// A client that asks for control.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Asking {
+pub struct ControlRequest {
     /// The client.
     pub client: ClientId,
     /// The client's name.

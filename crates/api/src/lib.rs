@@ -54,7 +54,7 @@ pub use fleet::{
 pub use folders::{Folders, make_private};
 pub use job::{JobKind, JobPause, JobPhase, JobProgram, JobRepeat, JobView, NewJob, ProgramView};
 pub use job_state::JobState;
-pub use lease::{Asking, ClientId, LeaseView};
+pub use lease::{ClientId, ControlRequest, LeaseView};
 pub use message::{FromClient, Hello, ToClient};
 pub use near::{BoundedQuantity, NearLimit, NearView};
 pub use not_built::NotBuilt;

@@ -84,17 +84,17 @@ impl<'de> Deserialize<'de> for ToClient<'_> {
             reply: Option<Reply>,
             problem: Option<Problem>,
         }
-        let it = Fields::deserialize(deserializer)?;
-        let hello = it.hello.map(|hello| Self::Hello { hello });
-        let state = it.state.map(|state| Self::State { state });
-        let notice = it.notice.map(|it| Self::Notice {
-            notice: Cow::Owned(it),
+        let fields = Fields::deserialize(deserializer)?;
+        let hello = fields.hello.map(|hello| Self::Hello { hello });
+        let state = fields.state.map(|state| Self::State { state });
+        let notice = fields.notice.map(|notice| Self::Notice {
+            notice: Cow::Owned(notice),
         });
-        let id = it.id;
+        let id = fields.id;
         let reply = id
-            .zip(it.reply)
+            .zip(fields.reply)
             .map(|(id, reply)| Self::Reply { id, reply });
-        let problem = it.problem.map(|problem| Self::Problem { id, problem });
+        let problem = fields.problem.map(|problem| Self::Problem { id, problem });
         hello
             .or(state)
             .or(notice)

@@ -35,6 +35,6 @@ impl Problem {
     pub fn name(&self) -> &str {
         self.kind
             .rsplit_once('/')
-            .map_or(self.kind.as_str(), |it| it.1)
+            .map_or(self.kind.as_str(), |(_, name)| name)
     }
 }

@@ -83,16 +83,16 @@ pub enum RemoteError {
     #[error("{0}")]
     Failed(String),
     /// No answer came.
-    #[error("the station does not answer")]
+    #[error("the station does not respond")]
     Silent,
     /// The station closed the connection.
-    #[error("the station closed the connection{}", .0.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+    #[error("the station closed the connection{}", .0.as_ref().map(|reason| format!(": {reason}")).unwrap_or_default())]
     Closed(Option<String>),
     /// The connection broke.
-    #[error("the connection with the station broke")]
+    #[error("the connection to the station broke")]
     Broken(#[source] Box<tungstenite::Error>),
     /// The station sent something that could not be understood.
-    #[error("the station says what this program does not understand: {0}")]
+    #[error("the station sent an unknown message: {0}")]
     Garbled(String),
 }
 
@@ -102,13 +102,11 @@ impl RemoteError {
     pub fn hint(&self) -> Option<String> {
         match self {
             Self::Refused(problem) => problem.hint.clone(),
-            Self::Failed(_) => {
-                Some("`dobot watch` shows where the arm is and what happened".into())
+            Self::Failed(_) => Some("see where the arm is and what happened: `dobot watch`".into()),
+            Self::Silent | Self::Closed(_) | Self::Broken(_) => {
+                Some("check the station with `dobot watch`, or start one with `dobot up`".into())
             }
-            Self::Silent | Self::Closed(_) | Self::Broken(_) => Some(
-                "does the station still run? `dobot watch` shows it, `dobot up` starts one".into(),
-            ),
-            Self::Garbled(_) => Some("are station and program of the same version?".into()),
+            Self::Garbled(_) => Some("use the same version of station and program".into()),
         }
     }
 
@@ -137,7 +135,7 @@ impl Remote {
         let stream = open(address).await?;
         let (socket, _) = client_async(handshake, stream)
             .await
-            .map_err(|it| no_handshake(address, it))?;
+            .map_err(|error| no_handshake(address, error))?;
         let (outgoing, mut incoming) = socket.split();
         match receive(&mut incoming).await {
             Ok(ToClient::Hello { hello }) => Ok(Self {
@@ -183,7 +181,7 @@ impl Remote {
         let id = self.next_id;
         self.next_id += 1;
         let text = serde_json::to_string(&FromClient { id, request })
-            .map_err(|it| RemoteError::Garbled(it.to_string()))?;
+            .map_err(|error| RemoteError::Garbled(error.to_string()))?;
         self.inbox.expect(id);
         if let Err(error) = self.outgoing.send(Message::text(text)).await {
             return Err(self.inbox.ended().unwrap_or_else(|| broken(error)));
@@ -206,11 +204,11 @@ async fn receive(incoming: &mut Incoming) -> Result<ToClient<'static>, RemoteErr
         match incoming.next().await {
             Some(Ok(Message::Text(text))) => {
                 return serde_json::from_str(&text)
-                    .map_err(|it| RemoteError::Garbled(it.to_string()));
+                    .map_err(|error| RemoteError::Garbled(error.to_string()));
             }
             Some(Ok(Message::Close(frame))) => {
-                let why = frame.map(|it| it.reason.to_string());
-                return Err(RemoteError::Closed(why.filter(|it| !it.is_empty())));
+                let why = frame.map(|frame| frame.reason.to_string());
+                return Err(RemoteError::Closed(why.filter(|why| !why.is_empty())));
             }
             // The library answers pings.
             Some(Ok(_)) => {}
@@ -226,7 +224,7 @@ fn handshake(address: &StationAddress, name: &str) -> Result<Handshake, ConnectE
     let url = format!("{scheme}://{authority}/api/v1/ws?states={STATES_PER_S}&name={name}");
     let mut handshake = url
         .into_client_request()
-        .map_err(|it| ConnectError::no_station(address, it))?;
+        .map_err(|error| ConnectError::no_station(address, error))?;
     if let Some(token) = &address.token {
         let bearer = HeaderValue::from_str(&format!("Bearer {token}"));
         let bearer = bearer.map_err(|_| ConnectError::Token)?;

@@ -55,5 +55,5 @@ impl FromStr for Role {
 
 /// The error returned for an unknown role name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no such role; the roles are watch, queue, control and admin")]
+#[error("unknown role; allowed are watch, queue, control and admin")]
 pub struct UnknownRole;

@@ -94,7 +94,7 @@ pub enum RunningError {
         source: io::Error,
     },
     /// The contents are invalid.
-    #[error("{file} does not tell of a station: {why}")]
+    #[error("{file} does not describe a station: {why}")]
     Content {
         /// The file.
         file: String,

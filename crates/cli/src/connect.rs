@@ -93,7 +93,7 @@ impl To {
         let mut station = match StationClient::connect(&address, &client_name(verb)).await {
             Ok(station) => station,
             // A killed station leaves its file behind.
-            Err(error) if error.is_nobody() && !named => return Ok(None),
+            Err(error) if error.is_not_running() && !named => return Ok(None),
             Err(error) => return Err(error.into()),
         };
         if self.address.is_none() && self.dialect.is_none() && self.policy.is_none() {

@@ -11,7 +11,7 @@ use dobot_api::problem_kinds::{ALL_ARMS_GIVEN, ARM_NOT_STARTED, NAME_TAKEN, NO_S
 use dobot_api::{GivenArm, GivenArms, JobPhase, LinkPhase, MemberAbout, Problem};
 use dobot_host::StationHandle;
 use dobot_session::Address;
-use dobot_station::{ArmCommand, ArmsPort, Config, Station, StationApi, WantedArm};
+use dobot_station::{ArmCommand, ArmsPort, Config, Station, StationApi, ArmSelection};
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::{JoinHandle, JoinSet};
 use tokio::time::{Instant, MissedTickBehavior, interval, timeout};
@@ -139,8 +139,8 @@ impl Giving {
         }
     }
 
-    async fn give(&mut self, wanted: WantedArm) -> Result<GivenArm, Problem> {
-        let WantedArm { name, seen } = wanted;
+    async fn give(&mut self, wanted: ArmSelection) -> Result<GivenArm, Problem> {
+        let ArmSelection { name, seen } = wanted;
         if let Some(given) = self.given.iter_mut().find(|arm| arm.view.name == name) {
             given.used = Instant::now();
             return Ok(given.view.clone());

@@ -28,7 +28,7 @@ pub(crate) struct ArmThread {
 
 /// The thread with its driver running.
 #[derive(Debug)]
-pub(crate) struct ArmAtWork {
+pub(crate) struct RunningArmThread {
     runtime: Handle,
     ended: oneshot::Receiver<Result<(), String>>,
 }
@@ -62,7 +62,7 @@ impl ArmThread {
                 })
             };
             let outcome = catch_unwind(AssertUnwindSafe(work))
-                .unwrap_or_else(|_| Err("the thread that has the arm panicked".to_owned()));
+                .unwrap_or_else(|_| Err("the arm thread panicked".to_owned()));
             // The receiver may be gone.
             let _ = over.send(outcome);
         })?;
@@ -75,10 +75,10 @@ impl ArmThread {
 
     /// Runs the driver with the first result of connecting; the thread and all its tasks end with
     /// it.
-    pub(crate) fn run(self, driver: Driver, first: Option<Connecting>) -> ArmAtWork {
+    pub(crate) fn run(self, driver: Driver, first: Option<Connecting>) -> RunningArmThread {
         // If the thread has ended, waiting for it reports that.
         let _ = self.driver.send((driver, first));
-        ArmAtWork {
+        RunningArmThread {
             runtime: self.runtime,
             ended: self.ended,
         }
@@ -90,7 +90,7 @@ impl ArmThread {
     }
 }
 
-impl ArmAtWork {
+impl RunningArmThread {
     /// Spawns another task on the thread.
     pub(crate) fn spawn(&self, task: impl Future<Output = ()> + Send + 'static) {
         self.runtime.spawn(task);
@@ -104,7 +104,7 @@ impl ArmAtWork {
     pub(crate) async fn ended(self) -> Result<(), String> {
         match self.ended.await {
             Ok(outcome) => outcome,
-            Err(_) => Err("the thread that has the arm was torn down".to_owned()),
+            Err(_) => Err("the arm thread was aborted".to_owned()),
         }
     }
 }
@@ -133,9 +133,9 @@ mod tests {
     use crate::driver::DriverParts;
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
-    use crate::kept_slots::KeptSlots;
     use crate::known_arms::KnownArms;
     use crate::recording::Recording;
+    use crate::saved_slots::SavedSlots;
     use crate::watchdog::{Hazards, HeartbeatSender, JogKind};
     use crate::{Finder, Found, Search};
     use dobot_supervisor::Supervisor;
@@ -175,7 +175,7 @@ mod tests {
     fn at_work(
         link: Link,
         panic_stop: &Arc<PanicStop>,
-    ) -> (ArmAtWork, tokio::sync::mpsc::Sender<Message>) {
+    ) -> (RunningArmThread, tokio::sync::mpsc::Sender<Message>) {
         let folder = tempfile::tempdir().unwrap();
         let folders = Folders::at(folder.path());
         let policy = Policy::default();
@@ -188,7 +188,7 @@ mod tests {
             channels,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
             arms: KnownArms::read(&folders.arms()).unwrap(),
-            slots: KeptSlots::at(&folders.slots()),
+            slots: SavedSlots::at(&folders.slots()),
             jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
             recording: Recording::new(None, None),
             stop: None,
@@ -214,7 +214,7 @@ mod tests {
         let mut decoder = Decoder::commands();
         let packets = decoder.feed(&bytes);
         packets
-            .map(|it| Command::parse(&it, &Dialect::FIRMWARE_1_1).unwrap())
+            .map(|packet| Command::parse(&packet, &Dialect::FIRMWARE_1_1).unwrap())
             .collect()
     }
 
@@ -230,7 +230,7 @@ mod tests {
         let began = Instant::now();
         let (thread, _own) = at_work(link, &panic_stop);
         let error = thread.ended().await.unwrap_err();
-        assert_eq!(error, "the thread that has the arm panicked");
+        assert_eq!(error, "the arm thread panicked");
         drop(panic_stop);
         let release = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
         assert_eq!(commands(&mut far), [LASER_OFF, release]);

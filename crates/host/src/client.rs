@@ -20,7 +20,7 @@ use tokio::time::{Instant, timeout};
 use crate::{PlannedFor, Rules};
 
 use self::local::Local;
-use self::virtual_time::InVirtualTime;
+use self::virtual_time::VirtualTimeClient;
 
 pub use self::local::{LocalArm, OpenArmError};
 
@@ -66,7 +66,7 @@ const FIRST_STATUS: Duration = Duration::from_secs(6);
 /// # }
 /// ```
 pub struct StationClient {
-    way: ClientRoute,
+    route: ClientRoute,
     began: Instant,
 }
 
@@ -74,7 +74,7 @@ pub struct StationClient {
 enum ClientRoute {
     Running(Box<Remote>, StationAddress),
     Local(Box<Local>),
-    Virtual(Box<InVirtualTime>),
+    Virtual(Box<VirtualTimeClient>),
 }
 
 impl StationClient {
@@ -117,7 +117,7 @@ impl StationClient {
     #[must_use]
     pub fn with_virtual_arm(power_up: PowerUp, policy: Policy, name: &str) -> Self {
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
-        Self::with_this_virtual_arm(arm, power_up, policy, name)
+        Self::with_custom_virtual_arm(arm, power_up, policy, name)
     }
 
     /// Runs a supervisor with the given virtual arm, for example one with faults or in a world.
@@ -127,19 +127,19 @@ impl StationClient {
     ///
     /// Never: an in-memory journal can always be created.
     #[must_use]
-    pub fn with_this_virtual_arm(
+    pub fn with_custom_virtual_arm(
         arm: VirtualArm,
         power_up: PowerUp,
         policy: Policy,
         name: &str,
     ) -> Self {
-        let station = InVirtualTime::new(arm, power_up, policy, name);
+        let station = VirtualTimeClient::new(arm, power_up, policy, name);
         Self::new(ClientRoute::Virtual(Box::new(station)))
     }
 
-    fn new(way: ClientRoute) -> Self {
+    fn new(route: ClientRoute) -> Self {
         Self {
-            way,
+            route,
             began: Instant::now(),
         }
     }
@@ -150,10 +150,15 @@ impl StationClient {
     ///
     /// [`RemoteError::Refused`] if it is refused, other variants if no answer comes.
     pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Running(remote, _) => remote.request(request).await,
-            ClientRoute::Local(local) => local.request(request).await.map_err(|it| refused(&it)),
-            ClientRoute::Virtual(station) => station.request(request).map_err(|it| refused(&it)),
+            ClientRoute::Local(local) => local
+                .request(request)
+                .await
+                .map_err(|error| refused(&error)),
+            ClientRoute::Virtual(station) => {
+                station.request(request).map_err(|error| refused(&error))
+            }
         }
     }
 
@@ -181,7 +186,7 @@ impl StationClient {
     ///
     /// [`RemoteError`] if the connection is lost or the supervisor has ended.
     pub async fn next(&mut self) -> Result<StationEvent, RemoteError> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Running(remote, _) => remote.next().await,
             ClientRoute::Local(local) => local.next().await,
             ClientRoute::Virtual(station) => {
@@ -207,7 +212,7 @@ impl StationClient {
 
     /// Returns the next buffered event in virtual time; no time passes.
     pub fn buffered(&mut self) -> Option<StationEvent> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Virtual(station) => station.buffered(),
             ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
@@ -227,7 +232,7 @@ impl StationClient {
             if state.link.phase != LinkPhase::Up {
                 return Ok(());
             }
-            let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+            let moving = state.arm.as_ref().is_some_and(|arm| arm.moving);
             let busy = moving || state.queue.waiting + state.queue.under_way > 0;
             idle = if busy { 0 } else { idle + 1 };
         }
@@ -274,11 +279,11 @@ impl StationClient {
 
     /// Removes a job that was refused before it started; the next attempt queues its own. Errors
     /// are ignored, because the reason of the refusal is what matters.
-    pub async fn forget_unbegun(&mut self, job: u64) {
+    pub async fn remove_unstarted(&mut self, job: u64) {
         let Ok(jobs) = self.jobs().await else {
             return;
         };
-        let is_unbegun = |it: &JobView| it.job == job && it.phase == JobPhase::Queued;
+        let is_unbegun = |view: &JobView| view.job == job && view.phase == JobPhase::Queued;
         if jobs.iter().any(is_unbegun) {
             let _ = self.request(Request::CancelJob { job }).await;
         }
@@ -291,7 +296,7 @@ impl StationClient {
     /// [`RemoteError::Failed`] if the arm is not at the command's end or the link is lost,
     /// otherwise the errors of [`next`](Self::next).
     pub async fn finished(&mut self, command: u64) -> Result<(), RemoteError> {
-        self.finished_watched(command, |_| {}).await
+        self.finished_with_states(command, |_| {}).await
     }
 
     /// Waits like [`finished`](Self::finished), passing every state to `see`.
@@ -299,7 +304,7 @@ impl StationClient {
     /// # Errors
     ///
     /// Same as [`finished`](Self::finished).
-    pub async fn finished_watched(
+    pub async fn finished_with_states(
         &mut self,
         command: u64,
         mut see: impl FnMut(&State),
@@ -329,10 +334,10 @@ impl StationClient {
     ///
     /// [`JobsError`] if they are not available.
     pub async fn jobs(&mut self) -> Result<Vec<JobView>, JobsError> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Running(_, address) => Ok(fetch(address, "/api/v1/jobs").await?),
-            ClientRoute::Local(local) => Ok(local.jobs().await.map_err(|it| refused(&it))?),
-            ClientRoute::Virtual(station) => Ok(station.jobs().map_err(|it| refused(&it))?),
+            ClientRoute::Local(local) => Ok(local.jobs().await.map_err(|error| refused(&error))?),
+            ClientRoute::Virtual(station) => Ok(station.jobs().map_err(|error| refused(&error))?),
         }
     }
 
@@ -346,7 +351,7 @@ impl StationClient {
         mut rules: Rules,
         state: &State,
     ) -> Result<PlannedFor, JobsError> {
-        rules.calibrations = match &mut self.way {
+        rules.calibrations = match &mut self.route {
             ClientRoute::Running(_, address) => fetch(address, "/api/v1/calibration").await?,
             ClientRoute::Local(local) => local.calibrations(),
             ClientRoute::Virtual(station) => station.calibrations().clone(),
@@ -357,7 +362,7 @@ impl StationClient {
     /// Returns the client's number.
     #[must_use]
     pub const fn id(&self) -> ClientId {
-        match &self.way {
+        match &self.route {
             ClientRoute::Running(remote, _) => remote.hello().client,
             ClientRoute::Local(local) => local.id(),
             ClientRoute::Virtual(station) => station.id(),
@@ -367,7 +372,7 @@ impl StationClient {
     /// Returns the client's role.
     #[must_use]
     pub const fn role(&self) -> Role {
-        match &self.way {
+        match &self.route {
             ClientRoute::Running(remote, _) => remote.hello().role,
             ClientRoute::Local(_) | ClientRoute::Virtual(_) => Role::Admin,
         }
@@ -376,7 +381,7 @@ impl StationClient {
     /// Returns the dead-man time: how long a jog button stays pressed without a repeated request.
     #[must_use]
     pub fn dead_man(&self) -> Duration {
-        let seconds = match &self.way {
+        let seconds = match &self.route {
             ClientRoute::Running(remote, _) => remote.hello().dead_man_s,
             ClientRoute::Local(local) => local.dead_man_s(),
             ClientRoute::Virtual(station) => station.dead_man_s(),
@@ -387,7 +392,7 @@ impl StationClient {
 
     /// Lets time pass by the arm's clock.
     pub async fn wait(&mut self, time: Duration) {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Virtual(station) => station.wait(time),
             ClientRoute::Running(..) | ClientRoute::Local(_) => tokio::time::sleep(time).await,
         }
@@ -396,7 +401,7 @@ impl StationClient {
     /// Returns the time since this client connected, by the arm's clock.
     #[must_use]
     pub fn now(&self) -> Duration {
-        match &self.way {
+        match &self.route {
             ClientRoute::Virtual(station) => station.now(),
             ClientRoute::Running(..) | ClientRoute::Local(_) => self.began.elapsed(),
         }
@@ -405,7 +410,7 @@ impl StationClient {
     /// Returns the address of the arm, if this process has opened it.
     #[must_use]
     pub fn arm_address(&self) -> Option<&Address> {
-        match &self.way {
+        match &self.route {
             ClientRoute::Running(..) => None,
             ClientRoute::Local(local) => Some(local.address()),
             ClientRoute::Virtual(_) => Some(&Address::Virtual),
@@ -415,7 +420,7 @@ impl StationClient {
     /// Returns the virtual arm, if it is in this process.
     #[must_use]
     pub const fn virtual_arm(&self) -> Option<&VirtualArm> {
-        match &self.way {
+        match &self.route {
             ClientRoute::Virtual(station) => Some(station.arm()),
             ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
@@ -423,7 +428,7 @@ impl StationClient {
 
     /// Returns the virtual arm mutably.
     pub const fn virtual_arm_mut(&mut self) -> Option<&mut VirtualArm> {
-        match &mut self.way {
+        match &mut self.route {
             ClientRoute::Virtual(station) => Some(station.arm_mut()),
             ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
@@ -432,7 +437,7 @@ impl StationClient {
     /// Disconnects and releases everything. If the supervisor runs in this process, the laser goes
     /// off, in-flight commands get a moment to finish, and the port is closed.
     pub async fn end(self) {
-        if let ClientRoute::Local(local) = self.way {
+        if let ClientRoute::Local(local) = self.route {
             local.end().await;
         }
     }
@@ -440,12 +445,12 @@ impl StationClient {
 
 impl fmt::Debug for StationClient {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let way: &dyn fmt::Debug = match &self.way {
+        let route: &dyn fmt::Debug = match &self.route {
             ClientRoute::Running(remote, _) => remote,
             ClientRoute::Local(local) => local,
             ClientRoute::Virtual(station) => station,
         };
-        f.debug_tuple("StationClient").field(way).finish()
+        f.debug_tuple("StationClient").field(route).finish()
     }
 }
 
@@ -498,7 +503,7 @@ impl NoArm {
         let why = match (&state.link.problem, state.link.phase) {
             (Some(problem), _) => problem.clone(),
             (None, LinkPhase::Searching) => "no arm has been found yet".into(),
-            (None, _) => "the arm says nothing".into(),
+            (None, _) => "the arm does not respond".into(),
         };
         Self::Unusable(why)
     }
@@ -507,7 +512,7 @@ impl NoArm {
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
-            Self::Unusable(_) => Some("is it switched on, and is this its port and line speed? `dobot ports` lists the ports; `dobot watch` shows what a station waits for".into()),
+            Self::Unusable(_) => Some("check that the arm is switched on, and its port and line speed: `dobot ports` lists the ports, `dobot watch` shows what the station is waiting for".into()),
             Self::Silent(error) => error.hint(),
         }
     }
@@ -536,7 +541,7 @@ mod tests {
     #[test]
     fn a_job_is_over_or_paused_from_when_it_has_run_and_not_before() {
         let mut watch = JobWatch::new(7);
-        let mut told = |job, phase| {
+        let mut handle = |job, phase| {
             let notice = Notice {
                 number: 1,
                 at_s: 0.0,
@@ -545,9 +550,9 @@ mod tests {
             };
             watch.handle_notice(&notice).map(|(phase, _)| phase)
         };
-        assert_eq!(told(7, JobPhase::Paused), None);
-        assert_eq!(told(7, JobPhase::Running), None);
-        assert_eq!(told(8, JobPhase::Done), None);
-        assert_eq!(told(7, JobPhase::Paused), Some(JobPhase::Paused));
+        assert_eq!(handle(7, JobPhase::Paused), None);
+        assert_eq!(handle(7, JobPhase::Running), None);
+        assert_eq!(handle(8, JobPhase::Done), None);
+        assert_eq!(handle(7, JobPhase::Paused), Some(JobPhase::Paused));
     }
 }

@@ -58,8 +58,8 @@ impl Connecting {
 impl Source {
     /// Searches for the arm until it is found, in a task that ends with its receiver.
     pub(crate) fn connect(&self, runtime: &Handle) -> mpsc::Receiver<Connecting> {
-        let (tell, news) = mpsc::channel(4);
-        runtime.spawn(connect(self.clone(), tell));
+        let (sender, news) = mpsc::channel(4);
+        runtime.spawn(connect(self.clone(), sender));
         news
     }
 
@@ -98,19 +98,19 @@ impl Source {
     }
 }
 
-async fn connect(source: Source, tell: mpsc::Sender<Connecting>) {
+async fn connect(source: Source, sender: mpsc::Sender<Connecting>) {
     let started = Instant::now();
     let mut again = Reconnect::lost(started.elapsed());
     loop {
         let news = attempt(&source).await;
         let up = matches!(news, Connecting::Up(_));
-        if tell.send(news).await.is_err() || up {
+        if sender.send(news).await.is_err() || up {
             return;
         }
         again.handle_failure(started.elapsed());
         tokio::select! {
             () = sleep_until(started + again.poll_wakeup()) => {}
-            () = tell.closed() => return,
+            () = sender.closed() => return,
         }
     }
 }

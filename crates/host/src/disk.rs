@@ -47,7 +47,7 @@ impl Disk {
     /// The text to report: the disk hangs.
     pub(crate) fn write(&self, new: NewText, problem: &'static str) -> Result<(), String> {
         let pushed = self.0.push(Work::Write { new, problem });
-        pushed.map_err(|_| format!("{problem}: the disk does not answer"))
+        pushed.map_err(|_| format!("{problem}: the disk does not respond"))
     }
 
     /// Reports the notes left by watchdogs.

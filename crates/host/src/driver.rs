@@ -22,12 +22,12 @@ use crate::Found;
 use crate::connect::{Connecting, Source};
 use crate::disk::Disk;
 use crate::handle::{DriverChannels, Message, PassedPacket};
-use crate::host::in_time_of_arm;
+use crate::host::scaled_to_arm_time;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
-use crate::kept_slots::KeptSlots;
-use crate::kept_stop::{Content, KeptStop};
 use crate::known_arms::{KnownArms, NewText};
 use crate::recording::Recording;
+use crate::saved_slots::SavedSlots;
+use crate::saved_stop::{Content, SavedStop};
 use crate::watchdog::HeartbeatSender;
 
 /// The task that owns the arm's port. It handles all events of the arm in one order.
@@ -38,8 +38,8 @@ pub(crate) struct Driver {
     channels: DriverChannels,
     source: Source,
     arms: KnownArms,
-    slots: KeptSlots,
-    stop: Option<KeptStop>,
+    slots: SavedSlots,
+    stop: Option<SavedStop>,
     disk: Disk,
     link: Option<Link>,
     /// The current or last address of the arm.
@@ -55,7 +55,7 @@ pub(crate) struct Driver {
     /// Pending answers.
     waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
     /// A start that waits until its job has come to rest.
-    held_start: Option<HeldStart>,
+    held_start: Option<DeferredStart>,
     /// For tasks that send messages to the driver.
     own: mpsc::Sender<Message>,
     heartbeats: HeartbeatSender,
@@ -71,8 +71,8 @@ pub(crate) struct DriverParts {
     pub(crate) channels: DriverChannels,
     pub(crate) source: Source,
     pub(crate) arms: KnownArms,
-    pub(crate) slots: KeptSlots,
-    pub(crate) stop: Option<KeptStop>,
+    pub(crate) slots: SavedSlots,
+    pub(crate) stop: Option<SavedStop>,
     pub(crate) disk: Disk,
     pub(crate) jobs: Jobs,
     pub(crate) recording: Recording,
@@ -83,7 +83,7 @@ pub(crate) struct DriverParts {
 
 /// A start that waits until its job has come to rest.
 #[derive(Debug)]
-struct HeldStart {
+struct DeferredStart {
     start: JobStart,
     until: Duration,
 }
@@ -148,7 +148,7 @@ impl Driver {
             }
             Err(refusal) => {
                 self.jobs.give_up(&job, &refusal.to_string());
-                Err(format!("job {} cannot be gone on with: {refusal}", job.id))
+                Err(format!("cannot resume job {}: {refusal}", job.id))
             }
         }
     }
@@ -162,23 +162,23 @@ impl Driver {
         let slots = self.slots.read(now_ms());
         let now = self.now();
         let taken = slots.and_then(|slots| {
-            let taken = self.supervisor.handle_kept_slots(now, &slots);
+            let taken = self.supervisor.handle_saved_slots(now, &slots);
             taken.map_err(|refusal| refusal.to_string())
         });
-        taken.map_err(|why| format!("the time slots of before do not hold any more: {why}"))
+        taken.map_err(|why| format!("the saved time slots were lost: {why}"))
     }
 
     /// Restores the stops that held when the previous station ended.
     pub(crate) fn recover_stop(&mut self) {
-        if let Some(Content { stop, fleet }) = self.stop.as_ref().map(KeptStop::read) {
+        if let Some(Content { stop, fleet }) = self.stop.as_ref().map(SavedStop::read) {
             let now = self.now();
-            self.supervisor.handle_kept_stops(now, stop, fleet);
+            self.supervisor.handle_saved_stops(now, stop, fleet);
         }
     }
 
     /// Saves the stops for the next station.
-    fn keep_stops(&mut self) {
-        let kept = self.supervisor.poll_kept_stops();
+    fn save_stops(&mut self) {
+        let kept = self.supervisor.poll_saved_stops();
         if let (Some(file), Some((stop, fleet))) = (&self.stop, kept) {
             let new = file.keep(&Content { stop, fleet });
             self.write_file(new.map(Some), "the stop cannot be kept");
@@ -186,9 +186,9 @@ impl Driver {
     }
 
     /// Saves the time slots for the next station.
-    fn keep_slots(&mut self) {
+    fn save_slots(&mut self) {
         let slots = self.slots.keep(&self.supervisor.slots(), now_ms());
-        self.write_file(slots.map(Some), "the time slots cannot be kept");
+        self.write_file(slots.map(Some), "the time slots cannot be saved");
     }
 
     /// Writes a file if there is new content. `problem` states what is lost if that fails.
@@ -230,7 +230,7 @@ impl Driver {
                 DriverEvent::Message(None) => self.end(),
                 DriverEvent::Link(outcome) => self.handle_received(outcome),
                 DriverEvent::Connecting(None) => {
-                    self.fail("the task that looks for the arm panicked".into());
+                    self.fail("the task that searches for the arm panicked".into());
                 }
                 DriverEvent::Connecting(news) => self.follow(news),
                 DriverEvent::Written(Some(written)) => self.note(written),
@@ -278,7 +278,10 @@ impl Driver {
             return (wanted, latest);
         }
         let wanted = self.started.checked_add(wanted);
-        (Duration::MAX, wanted.map_or(latest, |it| it.min(latest)))
+        (
+            Duration::MAX,
+            wanted.map_or(latest, |wanted| wanted.min(latest)),
+        )
     }
 
     async fn next_event(&mut self) -> DriverEvent {
@@ -313,7 +316,7 @@ impl Driver {
             self.remember(&notice);
             self.channels.publish_notice(notice);
         }
-        self.keep_stops();
+        self.save_stops();
         if self.supervisor.poll_changed() {
             self.publish();
         }
@@ -459,13 +462,13 @@ impl Driver {
         client: ClientId,
         policy: &Policy,
     ) -> Result<(), Refusal> {
-        let of_arm = in_time_of_arm(policy, self.source.speed());
+        let of_arm = scaled_to_arm_time(policy, self.source.speed());
         self.supervisor.handle_policy(now, client, of_arm)?;
         self.jobs.set_policy(policy);
         self.recording.tools(now, policy);
-        self.channels.change_rules(|it| {
-            it.policy = policy.clone();
-            it.dead_man_s = policy.jog.dead_man_s;
+        self.channels.change_rules(|rules| {
+            rules.policy = policy.clone();
+            rules.dead_man_s = policy.jog.dead_man_s;
         });
         Ok(())
     }
@@ -486,16 +489,16 @@ impl Driver {
         }
         let Some(address) = self.address.clone() else {
             return Err(Refusal::NoLink(
-                "a calibration is kept for an arm, and none has been there yet".into(),
+                "a calibration is saved for an arm, and none has been connected yet".into(),
             ));
         };
         let calibrations = self.arms.calibrations(&address).replaced_by(calibration);
         self.supervisor
             .handle_calibration(now, client, &calibrations)?;
         let new = self.arms.calibrate(&address, calibrations.clone());
-        self.write_file(new, "the calibration of the arm cannot be kept");
+        self.write_file(new, "the calibration of the arm cannot be saved");
         self.channels
-            .change_rules(|it| it.calibrations = calibrations.clone());
+            .change_rules(|rules| rules.calibrations = calibrations.clone());
         Ok(calibrations)
     }
 
@@ -516,9 +519,9 @@ impl Driver {
         let now = self.now();
         self.withdraw_start(&request);
         if let Request::Calibrate { calibration } = request {
-            let changed = self.calibrate(now, client, calibration.map(|it| *it));
-            let changed = changed.map(|it| Reply::Calibrated {
-                calibrations: Box::new(it),
+            let changed = self.calibrate(now, client, calibration.map(|calibration| *calibration));
+            let changed = changed.map(|changed| Reply::Calibrated {
+                calibrations: Box::new(changed),
             });
             return drop(reply.send(changed));
         }
@@ -527,7 +530,7 @@ impl Driver {
             let answer = self.supervisor.handle_request(now, client, job);
             self.send();
             if sets_slots && matches!(answer, Some(Ok(_))) {
-                self.keep_slots();
+                self.save_slots();
             }
             match answer {
                 // The requester may have left.
@@ -567,7 +570,7 @@ impl Driver {
                     single_step: matches!(request, Request::StepJob { .. }),
                     reply,
                 };
-                self.start_job(HeldStart { start, until });
+                self.start_job(DeferredStart { start, until });
             }
             Request::CancelJob { job } if !self.is_at(job) => {
                 jobs.cancel(job, self.supervisor.client_name(client), reply);
@@ -579,11 +582,11 @@ impl Driver {
 
     /// Returns whether this is the current job.
     fn is_at(&self, job: u64) -> bool {
-        self.supervisor.job().is_some_and(|it| it.job == job)
+        self.supervisor.job().is_some_and(|view| view.job == job)
     }
 
     /// Starts a job, or defers that while the job comes to rest.
-    fn start_job(&mut self, held: HeldStart) {
+    fn start_job(&mut self, held: DeferredStart) {
         match self.startable(held.start.job) {
             Err(Refusal::StillMoving { .. })
                 if self.now() < held.until && self.held_start.is_none() =>
@@ -605,7 +608,7 @@ impl Driver {
         if let Some(held) = self
             .held_start
             .take()
-            .filter(|it| !it.start.reply.is_closed())
+            .filter(|held| !held.start.reply.is_closed())
         {
             self.start_job(held);
         }
@@ -627,7 +630,7 @@ impl Driver {
 
     fn drop_held_start(&mut self) {
         if let Some(held) = self.held_start.take() {
-            let why = "it was told to rest before it had come to rest".to_owned();
+            let why = "it was stopped before it had come to rest".to_owned();
             drop(held.start.reply.send(Err(Refusal::CannotResume(why))));
         }
     }
@@ -651,7 +654,7 @@ impl Driver {
         };
         self.link = None;
         self.heartbeats.stop();
-        let problem = format!("{problem}; the station looks for the arm again");
+        let problem = format!("{problem}; the station is searching for the arm again");
         self.supervisor
             .handle_link_down(now, LinkPhase::Lost, Some(problem));
         self.connect();
@@ -673,7 +676,7 @@ impl Driver {
         self.supervisor
             .handle_known_calibration(&address, &calibrations);
         self.channels
-            .change_rules(|it| it.calibrations = calibrations);
+            .change_rules(|rules| rules.calibrations = calibrations);
         self.supervisor.handle_link_up(now, &address);
         self.recording.heard(now, &found.bytes);
         self.supervisor.handle_bytes(now, &found.bytes);
@@ -690,7 +693,7 @@ impl Driver {
         }
         let finding = self.supervisor.finding();
         let new = self.arms.keep(address, *dialect, finding);
-        self.write_file(new, "the dialect of the arm cannot be kept");
+        self.write_file(new, "the dialect of the arm cannot be saved");
     }
 
     /// Searches for the arm in a task.
@@ -734,9 +737,9 @@ impl Driver {
     }
 
     fn is_over(&self) -> bool {
-        self.ending.is_some_and(|it| {
+        self.ending.is_some_and(|ending| {
             let still = self.supervisor.is_at_rest() && !self.supervisor.is_urgent();
-            self.link.is_none() || still || it <= Instant::now()
+            self.link.is_none() || still || ending <= Instant::now()
         })
     }
 

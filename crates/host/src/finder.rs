@@ -20,7 +20,7 @@ use self::listening::Listening;
 
 pub use probe_failures::{NothingFound, ProbeFailure};
 pub use reconnect::Reconnect;
-pub use search::{Search, WhereFound};
+pub use search::{KnownPort, Search};
 
 /// Searches for the arm.
 ///
@@ -92,7 +92,7 @@ impl Finder {
 
     /// Returns where an arm was last found, to save for the next start.
     #[must_use]
-    pub const fn last(&self) -> Option<&WhereFound> {
+    pub const fn last(&self) -> Option<&KnownPort> {
         self.search.last.as_ref()
     }
 
@@ -105,13 +105,13 @@ impl Finder {
     /// # Panics
     ///
     /// Outside of a tokio runtime.
-    pub async fn find(&mut self, tell: impl FnMut(FinderNews)) -> Result<Found, NothingFound> {
+    pub async fn find(&mut self, report: impl FnMut(FinderNews)) -> Result<Found, NothingFound> {
         let listed = tokio::task::spawn_blocking(dobot_session::ports).await;
         match listed.map_err(io::Error::other).flatten() {
-            Ok(ports) => self.find_among(&ports, tell).await,
+            Ok(ports) => self.find_among(&ports, report).await,
             // The named ports can still be tried.
             Err(error) => {
-                let found = self.find_among(&[], tell).await;
+                let found = self.find_among(&[], report).await;
                 found.map_err(|nothing| nothing.without_list(&error))
             }
         }
@@ -120,7 +120,7 @@ impl Finder {
     async fn find_among(
         &mut self,
         ports: &[Port],
-        mut tell: impl FnMut(FinderNews),
+        mut report: impl FnMut(FinderNews),
     ) -> Result<Found, NothingFound> {
         let Choice {
             candidates,
@@ -129,7 +129,7 @@ impl Finder {
         self.failed_attempts.keep(&candidates);
         let mut failures = Vec::new();
         for candidate in candidates {
-            match self.try_one(&candidate, &mut tell).await {
+            match self.try_one(&candidate, &mut report).await {
                 Ok(found) => {
                     self.search.last = candidate.place().or(self.search.last.take());
                     return Ok(found);
@@ -143,7 +143,7 @@ impl Finder {
     async fn try_one(
         &mut self,
         candidate: &Candidate,
-        tell: &mut impl FnMut(FinderNews),
+        report: &mut impl FnMut(FinderNews),
     ) -> Result<Found, ProbeFailure> {
         let now = self.started.elapsed();
         if let Some(why) = self.failed_attempts.reason_to_wait(candidate, now) {
@@ -152,7 +152,7 @@ impl Finder {
             });
         }
         tracing::debug!(address = %candidate.address, device = candidate.device, "listening for an arm");
-        tell(FinderNews::Listening {
+        report(FinderNews::Listening {
             address: candidate.address.clone(),
             device: candidate.device.clone(),
         });
@@ -163,7 +163,7 @@ impl Finder {
         tracing::debug!(address = %candidate.address, why = %failure, "no arm is heard there");
         self.failed_attempts
             .note(candidate, &failure, self.started.elapsed());
-        tell(FinderNews::Failed {
+        report(FinderNews::Failed {
             address: candidate.address.clone(),
             why: failure.to_string(),
             hint: failure.hint(),

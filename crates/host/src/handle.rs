@@ -203,7 +203,7 @@ pub enum Message {
         /// The key of the offer.
         key: String,
         /// The request.
-        ask: OfferAsk,
+        ask: OfferRequest,
         /// The answer.
         reply: oneshot::Sender<Result<OfferAnswer, Refusal>>,
     },
@@ -240,7 +240,7 @@ pub enum Message {
 
 /// A request of another station about a job offer with a key. The answer to an offer is final.
 #[derive(Clone, Debug, PartialEq)]
-pub enum OfferAsk {
+pub enum OfferRequest {
     /// Queue the job, unless the arm has another unfinished one.
     Take {
         /// The job.
@@ -466,7 +466,7 @@ impl StationHandle {
     ///
     /// [`Refusal::Ending`], [`Refusal::Journal`]; then there is no answer, and the request may be
     /// repeated.
-    pub async fn offer(&self, key: &str, ask: OfferAsk) -> Result<OfferAnswer, Refusal> {
+    pub async fn offer(&self, key: &str, ask: OfferRequest) -> Result<OfferAnswer, Refusal> {
         let (reply, answer) = oneshot::channel();
         let key = key.to_owned();
         self.send(Message::Offer { key, ask, reply }).await?;

@@ -11,17 +11,17 @@ use dobot_sim::Speed;
 use dobot_supervisor::Supervisor;
 use dobot_wire::Dialect;
 
-use crate::arm_thread::ArmAtWork;
+use crate::arm_thread::RunningArmThread;
 use crate::connect::{OwnVirtualArm, Source};
 use crate::disk::Disk;
 use crate::driver::{Driver, DriverParts};
 use crate::handle::{Rules, StationHandle};
 use crate::jobs::Jobs;
-use crate::kept_slots::KeptSlots;
-use crate::kept_stop::KeptStop;
 use crate::known_arms::{KnownArms, KnownArmsError};
 use crate::prepared_arm::PreparedArm;
 use crate::recording::{self, Recording};
+use crate::saved_slots::SavedSlots;
+use crate::saved_stop::SavedStop;
 use crate::service_manager::ServiceManager;
 use crate::watchdog::{HeartbeatSender, take_note};
 
@@ -50,9 +50,9 @@ pub struct Setup {
 pub struct Host {
     handle: StationHandle,
     virtual_arm: Option<OwnVirtualArm>,
-    thread: ArmAtWork,
+    thread: RunningArmThread,
     notes: Vec<String>,
-    of_watchdog: Vec<String>,
+    watchdog_reports: Vec<String>,
 }
 
 /// Why the host could not be started.
@@ -96,7 +96,9 @@ impl Host {
         let own = handle.messages.clone();
         let disk = Disk::start(own.clone()).map_err(HostError::Thread)?;
         let (recorder, trouble) = recording::start(&setup.common);
-        let personality = source.personality().map(|it| it.to_string());
+        let personality = source
+            .personality()
+            .map(|personality| personality.to_string());
         let note = setup.folders.watchdog();
         let heartbeats =
             HeartbeatSender::new(setup.watchdog, note.clone(), prepared_arm.panic_stop);
@@ -105,8 +107,8 @@ impl Host {
             channels,
             source,
             arms,
-            slots: KeptSlots::at(&setup.folders.slots()),
-            stop: setup.stop.map(KeptStop::at),
+            slots: SavedSlots::at(&setup.folders.slots()),
+            stop: setup.stop.map(SavedStop::at),
             disk,
             jobs: Jobs::new(journal, Arc::new(setup.policy), own.clone()),
             recording: Recording::new(recorder, personality),
@@ -122,7 +124,7 @@ impl Host {
                 .chain(driver.recover().err())
                 .chain(driver.recover_slots().err())
                 .collect(),
-            of_watchdog: take_note(&note),
+            watchdog_reports: take_note(&note),
             thread: prepared_arm.thread.run(driver, prepared_arm.first),
         })
     }
@@ -147,8 +149,8 @@ impl Host {
 
     /// Returns the reports of watchdogs since the arm was last used, one per line.
     #[must_use]
-    pub fn of_watchdog(&self) -> &[String] {
-        &self.of_watchdog
+    pub fn watchdog_reports(&self) -> &[String] {
+        &self.watchdog_reports
     }
 
     /// Spawns a task on the arm thread; it ends with the host.
@@ -176,13 +178,13 @@ fn make_folder(folders: &Folders) -> Result<(), HostError> {
 }
 
 fn supervisor(setup: &Setup, source: &Source) -> Supervisor {
-    let policy = in_time_of_arm(&setup.policy, source.speed());
+    let policy = scaled_to_arm_time(&setup.policy, source.speed());
     let own = source.personality().map(Personality::dialect);
     Supervisor::new(policy, setup.dialect.or(own))
 }
 
 /// Scales the times of jogging, because a hand on a button does not get faster with the simulation.
-pub(crate) fn in_time_of_arm(policy: &Policy, speed: Speed) -> Policy {
+pub(crate) fn scaled_to_arm_time(policy: &Policy, speed: Speed) -> Policy {
     let mut policy = policy.clone();
     policy.jog.dead_man_s *= speed.times();
     policy.jog.raw_dead_man_s *= speed.times();

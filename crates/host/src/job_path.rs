@@ -45,7 +45,7 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
 
 /// A pen draws where a vector ends closer to the lowest position than to the lift height.
 fn mark_lowered(path: &mut JobPath, lift_mm: f64) {
-    let heights = path.path_mm.iter().map(|it| it[2]);
+    let heights = path.path_mm.iter().map(|position| position[2]);
     let below_mm = draws_below_mm(heights.fold(f64::MAX, f64::min), lift_mm);
     let is_low = |at: &[f64; 3]| at[2] < below_mm;
     let mut was_low = false;

@@ -19,7 +19,7 @@ use self::check::check_new;
 pub(crate) use self::list::{again, forget, list, move_before};
 pub use self::offers::WITHDRAWN;
 pub(crate) use self::offers::answer;
-use crate::handle::{Message, OfferAnswer, OfferAsk};
+use crate::handle::{Message, OfferAnswer, OfferRequest};
 use crate::job_path::path_of;
 
 /// The jobs on the disk. Planning and writing may be slow, so both happen outside the driver.
@@ -90,7 +90,7 @@ impl Jobs {
         (missing > 0).then(|| {
             let writes = if missing == 1 { "write" } else { "writes" };
             format!(
-                "the journal was damaged, and is {missing} {writes} behind: the last queued jobs may be missing; look through `dobot jobs`, and submit again what is not there"
+                "the journal was damaged and has lost its last {missing} {writes}: the last queued jobs may be missing; check `dobot jobs`, and submit missing jobs again"
             )
         })
     }
@@ -98,12 +98,12 @@ impl Jobs {
     /// Returns the job that was running when the station ended unexpectedly.
     pub(crate) fn interrupted(&self) -> Result<Option<Job>, JournalError> {
         let jobs = self.journal.jobs()?;
-        Ok(jobs.into_iter().find(|it| it.state == JobState::Running))
+        Ok(jobs.into_iter().find(|job| job.state == JobState::Running))
     }
 
     /// Checks a job again and returns it for the supervisor.
     pub(crate) fn started_job(&self, job: &Job, model: Model) -> Result<StartedJob, Refusal> {
-        look_again(&self.journal, &self.policy, job, model)
+        check_again(&self.journal, &self.policy, job, model)
     }
 
     /// Fails a job that cannot even be checked again.
@@ -143,7 +143,7 @@ impl Jobs {
     pub(crate) fn answer_offer(
         self,
         key: String,
-        ask: OfferAsk,
+        ask: OfferRequest,
         model: Result<Model, Refusal>,
         now_ms: i64,
         reply: oneshot::Sender<Result<OfferAnswer, Refusal>>,
@@ -318,10 +318,10 @@ pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), R
 
 /// Returns whether a job last came to rest at a pause for a person.
 fn waits_for_person(job: &Job) -> bool {
-    let last = job.behind.pauses.checked_sub(1);
-    let pause = last.and_then(|it| job.pauses.get(it));
+    let last = job.history.pauses.checked_sub(1);
+    let pause = last.and_then(|last| job.pauses.get(last));
     job.state.phase() == JobPhase::Paused
-        && pause.is_some_and(|it| it.before == job.window.completed)
+        && pause.is_some_and(|pause| pause.before == job.window.completed)
 }
 
 /// Converts a job of the journal to its view.
@@ -338,9 +338,13 @@ pub(crate) fn view(job: &Job) -> JobView {
         completed: job.program.at(job.window.completed, job.commands).1,
         planned_s: job.planned_s,
         left_s: job.planned_s.filter(|_| job.window.completed == 0),
-        took_s: job.behind.ran_s.filter(|_| job.state == JobState::Done),
+        took_s: job.history.ran_s.filter(|_| job.state == JobState::Done),
         speed_percent: job.adjustment.speed_percent,
-        height_mm: job.adjustment.heights.last().map_or(0.0, |it| it.offset_mm),
+        height_mm: job
+            .adjustment
+            .heights
+            .last()
+            .map_or(0.0, |height| height.offset_mm),
         program: job.program.view(job.commands, job.window.completed),
     }
 }
@@ -387,7 +391,7 @@ fn planned(
         kind: job.kind,
         dialect,
         calibration: model.calibration,
-        lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
+        lift_mm: Some(job.lift_mm).filter(|lift_mm| *lift_mm > 0.0),
         created_ms: now_ms,
         planned_s: plan.planned_s(),
         commands: job.commands,
@@ -413,7 +417,7 @@ pub(crate) fn startable(
         });
     }
     check_made_for(&job, &model)?;
-    look_again(journal, policy, &job, model)
+    check_again(journal, policy, &job, model)
 }
 
 /// Checks that the commands of a job were made for the arm as it is now.
@@ -426,7 +430,7 @@ fn check_made_for(job: &Job, model: &Model) -> Result<(), Refusal> {
     }
     if !job.calibration.is_same(&model.calibration) {
         return Err(Refusal::CannotResume(
-            "it was made for the arm as it was calibrated then, and another calibration holds now, or the arm was told its angles since: make it anew".into(),
+            "it was made for another calibration: the calibration has changed, or the arm was given its angles since; submit it again".into(),
         ));
     }
     Ok(())
@@ -440,7 +444,7 @@ pub(crate) fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {
 }
 
 /// Checks a job again and returns it for the supervisor.
-pub(crate) fn look_again(
+pub(crate) fn check_again(
     journal: &Journal,
     policy: &Policy,
     job: &Job,
@@ -507,7 +511,7 @@ fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
 /// Writes an effect of the supervisor.
 pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalError> {
     match effect {
-        Effect::Give {
+        Effect::ExtendWindow {
             job,
             completed,
             upto,
@@ -525,7 +529,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             phase,
             reason,
             window,
-            behind,
+            history,
         } => {
             // A job that does not run was given nothing: its progress has not changed.
             if let Some(window) = window
@@ -534,7 +538,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
                 journal.extend_window(JobId(*job), window)?;
             }
             let state = JobState::new(*phase, reason.clone());
-            journal.set_state_behind(JobId(*job), &state, *behind)
+            journal.set_state_with_history(JobId(*job), &state, *history)
         }
         Effect::Adjust { job, adjustment } => journal.adjust(JobId(*job), adjustment),
     }
@@ -557,7 +561,7 @@ fn check_key(key: &str) -> Result<(), Refusal> {
         return Ok(());
     }
     Err(Refusal::Malformed(format!(
-        "a key has 1 to {LONGEST_KEY} visible characters, and this one {characters}"
+        "the key has {characters} characters; allowed are 1 to {LONGEST_KEY} visible ones"
     )))
 }
 
@@ -573,10 +577,10 @@ mod tests {
 
     #[tokio::test]
     async fn a_panic_where_the_journal_is_written_ends_the_station() {
-        let (driver, mut told) = mpsc::channel(1);
+        let (driver, mut messages) = mpsc::channel(1);
         std::thread::spawn(move || watch(&driver, || panic!("the disk is made of cheese")));
-        let Some(Message::Failed(text)) = told.recv().await else {
-            panic!("it is told as a failure");
+        let Some(Message::Failed(text)) = messages.recv().await else {
+            panic!("it is reported as a failure");
         };
         assert_eq!(text, "the thread that writes the journal panicked");
     }

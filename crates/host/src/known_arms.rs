@@ -66,7 +66,7 @@ pub enum KnownArmsError {
         source: io::Error,
     },
     /// Its content is invalid.
-    #[error("{file} is not what is known of arms: {why}")]
+    #[error("{file} is not a file of known arms: {why}")]
     Content {
         /// The file.
         file: String,
@@ -96,13 +96,13 @@ impl KnownArms {
 
     /// Returns the dialect of the arm at an address, if known.
     pub(crate) fn dialect(&self, address: &str) -> Option<Dialect> {
-        self.known.get(address).and_then(|it| it.dialect)
+        self.known.get(address).and_then(|known| known.dialect)
     }
 
     /// Returns the calibrations of the arm at an address.
     pub(crate) fn calibrations(&self, address: &str) -> Calibrations {
         let known = self.known.get(address);
-        known.map_or_else(Calibrations::default, |it| it.calibrations.clone())
+        known.map_or_else(Calibrations::default, |known| known.calibrations.clone())
     }
 
     /// Records the dialect of an arm, and how it was detected, if it was.
@@ -113,9 +113,9 @@ impl KnownArms {
         finding: Option<&Finding>,
     ) -> io::Result<Option<NewText>> {
         let evidence = finding.map(Finding::lines).unwrap_or_default();
-        self.change(address, |it| {
-            it.dialect = Some(dialect);
-            it.evidence = evidence;
+        self.change(address, |known| {
+            known.dialect = Some(dialect);
+            known.evidence = evidence;
         })
     }
 
@@ -125,7 +125,7 @@ impl KnownArms {
         address: &str,
         calibrations: Calibrations,
     ) -> io::Result<Option<NewText>> {
-        self.change(address, |it| it.calibrations = calibrations)
+        self.change(address, |known| known.calibrations = calibrations)
     }
 
     fn change(

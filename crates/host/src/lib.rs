@@ -43,8 +43,6 @@ mod handle;
 mod host;
 mod job_path;
 mod jobs;
-mod kept_slots;
-mod kept_stop;
 mod known_arms;
 mod long_work;
 mod planned_for;
@@ -52,6 +50,8 @@ mod predict;
 mod prepared_arm;
 mod priority;
 mod recording;
+mod saved_slots;
+mod saved_stop;
 mod service_manager;
 mod target;
 mod virtual_station;
@@ -62,10 +62,10 @@ pub use client::{JobWatch, JobsError, LocalArm, NoArm, OpenArmError, StationClie
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
 pub use finder::{
-    Finder, FinderNews, Found, NothingFound, ProbeFailure, Reconnect, Search, WhereFound,
+    Finder, FinderNews, Found, KnownPort, NothingFound, ProbeFailure, Reconnect, Search,
 };
 pub use handle::{
-    Client, DriverChannels, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
+    Client, DriverChannels, Message, OfferAnswer, OfferRequest, PassedPacket, Rules, Snapshot,
     StationHandle,
 };
 pub use host::{Host, HostError, Setup};
@@ -74,7 +74,7 @@ pub use known_arms::KnownArmsError;
 pub use long_work::{LongWorkError, run_long};
 pub use planned_for::PlannedFor;
 pub use predict::{Prediction, predict};
-pub use prepared_arm::{PreparedArm, WantedArm};
+pub use prepared_arm::{ArmSelection, PreparedArm};
 pub use recording::{notice_topic, state_topic, tools_of};
 pub use service_manager::{Notification, ServiceManager};
 pub use target::{PathName, Target, TargetPlace, UnknownPath};

@@ -98,6 +98,6 @@ mod tests {
     #[tokio::test]
     async fn long_work_gives_way_to_the_arm() {
         let niceness = run_long(|| rustix::process::getpriority_process(None)).await;
-        assert!(niceness.is_ok_and(|it| it.is_ok_and(|it| it >= 10)));
+        assert!(niceness.is_ok_and(|niceness| niceness.is_ok_and(|n| n >= 10)));
     }
 }

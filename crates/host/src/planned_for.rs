@@ -27,14 +27,22 @@ impl PlannedFor {
     /// Returns the arm in a state.
     #[must_use]
     pub fn of(rules: Arc<Rules>, state: &State) -> Self {
-        let told = state.calibrated.is_some_and(|it| it.zeros_told);
+        let has_true_angles = state
+            .calibrated
+            .is_some_and(|calibrated| calibrated.zeros_told);
         let known = rules.calibrations.calibration.clone();
         let arm = state.arm.as_ref();
         Self {
-            calibration: known.map(|it| if told { it.without_zeros() } else { it }),
+            calibration: known.map(|known| {
+                if has_true_angles {
+                    known.without_zeros()
+                } else {
+                    known
+                }
+            }),
             rules,
             dialect: state.dialect,
-            status: arm.map(|it| it.told.unwrap_or(it.status)),
+            status: arm.map(|arm| arm.told.unwrap_or(arm.status)),
         }
     }
 

@@ -38,10 +38,10 @@ pub fn predict(
     let cycles = job
         .program
         .repeat
-        .map_or(1, |it| it.times.unwrap_or(u64::MAX).min(CYCLES));
-    let repeat = job.program.repeat.map(|it| JobRepeat {
+        .map_or(1, |repeat| repeat.times.unwrap_or(u64::MAX).min(CYCLES));
+    let repeat = job.program.repeat.map(|repeat| JobRepeat {
         times: Some(cycles),
-        ..it
+        ..repeat
     });
     let job = NewJob {
         program: JobProgram {
@@ -52,14 +52,16 @@ pub fn predict(
     };
     let mut dry_run = DryRun::begin(&job, policy, personality, calibration)?;
     let until = dry_run.finish(&job)?;
-    let cycle = repeat.map(|it| commands - it.from).filter(|_| cycles > 1);
+    let cycle = repeat
+        .map(|repeat| commands - repeat.from)
+        .filter(|_| cycles > 1);
     let cycle_s = cycle.map(|len| until[commands + len - 1].saturating_sub(until[commands - 1]));
     Ok(Prediction {
         until_s: until[..commands]
             .iter()
             .map(Duration::as_secs_f64)
             .collect(),
-        cycle_s: cycle_s.map(|it| it.as_secs_f64()),
+        cycle_s: cycle_s.map(|cycle_s| cycle_s.as_secs_f64()),
     })
 }
 
@@ -104,17 +106,17 @@ impl DryRun {
         while let Some((completed, _)) = self.station.supervisor().job_progress() {
             until.resize(completed.max(until.len()), self.elapsed());
             if rests(&self.station, self.job) {
-                self.go_on(job, until.last().copied().unwrap_or_default())?;
+                self.resume(job, until.last().copied().unwrap_or_default())?;
             }
             let latest = self.station.now() + LONGEST;
-            let is_elsewhere = |it: &VirtualStation| {
-                let progress = it.supervisor().job_progress();
-                progress.is_none_or(|it| it.0 != completed) || rests(it, self.job)
+            let is_elsewhere = |station: &VirtualStation| {
+                let progress = station.supervisor().job_progress();
+                progress.is_none_or(|progress| progress.0 != completed) || rests(station, self.job)
             };
             if !self.station.run_until(latest, is_elsewhere) {
                 return Err(Refusal::BadJob {
                     index: completed,
-                    why: "the twin does not get beyond it in two days".to_owned(),
+                    why: "the twin does not finish it in two days".to_owned(),
                     rule: None,
                 });
             }
@@ -124,12 +126,13 @@ impl DryRun {
             self.elapsed(),
         );
         let latest = self.station.now() + SETTLED;
-        let is_over = |it: &VirtualStation| it.job(self.job).is_ok_and(|it| it.state.is_over());
+        let is_over =
+            |station: &VirtualStation| station.job(self.job).is_ok_and(|job| job.state.is_over());
         self.station.run_until(latest, is_over);
         match self.state()? {
             JobState::Done => Ok(until),
             state => Err(Refusal::CannotResume(format!(
-                "on the twin the program is {state}"
+                "on the twin, the program is {state}"
             ))),
         }
     }
@@ -142,27 +145,27 @@ impl DryRun {
 
     fn state(&self) -> Result<JobState, Refusal> {
         let job = self.station.job(self.job);
-        job.map(|it| it.state)
+        job.map(|job| job.state)
             .map_err(|error| journal_refusal(&error))
     }
 
     /// Confirms a pause while the arm is at rest and resumes the job; the time at rest does not
     /// count.
-    fn go_on(&mut self, job: &NewJob, until: Duration) -> Result<(), Refusal> {
+    fn resume(&mut self, job: &NewJob, until: Duration) -> Result<(), Refusal> {
         let state = self.state()?;
         if !job
             .pauses
             .iter()
-            .any(|it| state.reason() == Some(&it.message))
+            .any(|pause| state.reason() == Some(&pause.message))
         {
             return Err(Refusal::CannotResume(format!(
-                "on the twin the program is {state}"
+                "on the twin, the program is {state}"
             )));
         }
         self.station.start(self.client, self.job)?;
         let latest = self.station.now() + LONGEST;
         self.station
-            .run_until(latest, |it| it.supervisor().has_active_job());
+            .run_until(latest, |station| station.supervisor().is_executing_job());
         self.waited = self.station.now().saturating_sub(self.started + until);
         Ok(())
     }
@@ -171,9 +174,11 @@ impl DryRun {
 /// Returns whether the job is paused and the journal has that: the arm is at rest.
 fn rests(station: &VirtualStation, job: u64) -> bool {
     let progress = station.supervisor().job_progress();
-    let is_paused = |it: JobPhase| it == JobPhase::Paused;
-    progress.is_some_and(|it| is_paused(it.1))
-        && station.job(job).is_ok_and(|it| is_paused(it.state.phase()))
+    let is_paused = |job_phase: JobPhase| job_phase == JobPhase::Paused;
+    progress.is_some_and(|progress| is_paused(progress.1))
+        && station
+            .job(job)
+            .is_ok_and(|job| is_paused(job.state.phase()))
 }
 
 /// The second cycle takes as long as all later ones.

@@ -19,7 +19,7 @@ use crate::watchdog::{PanicStop, wait_for_watchdog};
 
 /// The arm to use.
 #[derive(Clone, Debug, PartialEq)]
-pub struct WantedArm {
+pub struct ArmSelection {
     /// The address. If absent, the first arm that is found, otherwise a virtual one.
     pub address: Option<Address>,
     /// The personality of a virtual arm.
@@ -53,7 +53,7 @@ impl PreparedArm {
     /// # Panics
     ///
     /// Outside of a tokio runtime.
-    pub async fn new(arm: &WantedArm, note: &Path) -> io::Result<Self> {
+    pub async fn new(arm: &ArmSelection, note: &Path) -> io::Result<Self> {
         let mut prepared = Self::with_source(port(arm.address.as_ref()))?;
         wait_for_watchdog(note).await;
         match arm.address {
@@ -113,7 +113,7 @@ impl PreparedArm {
     }
 
     /// Searches for an arm; without one, uses a virtual arm.
-    async fn search(&mut self, arm: &WantedArm) {
+    async fn search(&mut self, arm: &ArmSelection) {
         let mut news = self.source.connect(self.thread.runtime());
         match news.recv().await {
             Some(Connecting::Waiting(nothing)) => {
@@ -125,7 +125,7 @@ impl PreparedArm {
     }
 
     /// Uses a virtual arm that lives as long as the station.
-    fn use_virtual(&mut self, wanted: &WantedArm) {
+    fn use_virtual(&mut self, wanted: &ArmSelection) {
         let controller = Controller::power_up(PowerUp::new(wanted.personality));
         let scene = Scene::parse(DESK).expect("the desk is a scene");
         let arm = VirtualArm::new(controller, SerialLine::STOCK).with_world(World::new(scene));

@@ -24,7 +24,7 @@ pub(crate) struct Recording {
     /// The last recorded height below which a pen draws.
     pen_below_mm: Option<f64>,
     /// The last recorded state and its time.
-    told: Option<(Duration, State)>,
+    recorded: Option<(Duration, State)>,
     /// The last reported problem of the recorder.
     problem: Option<String>,
 }
@@ -40,7 +40,7 @@ impl Recording {
             states: state_topic(),
             notices: notice_topic(),
             pen_below_mm: None,
-            told: None,
+            recorded: None,
             problem: None,
         }
     }
@@ -70,20 +70,20 @@ impl Recording {
             self.record(at, || Record::About(about));
         }
         if self.recorder.is_some() && self.is_worth_telling(at, state) {
-            self.told = Some((at, state.clone()));
+            self.recorded = Some((at, state.clone()));
             self.json(at, &self.states, state);
         }
     }
 
     fn is_worth_telling(&self, at: Duration, state: &State) -> bool {
-        let Some((told_at, told)) = &self.told else {
+        let Some((recorded_at, recorded)) = &self.recorded else {
             return true;
         };
-        let is_due = at.saturating_sub(*told_at) >= STATE_PERIOD;
+        let is_due = at.saturating_sub(*recorded_at) >= STATE_PERIOD;
         if is_due {
-            told != state
+            recorded != state
         } else {
-            essence(told) != essence(state)
+            essence(recorded) != essence(state)
         }
     }
 
@@ -113,7 +113,7 @@ impl Recording {
         self.problem.clone_from(&problem);
         Some(match problem {
             Some(problem) => format!("recording: {problem}"),
-            None => "recording goes on".into(),
+            None => "recording works again".into(),
         })
     }
 
@@ -284,7 +284,7 @@ mod tests {
         let files = dobot_record::recordings(folder.path()).expect("it is readable");
         let mut read = dobot_record::Recording::open(&files[0].path).expect("it is one");
         assert_eq!(read.by_ref().count(), 2);
-        let about = read.about().expect("every file tells it");
+        let about = read.about().expect("every file has it");
         assert_eq!(about.dialect, Some(Dialect::FIRMWARE_1_1));
     }
 

@@ -34,13 +34,13 @@ impl ServiceManager {
     #[must_use]
     pub fn of_environment() -> Self {
         let number = |name| std::env::var(name).ok()?.parse::<u64>().ok();
-        let is_ours = number("WATCHDOG_PID").is_none_or(|it| it == u64::from(std::process::id()));
-        let watchdog = number("WATCHDOG_USEC").filter(|it| is_ours && *it > 0);
+        let is_ours = number("WATCHDOG_PID").is_none_or(|pid| pid == u64::from(std::process::id()));
+        let watchdog = number("WATCHDOG_USEC").filter(|timeout_us| is_ours && *timeout_us > 0);
         Self {
             #[cfg(unix)]
             socket: std::env::var("NOTIFY_SOCKET")
                 .ok()
-                .and_then(|it| connect(&it)),
+                .and_then(|socket| connect(&socket)),
             watchdog: watchdog.map(Duration::from_micros),
         }
     }
@@ -48,12 +48,12 @@ impl ServiceManager {
     /// Returns the interval of alive notifications, if required: a quarter of its timeout.
     #[must_use]
     pub(crate) fn period(&self) -> Option<Duration> {
-        self.watchdog.map(|it| it / 4)
+        self.watchdog.map(|watchdog| watchdog / 4)
     }
 
     /// Sends a notification.
     #[cfg(unix)]
-    pub fn tell(&self, notification: Notification) {
+    pub fn notify(&self, notification: Notification) {
         if let Some((socket, address)) = &self.socket {
             // It may be gone.
             let _ = socket.send_to_addr(notification.text(), address);
@@ -62,7 +62,7 @@ impl ServiceManager {
 
     /// This system has none.
     #[cfg(not(unix))]
-    pub fn tell(&self, _: Notification) {}
+    pub fn notify(&self, _: Notification) {}
 }
 
 impl Notification {

@@ -115,5 +115,5 @@ impl FromStr for PathName {
 
 /// The error returned for an unknown path type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("allowed are jump (lift, across, down), movl (straight) and movj (all joints at once)")]
+#[error("allowed are jump (lift, across, down), movl (straight) and movj (all joints together)")]
 pub struct UnknownPath;

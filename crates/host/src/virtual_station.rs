@@ -11,13 +11,13 @@ use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, Journal, JournalError};
 use dobot_safety::Policy;
 use dobot_sim::{SerialLine, VirtualArm};
-use dobot_supervisor::{Effect, KeptFleetStop, Refusal, StartedJob, StoppedBy, Supervisor};
+use dobot_supervisor::{Effect, Refusal, SavedFleetStop, StartedJob, StoppedBy, Supervisor};
 use dobot_wire::Packet;
 
 use crate::job_path::path_of;
 use crate::jobs;
 use crate::watchdog::GAP;
-use crate::{OfferAnswer, OfferAsk};
+use crate::{OfferAnswer, OfferRequest};
 
 /// A supervisor and a virtual arm in virtual time, with a real journal: for tests of everything
 /// that can go wrong, thousands of times faster than real time.
@@ -49,7 +49,7 @@ pub struct VirtualStation {
     notices: Vec<Notice>,
     packets: Vec<(Duration, [u8; 42])>,
     /// The saved stops: this arm's own and the fleet-wide ones.
-    stops: (Option<StoppedBy>, Vec<KeptFleetStop>),
+    stops: (Option<StoppedBy>, Vec<SavedFleetStop>),
 }
 
 impl VirtualStation {
@@ -142,7 +142,7 @@ impl VirtualStation {
             return self.looks;
         }
         let supervisor = self.started.saturating_add(self.supervisor.poll_wakeup());
-        let disk = self.disk.first().map_or(Duration::MAX, |it| it.0);
+        let disk = self.disk.first().map_or(Duration::MAX, |disk| disk.0);
         let soon = self.now + Duration::from_nanos(1);
         self.arm.poll_wakeup().min(supervisor).min(disk).max(soon)
     }
@@ -181,7 +181,7 @@ impl VirtualStation {
         self.started = self.now;
         let (own, fleet) = self.stops.clone();
         self.supervisor
-            .handle_kept_stops(Duration::ZERO, own, fleet);
+            .handle_saved_stops(Duration::ZERO, own, fleet);
         self.recover()?;
         self.plug();
         Ok(())
@@ -267,7 +267,8 @@ impl VirtualStation {
                 // The virtual arm does not change: its faults define its geometry.
                 Request::Calibrate { calibration } => {
                     let calibrations = self.calibrations.clone();
-                    let calibrations = calibrations.replaced_by(calibration.map(|it| *it));
+                    let calibrations =
+                        calibrations.replaced_by(calibration.map(|calibration| *calibration));
                     self.supervisor
                         .handle_calibration(now, client, &calibrations)?;
                     self.calibrations = calibrations.clone();
@@ -354,7 +355,7 @@ impl VirtualStation {
     /// # Errors
     ///
     /// [`Refusal`] if the journal cannot be written; then there is no answer.
-    pub fn offer(&mut self, key: &str, ask: OfferAsk) -> Result<OfferAnswer, Refusal> {
+    pub fn offer(&mut self, key: &str, ask: OfferRequest) -> Result<OfferAnswer, Refusal> {
         self.catch_up();
         let model = self.supervisor.planning_model();
         jobs::answer(&self.journal, &self.policy, key, ask, model, 0)
@@ -375,7 +376,7 @@ impl VirtualStation {
         let waits = self
             .jobs()?
             .iter()
-            .any(|it| it.job == job && it.waits_for_person);
+            .any(|view| view.job == job && view.waits_for_person);
         if waits {
             self.ask(client, Request::ConfirmJob { job })?;
         }
@@ -517,12 +518,12 @@ impl VirtualStation {
     /// Waits until the journal has all earlier effects, such as a pause.
     fn catch_up(&mut self) {
         let latest = self.now + PATIENCE;
-        self.run_until(latest, |it| it.disk.is_empty());
+        self.run_until(latest, |station| station.disk.is_empty());
     }
 
     /// Returns whether this is the current job.
     fn is_at(&self, job: u64) -> bool {
-        self.supervisor.job().is_some_and(|it| it.job == job)
+        self.supervisor.job().is_some_and(|view| view.job == job)
     }
 
     fn kept(&self, job: u64) -> Result<Reply, Refusal> {
@@ -540,7 +541,7 @@ impl VirtualStation {
             .journal
             .jobs()
             .map_err(|error| jobs::journal_refusal(&error))?;
-        let Some(job) = jobs.into_iter().find(|it| it.state == JobState::Running) else {
+        let Some(job) = jobs.into_iter().find(|job| job.state == JobState::Running) else {
             return Ok(());
         };
         let model = jobs::recovery_model(&job);
@@ -555,7 +556,7 @@ impl VirtualStation {
             .journal
             .job(JobId(job))
             .map_err(|error| jobs::journal_refusal(&error))?;
-        jobs::look_again(&self.journal, &self.policy, &job, model)
+        jobs::check_again(&self.journal, &self.policy, &job, model)
     }
 
     /// Transfers bytes and completes writes until nothing is left to do at this moment.
@@ -582,7 +583,7 @@ impl VirtualStation {
         while let Some(effect) = self.supervisor.poll_effect() {
             self.disk.push((self.now + self.disk_takes, effect));
         }
-        if let Some(stops) = self.supervisor.poll_kept_stops() {
+        if let Some(stops) = self.supervisor.poll_saved_stops() {
             self.stops = stops;
         }
         while let Some(notice) = self.supervisor.poll_notice() {
@@ -592,7 +593,7 @@ impl VirtualStation {
 
     fn write(&mut self) {
         let now = self.supervisor_now();
-        while self.disk.first().is_some_and(|it| it.0 <= self.now) {
+        while self.disk.first().is_some_and(|disk| disk.0 <= self.now) {
             let (_, effect) = self.disk.remove(0);
             let outcome = jobs::write(&self.journal, &effect).map_err(|error| error.to_string());
             self.supervisor.handle_written(now, &effect, outcome);

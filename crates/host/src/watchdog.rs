@@ -69,21 +69,21 @@ pub enum Silence {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum WatchdogPhase {
     Watching,
-    Speaking(Speech),
+    Stopping(StopRounds),
     /// Everything has been sent to the arm of a hanging station.
-    Spoken(Silence),
+    Stopped(Silence),
     Over,
 }
 
 /// The packets being sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Speech {
+struct StopRounds {
     why: Silence,
     started: Duration,
     /// When the next packet is due.
     next: Duration,
     /// The packets of this round already sent.
-    said: usize,
+    sent: usize,
     /// The completed rounds.
     rounds: u32,
     /// Whether the arm was heard since the last round, so it has room for another.
@@ -124,9 +124,9 @@ impl Watchdog {
         self.now = now;
         match &mut self.phase {
             WatchdogPhase::Watching => self.speak(Silence::Ended),
-            WatchdogPhase::Speaking(speech) => speech.why = Silence::Ended,
+            WatchdogPhase::Stopping(rounds) => rounds.why = Silence::Ended,
             // The arm was stopped, and nothing came from the station since.
-            WatchdogPhase::Spoken(_) => self.phase = WatchdogPhase::Over,
+            WatchdogPhase::Stopped(_) => self.phase = WatchdogPhase::Over,
             WatchdogPhase::Over => {}
         }
     }
@@ -134,8 +134,8 @@ impl Watchdog {
     /// Handles bytes from the arm: it has room for a packet.
     pub fn handle_heard(&mut self, now: Duration) {
         self.handle_time(now);
-        if let WatchdogPhase::Speaking(speech) = &mut self.phase {
-            speech.heard = true;
+        if let WatchdogPhase::Stopping(rounds) = &mut self.phase {
+            rounds.heard = true;
         }
     }
 
@@ -149,15 +149,15 @@ impl Watchdog {
 
     /// Returns the packet to send now, if any.
     pub fn poll_bytes(&mut self) -> Option<Packet> {
-        let WatchdogPhase::Speaking(speech) = self.phase else {
+        let WatchdogPhase::Stopping(rounds) = self.phase else {
             return None;
         };
-        if self.now < speech.due() {
+        if self.now < rounds.due() {
             return None;
         }
         let packets = self.hazards.stop_packets();
-        let packet = packets.get(speech.said).copied();
-        self.phase = speech.after(self.now, packets.len());
+        let packet = packets.get(rounds.sent).copied();
+        self.phase = rounds.after(self.now, packets.len());
         packet
     }
 
@@ -166,8 +166,8 @@ impl Watchdog {
     pub fn poll_wakeup(&self) -> Duration {
         match &self.phase {
             WatchdogPhase::Watching => self.last_heartbeat + Self::PATIENCE,
-            WatchdogPhase::Speaking(speech) => speech.due(),
-            WatchdogPhase::Spoken(_) | WatchdogPhase::Over => Duration::MAX,
+            WatchdogPhase::Stopping(rounds) => rounds.due(),
+            WatchdogPhase::Stopped(_) | WatchdogPhase::Over => Duration::MAX,
         }
     }
 
@@ -175,8 +175,8 @@ impl Watchdog {
     #[must_use]
     pub const fn silence(&self) -> Option<Silence> {
         match &self.phase {
-            WatchdogPhase::Speaking(speech) => Some(speech.why),
-            WatchdogPhase::Spoken(why) => Some(*why),
+            WatchdogPhase::Stopping(rounds) => Some(rounds.why),
+            WatchdogPhase::Stopped(why) => Some(*why),
             WatchdogPhase::Watching | WatchdogPhase::Over => None,
         }
     }
@@ -202,22 +202,22 @@ impl Watchdog {
     fn speak(&mut self, why: Silence) {
         // The station's last packet may still be on the line, unless it was silent for long.
         let free = self.last_heartbeat + GAP;
-        self.phase = WatchdogPhase::Speaking(Speech {
+        self.phase = WatchdogPhase::Stopping(StopRounds {
             why,
             started: self.now,
             next: self.now.max(free),
-            said: 0,
+            sent: 0,
             rounds: 0,
             heard: true,
         });
     }
 }
 
-impl Speech {
+impl StopRounds {
     /// A round waits until the arm is heard: with a full queue it is silent and would lose packets.
     /// An arm that is silent for long gets them anyway.
     fn due(&self) -> Duration {
-        if self.said > 0 || self.heard {
+        if self.sent > 0 || self.heard {
             self.next
         } else {
             self.next + UNHEARD
@@ -225,10 +225,10 @@ impl Speech {
     }
 
     fn after(self, now: Duration, packets: usize) -> WatchdogPhase {
-        if self.said + 1 < packets {
-            return WatchdogPhase::Speaking(Self {
+        if self.sent + 1 < packets {
+            return WatchdogPhase::Stopping(Self {
                 next: now + GAP,
-                said: self.said + 1,
+                sent: self.sent + 1,
                 ..self
             });
         }
@@ -237,12 +237,12 @@ impl Speech {
         if heard_enough || now >= self.started + LONGEST {
             return match self.why {
                 Silence::Ended => WatchdogPhase::Over,
-                Silence::Stalled => WatchdogPhase::Spoken(self.why),
+                Silence::Stalled => WatchdogPhase::Stopped(self.why),
             };
         }
-        WatchdogPhase::Speaking(Self {
+        WatchdogPhase::Stopping(Self {
             next: now + AGAIN,
-            said: 0,
+            sent: 0,
             rounds,
             heard: false,
             ..self

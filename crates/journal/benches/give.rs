@@ -1,4 +1,4 @@
-//! What a durable window costs: `cargo bench -p dobot-journal`.
+//! The cost of a durable window: `cargo bench -p dobot-journal`.
 
 use divan::Bencher;
 use dobot_api::{JobKind, JobState};

@@ -36,17 +36,19 @@ pub struct End {
 
 impl End {
     /// Returns whether both can be distinguished by where the arm rests, or need not be.
-    pub(crate) fn is_told_from(&self, other: &Self, commands: &[Command]) -> bool {
+    pub(crate) fn is_distinct_from(&self, other: &Self, commands: &[Command]) -> bool {
         self.located == other.located
             || self.distance_mm(other.position) >= SPACING_MM
-            || self.is_the_same_as(other, commands)
+            || self.is_equivalent_to(other, commands)
     }
 
     /// Returns whether it makes no difference which of the two it is: a pen lifted from the lower
     /// end of a lift (or a lowering) rests at its upper end, and can continue from there.
-    pub(crate) fn is_the_same_as(&self, other: &Self, commands: &[Command]) -> bool {
+    pub(crate) fn is_equivalent_to(&self, other: &Self, commands: &[Command]) -> bool {
         let [first, last] = order(self.located.next, other.located.next);
-        let mut way = commands[first..last].iter().filter(|it| !is_setting(it));
+        let mut way = commands[first..last]
+            .iter()
+            .filter(|command| !is_setting(command));
         self.located.lifted != other.located.lifted
             && self.distance_mm(other.position) < SPACING_MM
             && way.next().is_some_and(is_pen_vector)
@@ -71,7 +73,7 @@ impl End {
 
 impl fmt::Display for End {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [x, y, z] = [self.position.x, self.position.y, self.position.z].map(|it| it.0);
+        let [x, y, z] = [self.position.x, self.position.y, self.position.z].map(|mm| mm.0);
         write!(f, "x {x:.3} y {y:.3} z {z:.3} mm ({})", self.located)
     }
 }

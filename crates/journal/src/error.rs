@@ -13,7 +13,7 @@ use crate::JobId;
 pub enum JournalError {
     /// The storage is full. Earlier content is intact, and the journal works again as soon as there
     /// is room.
-    #[error("no room is left for the journal {file} ({source}); free some and try again")]
+    #[error("there is no room left for the journal {file} ({source}); free some and try again")]
     Full {
         /// The file.
         file: String,
@@ -103,7 +103,7 @@ pub enum JournalError {
 
     /// A pause is not before a command after that of the previous pause.
     #[error(
-        "pause {index} of the job stands before command {before}; {least} to {most} are allowed",
+        "pause {index} of the job is before command {before}; allowed are {least} to {most}",
         most = commands.saturating_sub(1)
     )]
     Pause {
@@ -118,7 +118,7 @@ pub enum JournalError {
     },
 
     /// Its steps or its cycle do not fit its commands.
-    #[error("the program of the job makes no sense: {0}")]
+    #[error("the program of the job is invalid: {0}")]
     Program(String),
 
     /// A number of the job cannot be written.
@@ -149,7 +149,7 @@ pub enum JournalError {
     },
 
     /// The start position of a window contains values that no status can contain.
-    #[error("the place where the window of job {job} begins makes no sense: {source}")]
+    #[error("the start position of the window of job {job} is invalid: {source}")]
     Start {
         /// The job.
         job: JobId,
@@ -158,7 +158,7 @@ pub enum JournalError {
     },
 
     /// A window was extended for a job that is not running.
-    #[error("job {job} is {state}; only a running one is given commands")]
+    #[error("job {job} is {state}; only a running job may get commands")]
     NotRunning {
         /// The job.
         job: JobId,
@@ -167,7 +167,7 @@ pub enum JournalError {
     },
 
     /// The idempotency key was already used for another job.
-    #[error("job {job}, another one, was asked for with the key {key:?}; each request has its own")]
+    #[error("key {key:?} was already used for a different request (job {job}); use a new key")]
     KeyReused {
         /// The key.
         key: String,

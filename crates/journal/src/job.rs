@@ -78,7 +78,7 @@ pub struct Job {
     /// The state.
     pub state: JobState,
     /// The history apart from commands.
-    pub behind: Behind,
+    pub history: JobHistory,
     /// The progress.
     pub window: Window,
     /// The idempotency key of its request.
@@ -89,7 +89,7 @@ impl Job {
     /// Returns whether a request for `asked` is the one that created this job, as far as visible
     /// without its commands.
     #[must_use]
-    pub fn is_as(&self, asked: &PlannedJob) -> bool {
+    pub fn matches_request(&self, asked: &PlannedJob) -> bool {
         self.title == asked.title
             && self.kind == asked.kind
             && self.commands == asked.commands.len()
@@ -99,14 +99,14 @@ impl Job {
 /// The history of a job apart from commands.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Behind {
+pub struct JobHistory {
     /// The number of [pause](JobPause)s reached, over all cycles.
     pub pauses: usize,
     /// How long it ran, without pauses, in seconds; `None` if unknown after a crash.
     pub ran_s: Option<f64>,
 }
 
-impl Default for Behind {
+impl Default for JobHistory {
     fn default() -> Self {
         Self {
             pauses: 0,

@@ -14,7 +14,7 @@ use crate::store::{
     CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, MISSING_FACT, OFFERS, PLACES, REFUSALS,
     STEPS, Store, WINDOWS, fact,
 };
-use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
+use crate::{Adjustment, Job, JobHistory, JobId, JournalError, PlannedJob, Window};
 
 /// A file of jobs that survives crashes and power cuts.
 ///
@@ -140,7 +140,7 @@ impl Journal {
             let table = look.open_table(COMMANDS)?;
             let packets = table.get(id.0)?;
             Ok(rows::commands(
-                packets.as_ref().map_or(&[][..], |it| it.value()),
+                packets.as_ref().map_or(&[][..], |packets| packets.value()),
                 &row,
             ))
         })?;
@@ -185,7 +185,7 @@ impl Journal {
     /// [`JournalError::NoSuchJob`], [`JournalError::NotRunning`] if a job that is over was to run,
     /// or the storage fails.
     pub fn set_state(&self, id: JobId, state: &JobState) -> Result<(), JournalError> {
-        self.change(id, |row| row.go_on(id, state))
+        self.change(id, |row| row.change_state(id, state))
     }
 
     /// Sets the state of a job together with its history.
@@ -193,16 +193,16 @@ impl Journal {
     /// # Errors
     ///
     /// [`JournalError::NoSuchJob`], [`JournalError::Number`], or the storage fails.
-    pub fn set_state_behind(
+    pub fn set_state_with_history(
         &self,
         id: JobId,
         state: &JobState,
-        behind: Behind,
+        history: JobHistory,
     ) -> Result<(), JournalError> {
-        finite("the time that it ran", behind.ran_s)?;
+        finite("the time that it ran", history.ran_s)?;
         self.change(id, |row| {
-            row.go_on(id, state)?;
-            row.behind = behind;
+            row.change_state(id, state)?;
+            row.history = history;
             Ok(())
         })
     }
@@ -218,7 +218,9 @@ impl Journal {
         let heights = &adjustment.heights;
         finite(
             "a height",
-            heights.iter().flat_map(|it| [it.begin_mm, it.offset_mm]),
+            heights
+                .iter()
+                .flat_map(|height| [height.begin_mm, height.offset_mm]),
         )?;
         self.change(id, |row| {
             row.adjustment = adjustment.clone();
@@ -353,7 +355,7 @@ impl Store {
     fn window(&mut self, id: JobId) -> Result<Window, JournalError> {
         let window = self.read(|look| {
             let window = look.open_table(WINDOWS)?.get(id.0)?;
-            Ok(window.map(|it| rows::window(it.value())))
+            Ok(window.map(|window| rows::window(window.value())))
         })?;
         let window = window.transpose().map_err(|found| self.damaged(found))?;
         Ok(window.unwrap_or_default())
@@ -406,8 +408,10 @@ impl JobTables {
         let steps = self.steps.get(id.0)?;
         let window = self.windows.get(id.0)?;
         let read = || {
-            let steps = steps.map(|it| rows::steps(it.value())).transpose()?;
-            let window = window.map(|it| rows::window(it.value())).transpose()?;
+            let steps = steps.map(|steps| rows::steps(steps.value())).transpose()?;
+            let window = window
+                .map(|window| rows::window(window.value()))
+                .transpose()?;
             let row = JobRow::from_bytes(row.value())?;
             row.job(id, steps.unwrap_or_default(), window.unwrap_or_default())
         };
@@ -440,7 +444,7 @@ pub(crate) fn finite(
     name: &'static str,
     numbers: impl IntoIterator<Item = f64>,
 ) -> Result<(), JournalError> {
-    match numbers.into_iter().find(|it| !it.is_finite()) {
+    match numbers.into_iter().find(|number| !number.is_finite()) {
         Some(found) => Err(JournalError::Number { name, found }),
         None => Ok(()),
     }
@@ -484,8 +488,8 @@ fn asked_before(jobs: &[Job], asked: &PlannedJob) -> Result<Option<JobId>, Journ
     let Some(key) = &asked.key else {
         return Ok(None);
     };
-    match jobs.iter().find(|it| it.key.as_ref() == Some(key)) {
-        Some(job) if job.is_as(asked) => Ok(Some(job.id)),
+    match jobs.iter().find(|job| job.key.as_ref() == Some(key)) {
+        Some(job) if job.matches_request(asked) => Ok(Some(job.id)),
         Some(job) => Err(JournalError::KeyReused {
             key: key.clone(),
             job: job.id,

@@ -54,7 +54,7 @@ impl Journal {
             return Ok(answered);
         }
         let jobs = store.jobs()?;
-        if let Some(other) = jobs.iter().find(|it| !it.state.is_over()) {
+        if let Some(other) = jobs.iter().find(|job| !job.state.is_over()) {
             let reason = format!("job {} is {} here", other.id, other.state);
             return store.refuse(key, reason, true);
         }
@@ -121,7 +121,7 @@ impl Store {
     fn offered(&mut self, key: &str) -> Result<Option<Offered>, JournalError> {
         let row = self.read(|look| {
             let row = look.open_table(OFFERS)?.get(key)?;
-            Ok(row.map(|it| from_bytes(it.value())))
+            Ok(row.map(|row| from_bytes(row.value())))
         })?;
         row.transpose().map_err(|found| self.damaged(found))
     }
@@ -136,7 +136,7 @@ impl Store {
             refusals.insert(number, key)?;
             let old = number.checked_sub(REFUSALS_KEPT);
             let old = match old {
-                Some(old) => refusals.remove(old)?.map(|it| it.value().to_owned()),
+                Some(old) => refusals.remove(old)?.map(|key| key.value().to_owned()),
                 None => None,
             };
             if let Some(old) = old {
@@ -153,9 +153,9 @@ pub(crate) fn keep_outcome(change: &WriteTransaction, job: JobId) -> Result<(), 
     let row = change
         .open_table(JOBS)?
         .get(job.0)?
-        .map(|it| it.value().to_vec());
+        .map(|row| row.value().to_vec());
     // An invalid row does not show the outcome.
-    let Some(row) = row.and_then(|it| JobRow::from_bytes(&it).ok()) else {
+    let Some(row) = row.and_then(|row| JobRow::from_bytes(&row).ok()) else {
         return Ok(());
     };
     let Some(key) = row.key else {
@@ -176,7 +176,7 @@ pub(crate) fn keep_outcome(change: &WriteTransaction, job: JobId) -> Result<(), 
 fn next(change: &WriteTransaction) -> Result<u64, redb::Error> {
     let mut facts = change.open_table(crate::store::FACTS)?;
     let last = facts.get(REFUSED_FACT)?;
-    let last = last.map_or(0, |it| it.value());
+    let last = last.map_or(0, |last| last.value());
     facts.insert(REFUSED_FACT, last + 1)?;
     Ok(last + 1)
 }

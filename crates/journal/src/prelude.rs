@@ -32,9 +32,10 @@ pub fn model_at<'a>(
     window: &Window,
 ) -> Option<Model> {
     let model = Model::new(dialect, window.start.as_ref()?);
-    let told = prelude(before);
+    let settings = prelude(before);
     Some(
-        told.iter()
+        settings
+            .iter()
             .fold(model, |model, command| model.begun(command)),
     )
 }
@@ -51,7 +52,10 @@ struct Kind(Discriminant<Command>, Option<Discriminant<Configuration>>);
 fn kind(command: &Command) -> Option<Kind> {
     match command {
         Command::Configuration(Configuration::InitialAngles { .. }) => None,
-        Command::Configuration(it) => Some(Kind(discriminant(command), Some(discriminant(it)))),
+        Command::Configuration(configuration) => Some(Kind(
+            discriminant(command),
+            Some(discriminant(configuration)),
+        )),
         Command::PlaybackAdjustment(_) => Some(Kind(discriminant(command), None)),
         _ => None,
     }

@@ -36,7 +36,7 @@ pub fn locate(
     let nearest = plainest(&ends, nearest(ends.iter(), rest), commands);
     let others = ends
         .iter()
-        .filter(|it| it.located != nearest.located && !it.is_the_same_as(&nearest, commands));
+        .filter(|end| end.located != nearest.located && !end.is_equivalent_to(&nearest, commands));
     judge(rest, nearest, others.copied().min_by(by_distance(rest)))
 }
 
@@ -69,7 +69,11 @@ pub fn window_end(
         let before = ends.len();
         ends.extend(more);
         let (before, more) = ends.split_at(before);
-        let is_clear = |end: &End| before.iter().all(|it| it.is_told_from(end, commands));
+        let is_clear = |end: &End| {
+            before
+                .iter()
+                .all(|earlier| earlier.is_distinct_from(end, commands))
+        };
         if !more.iter().all(is_clear) {
             break;
         }
@@ -84,11 +88,11 @@ pub fn window_end(
 pub enum Unclear {
     /// The arm rests where no command ends.
     #[error(
-        "the arm rests {distance_mm:.3} mm from the nearest place where it may have stopped, \
-         {nearest}; up to {NEAR_MM} mm is near enough: bring it there, or say how far it came"
+        "the arm rests {distance_mm:.3} mm from the nearest position where it may have stopped, \
+         {nearest}; up to {NEAR_MM} mm are allowed: move it there, or state how far it got"
     )]
     Nowhere {
-        /// The nearest place.
+        /// The nearest position.
         nearest: End,
         /// The distance to it.
         distance_mm: f64,
@@ -97,10 +101,10 @@ pub enum Unclear {
     /// The arm rests where either of two commands may have ended.
     #[error(
         "the arm rests {nearest_mm:.3} mm from {nearest} and {second_mm:.3} mm from {second}, too \
-         near to both to tell which: say which it is"
+         close to both to decide: state which it is"
     )]
     Between {
-        /// The nearest place.
+        /// The nearest position.
         nearest: End,
         /// The distance to it.
         nearest_mm: f64,
@@ -145,8 +149,8 @@ fn nearest<'a>(ends: impl Iterator<Item = &'a End>, rest: Position) -> End {
 fn plainest(ends: &[End], nearest: End, commands: &[Command]) -> End {
     let same = ends
         .iter()
-        .filter(|it| it.is_the_same_as(&nearest, commands));
-    let plain = same.filter(|it| !it.located.lifted).copied().next();
+        .filter(|end| end.is_equivalent_to(&nearest, commands));
+    let plain = same.filter(|end| !end.located.lifted).copied().next();
     plain.unwrap_or(nearest)
 }
 

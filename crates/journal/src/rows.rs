@@ -5,7 +5,7 @@ use dobot_arm::Calibration;
 use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::{Deserialize, Serialize};
 
-use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
+use crate::{Adjustment, Job, JobHistory, JobId, JournalError, PlannedJob, Window};
 
 /// A row of the table of jobs, as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -25,8 +25,8 @@ pub(crate) struct JobRow {
     pauses: Vec<JobPause>,
     #[serde(default)]
     pub(crate) adjustment: Adjustment,
-    #[serde(default = "unknown")]
-    pub(crate) behind: Behind,
+    #[serde(default = "unknown", rename = "behind")]
+    pub(crate) history: JobHistory,
     // Missing in format 2; the steps are in a table of their own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     repeat: Option<JobRepeat>,
@@ -39,8 +39,8 @@ pub(crate) struct JobRow {
 }
 
 /// The history of a job that started before it was recorded.
-const fn unknown() -> Behind {
-    Behind {
+const fn unknown() -> JobHistory {
+    JobHistory {
         pauses: 0,
         ran_s: None,
     }
@@ -69,11 +69,11 @@ impl JobRow {
             planned_s: job.planned_s,
             pauses: job.pauses.clone(),
             adjustment: Adjustment::default(),
-            behind: Behind::default(),
+            history: JobHistory::default(),
             repeat: job.program.repeat,
             calibration: Some(job.calibration)
-                .filter(|it| !it.is_none())
-                .map(|it| it.to_numbers()),
+                .filter(|calibration| !calibration.is_none())
+                .map(|calibration| calibration.to_numbers()),
             key: job.key.clone(),
         })
     }
@@ -88,7 +88,11 @@ impl JobRow {
 
     /// Changes the state. A job that is over never runs again: its end may have been reported
     /// already.
-    pub(crate) fn go_on(&mut self, job: JobId, state: &JobState) -> Result<(), JournalError> {
+    pub(crate) fn change_state(
+        &mut self,
+        job: JobId,
+        state: &JobState,
+    ) -> Result<(), JournalError> {
         if self.state.is_over() && *state == JobState::Running {
             let state = self.state.clone();
             return Err(JournalError::NotRunning { job, state });
@@ -134,7 +138,7 @@ impl JobRow {
             adjustment: self.adjustment,
             state: self.state,
             key: self.key,
-            behind: self.behind,
+            history: self.history,
             window,
         })
     }

@@ -28,7 +28,7 @@ impl Store {
     /// Opens the file, or creates it. An existing file is never overwritten.
     pub(crate) fn open(path: &Path) -> Result<Self, JournalError> {
         let file = path.display().to_string();
-        if fs::metadata(path).is_ok_and(|it| it.len() == 0) {
+        if fs::metadata(path).is_ok_and(|metadata| metadata.len() == 0) {
             let found = "it is empty, as a power cut or a full disk leaves it".to_owned();
             return Err(JournalError::Foreign { file, found });
         }
@@ -247,7 +247,7 @@ fn commit(
 /// Counts a write; returns its number.
 fn number_write(change: &WriteTransaction) -> Result<u64, redb::Error> {
     let mut facts = change.open_table(FACTS)?;
-    let number = facts.get(WRITES_FACT)?.map_or(0, |it| it.value()) + 1;
+    let number = facts.get(WRITES_FACT)?.map_or(0, |fact| fact.value()) + 1;
     facts.insert(WRITES_FACT, number)?;
     Ok(number)
 }

@@ -32,7 +32,7 @@ impl WriteCount {
     /// Reads the number of the last write; 0 if unknown.
     pub(crate) fn read(&self) -> u64 {
         let mut text = String::new();
-        let read = File::open(&self.path).and_then(|mut it| it.read_to_string(&mut text));
+        let read = File::open(&self.path).and_then(|mut file| file.read_to_string(&mut text));
         let numbers: Vec<&str> = text.split_whitespace().collect();
         match numbers[..] {
             [one, other] if read.is_ok() && one == other => one.parse().unwrap_or(0),
@@ -46,11 +46,11 @@ impl WriteCount {
             self.file = private().open(&self.path).ok();
         }
         let line = format!("{count:020} {count:020}\n");
-        let written = self.file.as_mut().map(|it| {
-            it.rewind()?;
-            it.write_all(line.as_bytes())
+        let written = self.file.as_mut().map(|file| {
+            file.rewind()?;
+            file.write_all(line.as_bytes())
         });
-        if written.is_some_and(|it| it.is_err()) {
+        if written.is_some_and(|written| written.is_err()) {
             self.file = None;
         }
     }

@@ -82,7 +82,7 @@ impl Call {
         }
         self.shared.own_jobs.add(&self.name(), job);
         if let Err(refused) = start(station, job).await {
-            station.forget_unbegun(job).await;
+            station.remove_unstarted(job).await;
             return Err(refused);
         }
         follow(station, job, time).await

@@ -184,7 +184,7 @@ pub(crate) async fn follow(
         .map_err(|error| no_job(&error))?;
     let started = station.request_at_rest(Request::StartJob { job }).await;
     if let Err(error) = started {
-        station.forget_unbegun(job).await;
+        station.remove_unstarted(job).await;
         return Err(no_job(&error));
     }
     let mut watch = JobWatch::new(job);

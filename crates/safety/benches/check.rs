@@ -1,4 +1,4 @@
-//! What the check of one command costs.
+//! The cost of checking one command.
 //!
 //! `cargo bench -p dobot-safety --bench check`: each sample goes through a hundred commands from
 //! places all over the workspace; the time is that of one.
@@ -48,7 +48,7 @@ fn jog(bencher: Bencher, policy: Named) {
     });
 }
 
-/// Where the trajectory leads, without any check: what the numbers above contain.
+/// The trajectory without any check: the part contained in the numbers above.
 #[divan::bench]
 fn trajectory_alone(bencher: Bencher) {
     let pairs = hundred(|part| target(MovingMode::MovL, part));

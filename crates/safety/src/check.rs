@@ -184,7 +184,7 @@ fn stops(command: &Command) -> bool {
 
 fn paths(trajectory: &Trajectory) -> [Path<'_>; 3] {
     let segments = trajectory.segments();
-    let ends_s = segments.map(|it| it.until_s);
+    let ends_s = segments.map(|segment| segment.until_s);
     [0, 1, 2].map(|index| Path::Trajectory {
         trajectory,
         from_s: if index == 0 { 0.0 } else { ends_s[index - 1] },

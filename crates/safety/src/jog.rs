@@ -103,13 +103,13 @@ fn path(model: &Model, axis: JogAxis, by: f64) -> Option<Path<'static>> {
         })
     };
     match axis {
-        JogAxis::Base => turned(|it| &mut it.base),
-        JogAxis::Rear => turned(|it| &mut it.rear),
-        JogAxis::Fore => turned(|it| &mut it.fore),
-        JogAxis::Servo => turned(|it| &mut it.servo),
-        JogAxis::X => shifted(|it| &mut it.x),
-        JogAxis::Y => shifted(|it| &mut it.y),
-        JogAxis::Z => shifted(|it| &mut it.z),
+        JogAxis::Base => turned(|joints| &mut joints.base),
+        JogAxis::Rear => turned(|joints| &mut joints.rear),
+        JogAxis::Fore => turned(|joints| &mut joints.fore),
+        JogAxis::Servo => turned(|joints| &mut joints.servo),
+        JogAxis::X => shifted(|position| &mut position.x),
+        JogAxis::Y => shifted(|position| &mut position.y),
+        JogAxis::Z => shifted(|position| &mut position.z),
         JogAxis::Gripper => None,
     }
 }

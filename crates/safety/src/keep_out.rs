@@ -55,10 +55,11 @@ impl KeepOut {
                     .try_fold(WHOLE, |part, axis| within(part, line, axis, spans[axis]))
                     .is_some()
             }
-            Self::Cylinder(it) => {
-                let radius = it.radius_mm + grown;
-                let part = within(WHOLE, line, 2, it.z_mm.grown(grown));
-                radius >= 0.0 && part.is_some_and(|part| it.axis_distance(line, part) <= radius)
+            Self::Cylinder(cylinder) => {
+                let radius = cylinder.radius_mm + grown;
+                let part = within(WHOLE, line, 2, cylinder.z_mm.grown(grown));
+                radius >= 0.0
+                    && part.is_some_and(|part| cylinder.axis_distance(line, part) <= radius)
             }
         }
     }
@@ -102,14 +103,17 @@ impl KeepOut {
         let corners = [a[0], a[1], b[0], b[1]];
         let beyond = |axis: usize, span: Bounds| {
             let Bounds { min, max } = span.grown(room);
-            corners.iter().all(|it| it[axis] > max) || corners.iter().all(|it| it[axis] < min)
+            corners.iter().all(|corner| corner[axis] > max)
+                || corners.iter().all(|corner| corner[axis] < min)
         };
         match self {
             Self::Box(area) => {
                 let spans = area.axes();
                 (0..3).any(|axis| beyond(axis, spans[axis]))
             }
-            Self::Cylinder(it) => beyond(2, it.z_mm) || it.tangent_between(&corners, room),
+            Self::Cylinder(cylinder) => {
+                beyond(2, cylinder.z_mm) || cylinder.tangent_between(&corners, room)
+            }
         }
     }
 }
@@ -141,7 +145,9 @@ impl Cylinder {
         let [x, y] = corners
             .iter()
             .map(from_axis)
-            .fold([0.0, 0.0], |sum, it| [sum[0] + it[0], sum[1] + it[1]]);
+            .fold([0.0, 0.0], |sum, corner| {
+                [sum[0] + corner[0], sum[1] + corner[1]]
+            });
         let length = x.hypot(y);
         let off = |point: &[f64; 3]| {
             let [from_x, from_y] = from_axis(point);

@@ -95,12 +95,12 @@ fn inline(keep_out: &KeepOut) -> Result<Value, PolicyError> {
             let [x, y, z] = area.axes().map(range);
             format!("{{ box = {{ x_mm = {x}, y_mm = {y}, z_mm = {z} }} }}")
         }
-        KeepOut::Cylinder(it) => format!(
+        KeepOut::Cylinder(cylinder) => format!(
             "{{ cylinder = {{ x_mm = {}, y_mm = {}, radius_mm = {}, z_mm = {} }} }}",
-            it.x_mm,
-            it.y_mm,
-            it.radius_mm,
-            range(it.z_mm)
+            cylinder.x_mm,
+            cylinder.y_mm,
+            cylinder.radius_mm,
+            range(cylinder.z_mm)
         ),
     };
     text.parse()

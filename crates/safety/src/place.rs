@@ -22,6 +22,6 @@ impl Policy {
         let rules = EffectiveRules::new(self, tool, *arm, false);
         let point = rules.point_at(0.0, *place);
         let broken = rules.broken_at(&point).next();
-        broken.map_or(Ok(()), |it| Err(Violation::of_place(&it, &point)))
+        broken.map_or(Ok(()), |broken| Err(Violation::of_place(&broken, &point)))
     }
 }

@@ -16,13 +16,15 @@ impl Policy {
         let settings = model.begun(command).settings;
         let moves = settings.move_speeds();
         match command {
-            Command::Configuration(it) => self.check_configuration(it, &settings),
+            Command::Configuration(configuration) => {
+                self.check_configuration(configuration, &settings)
+            }
             Command::PlaybackAdjustment(_) => self.check_speeds(&moves),
-            Command::MoveTo(it) => self.check_target(it.mode, &settings),
-            Command::MoveJoints(it) => self.check_target(it.mode, &settings),
-            Command::WriteVector(it) => self.check_vector(it, &settings),
-            Command::JointJog(it) => self.check_jog_speed(it.speed_percent, trajectory),
-            Command::LinearJog(it) => self.check_jog_speed(it.speed_percent, trajectory),
+            Command::MoveTo(target) => self.check_target(target.mode, &settings),
+            Command::MoveJoints(target) => self.check_target(target.mode, &settings),
+            Command::WriteVector(vector) => self.check_vector(vector, &settings),
+            Command::JointJog(jog) => self.check_jog_speed(jog.speed_percent, trajectory),
+            Command::LinearJog(jog) => self.check_jog_speed(jog.speed_percent, trajectory),
             Command::MouseMove(_) if model.dialect.mouse_swings => self.check_followed(trajectory),
             Command::Gesture(_) if model.dialect.scales_gesture => self.check_followed(trajectory),
             Command::MouseMove(_) | Command::Gesture(_) | Command::Voice(_) => {
@@ -116,7 +118,7 @@ impl Policy {
     fn check_followed(&self, trajectory: &Trajectory) -> Result<(), Violation> {
         let duration_s = trajectory.motion_s().unwrap_or_default();
         let ends = [trajectory.place_at(0.0), trajectory.place_at(duration_s)];
-        let [Ok(from), Ok(to)] = ends.map(|it| it.map(|place| place.joints)) else {
+        let [Ok(from), Ok(to)] = ends.map(|ends| ends.map(|place| place.joints)) else {
             return Ok(()); // The way is checked besides.
         };
         let ways = [

@@ -262,7 +262,8 @@ impl Flat {
 
 /// Returns the steepest rise of the table, in mm per mm.
 fn slope(arm: &Calibration) -> f64 {
-    arm.table.map_or(0.0, |it| it.slope_x.hypot(it.slope_y))
+    arm.table
+        .map_or(0.0, |table| table.slope_x.hypot(table.slope_y))
 }
 
 /// Returns the second derivative of a point at most `radius_mm` from the axis: it moves in the

@@ -178,13 +178,19 @@ fn check_keep_out(name: &str, keep_out: &KeepOut) -> Option<InvalidValue> {
         });
     }
     match keep_out {
-        KeepOut::Box(it) => area(&format!("keep_out.{name}.box"), it),
-        KeepOut::Cylinder(it) => {
+        KeepOut::Box(sides) => area(&format!("keep_out.{name}.box"), sides),
+        KeepOut::Cylinder(cylinder) => {
             let key = |field: &str| format!("keep_out.{name}.cylinder.{field}");
-            number(key("x_mm"), it.x_mm, ANYWHERE)
-                .or_else(|| number(key("y_mm"), it.y_mm, ANYWHERE))
-                .or_else(|| number(key("radius_mm"), it.radius_mm, Bounds::new(0.0, 1000.0)))
-                .or_else(|| span(key("z_mm"), it.z_mm, ANYWHERE))
+            number(key("x_mm"), cylinder.x_mm, ANYWHERE)
+                .or_else(|| number(key("y_mm"), cylinder.y_mm, ANYWHERE))
+                .or_else(|| {
+                    number(
+                        key("radius_mm"),
+                        cylinder.radius_mm,
+                        Bounds::new(0.0, 1000.0),
+                    )
+                })
+                .or_else(|| span(key("z_mm"), cylinder.z_mm, ANYWHERE))
         }
     }
 }

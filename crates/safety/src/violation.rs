@@ -129,7 +129,7 @@ impl Violation {
         let nearest = position(&breach.nearest);
         let [x, y, z] = nearest.map(Rounded);
         let message = format!(
-            "{}; the way is free for {} mm{}, as far as x {x} y {y} z {z} mm",
+            "{}; the path is free for {} mm{}, up to x {x} y {y} z {z} mm",
             violation.message,
             Rounded(breach.gone_mm),
             Seconds(breach.at_s),
@@ -239,7 +239,7 @@ impl fmt::Display for Distinct {
         let rounded = |scale: f64| (self.found * scale).round() / scale + 0.0;
         let than = Rounded(self.than).to_string();
         let clear = [1e2, 1e3, 1e4].map(|scale| rounded(scale).to_string());
-        let clear = clear.into_iter().find(|it| *it != than);
+        let clear = clear.into_iter().find(|text| *text != than);
         f.write_str(&clear.unwrap_or_else(|| self.found.to_string()))
     }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use dobot_api::{Folders, Role};
 use dobot_controller::Personality;
-use dobot_host::{PreparedArm, WantedArm};
+use dobot_host::{ArmSelection, PreparedArm};
 use dobot_session::Address;
 use dobot_sim::Speed;
 use dobot_wire::Dialect;
@@ -113,7 +113,7 @@ impl Config {
     ///
     /// Outside of a tokio runtime.
     pub async fn approach(&self) -> Result<PreparedArm, StartError> {
-        let arm = WantedArm {
+        let arm = ArmSelection {
             address: self.arm.clone(),
             personality: self.personality,
             speed: self.speed,

@@ -65,6 +65,6 @@ pub use http::{ServeError, Served, StationApi, TlsError, Token, Tokens, TokensEr
 pub use program::{ProgramNews, Traffic};
 pub use raw::{RawPort, RawPortError};
 pub use start::{Failed, StartError, Station};
-pub use virtual_arms::{ArmCommand, ArmsPort, WantedArm};
+pub use virtual_arms::{ArmCommand, ArmsPort, ArmSelection};
 #[cfg(unix)]
 pub use virtual_port::VirtualPort;

@@ -113,7 +113,7 @@ impl Station {
         let virtual_port = open_pty(&config)?;
         let arm = approach.address();
         let host = Host::start(approach, setup(&config, policy))?;
-        for line in host.of_watchdog() {
+        for line in host.watchdog_reports() {
             host.handle().try_report_trouble(line.clone());
         }
         let raw = raw.map(|port| serve_raw(port, &host));
@@ -121,7 +121,7 @@ impl Station {
         let foxglove = foxglove.map(|port| serve_foxglove(port, &host));
         match http::serve(&web(&config, &host), host.handle().clone()).await {
             Ok(http) => Ok(Self {
-                notes: [host.notes(), host.of_watchdog()].concat(),
+                notes: [host.notes(), host.watchdog_reports()].concat(),
                 host,
                 http,
                 arm,

@@ -16,14 +16,14 @@ pub enum ArmCommand {
     /// List the arms.
     List(oneshot::Sender<GivenArms>),
     /// Start an arm.
-    Give(WantedArm, oneshot::Sender<Result<GivenArm, Problem>>),
+    Give(ArmSelection, oneshot::Sender<Result<GivenArm, Problem>>),
     /// End the arm of this name.
     End(String, oneshot::Sender<Result<(), Problem>>),
 }
 
 /// A request for a virtual arm.
 #[derive(Debug)]
-pub struct WantedArm {
+pub struct ArmSelection {
     /// Its name in the fleet.
     pub name: String,
     /// The station of the fleet that already has this name.

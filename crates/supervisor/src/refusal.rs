@@ -12,7 +12,7 @@ use dobot_session::SendError;
 #[non_exhaustive]
 pub enum Refusal {
     /// The client's role is not sufficient.
-    #[error("this takes the role {needed}; this client has {found}")]
+    #[error("role {needed} is required; this client has {found}")]
     Role {
         /// The role required.
         needed: Role,
@@ -20,13 +20,13 @@ pub enum Refusal {
         found: Role,
     },
     /// The client does not have control.
-    #[error("{}", match holder { Some(Holder { name, .. }) => format!("{name} has control of the arm"), None => "nobody has control of the arm; this client has to take it first".to_owned() })]
+    #[error("{}", match holder { Some(Holder { name, .. }) => format!("{name} has control of the arm"), None => "this client does not have control of the arm; control is free".to_owned() })]
     NoLease {
         /// The lease holder, if any.
         holder: Option<Holder>,
     },
     /// An administrator has locked the arm.
-    #[error("the arm was locked by {by}{}", message.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+    #[error("the arm was locked by {by}{}", message.as_ref().map(|message| format!(": {message}")).unwrap_or_default())]
     Locked {
         /// Who locked it.
         by: String,
@@ -34,7 +34,7 @@ pub enum Refusal {
         message: Option<String>,
     },
     /// The arm is in another student's time slot.
-    #[error("it is the time of {student}{}, for another {}; the arm is free in {}", group.as_ref().map(|it| format!(" ({it})")).unwrap_or_default(), span(*left_s), span(*free_in_s))]
+    #[error("the arm is reserved for {student}{} for another {}; it is free in {}", group.as_ref().map(|group| format!(" ({group})")).unwrap_or_default(), span(*left_s), span(*free_in_s))]
     Slot {
         /// The student.
         student: String,
@@ -49,11 +49,11 @@ pub enum Refusal {
     #[error("{0}")]
     BadSlots(String),
     /// No client with this number has asked for control.
-    #[error("client {0} does not ask for control")]
+    #[error("client {0} has not asked for control")]
     NotAsking(u64),
     /// The arm is stopped until a person clears the stop.
     #[error("{} {by}{}", if *of_fleet { "stopped: fleet, by" } else { "the arm was stopped by" },
-        reason.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+        reason.as_ref().map(|reason| format!(": {reason}")).unwrap_or_default())]
     Stopped {
         /// Who stopped it.
         by: String,
@@ -63,19 +63,19 @@ pub enum Refusal {
         of_fleet: bool,
     },
     /// The arm is not at rest yet.
-    #[error("the arm still moves; it rests within {within_s:.1} s")]
+    #[error("the arm is still moving; it is at rest within {within_s:.1} s")]
     StillMoving {
         /// The longest time until it is at rest, in seconds.
         within_s: f64,
     },
     /// The station released a button that is still pressed.
-    #[error("the button was let go: {0}")]
+    #[error("the button was released: {0}")]
     LetGo(String),
     /// There is no link to send it over, and the arm may be moving or burning.
     #[error("{0} was NOT DELIVERED: there is no link to the arm")]
     NotDelivered(&'static str),
     /// No watchdog guards the arm.
-    #[error("no watchdog watches over the arm: {0}")]
+    #[error("no watchdog guards the arm: {0}")]
     Unguarded(String),
     /// There is no arm to send to.
     #[error("there is no link to an arm: {0}")]
@@ -100,7 +100,7 @@ pub enum Refusal {
         allowed: String,
     },
     /// Too many commands are waiting.
-    #[error("{waiting} commands wait already, and more than {most} may not")]
+    #[error("{waiting} commands are waiting; allowed are {most}")]
     TooMany {
         /// The number waiting.
         waiting: usize,
@@ -108,13 +108,13 @@ pub enum Refusal {
         most: usize,
     },
     /// A job is using the arm.
-    #[error("job {0} has the arm")]
+    #[error("job {0} is using the arm")]
     JobRunning(u64),
     /// The dialect of the arm is being detected.
-    #[error("the arm makes the motions that tell its dialect")]
+    #[error("the dialect of the arm is being detected")]
     Detecting,
     /// The motions of the detection did not determine the dialect.
-    #[error("the dialect was not found: {0}")]
+    #[error("the dialect could not be detected: {0}")]
     NotFound(String),
     /// The job waits for a person.
     #[error("job {job} waits for a person: {message}")]
@@ -131,7 +131,7 @@ pub enum Refusal {
     #[error("there is no job {0}")]
     NoSuchJob(u64),
     /// The job's phase does not allow this.
-    #[error("job {job} is {found}; this takes one that is {allowed}", found = format!("{found:?}").to_lowercase())]
+    #[error("job {job} is {found}; allowed are jobs that are {allowed}", found = format!("{found:?}").to_lowercase())]
     JobPhase {
         /// The job number.
         job: u64,
@@ -154,7 +154,7 @@ pub enum Refusal {
         rule: Option<String>,
     },
     /// The idempotency key was already used for another job.
-    #[error("the key {key:?} was that of a request for job {job}, which is another one")]
+    #[error("key {key:?} was already used for a different request (job {job})")]
     KeyReused {
         /// The key.
         key: String,
@@ -162,13 +162,13 @@ pub enum Refusal {
         job: u64,
     },
     /// The job cannot be resumed in the current situation.
-    #[error("the job cannot be gone on with: {0}")]
+    #[error("cannot resume the job: {0}")]
     CannotResume(String),
     /// The journal cannot be written.
     #[error("the journal of jobs cannot be written: {0}")]
     Journal(String),
     /// The request cannot be understood.
-    #[error("the request cannot be understood: {0}")]
+    #[error("the request cannot be translate: {0}")]
     Malformed(String),
     /// The station is shutting down.
     #[error("the station is shutting down")]
@@ -207,29 +207,32 @@ impl Refusal {
             Self::NoLease { holder } => (problem_kinds::NO_LEASE, lease_hint(holder.as_ref())),
             Self::Locked { .. } => (
                 problem_kinds::LOCKED,
-                "wait until it is unlocked; anybody may stop the arm meanwhile",
+                "wait until it is unlocked; any client may stop the arm meanwhile",
             ),
             Self::Slot { .. } => (
                 problem_kinds::SLOT,
-                "wait for your own time, or until the arm is free: `dobot slots` shows when; anybody may stop the arm meanwhile",
+                "wait for your time slot, or until the arm is free (`dobot slots` or `GET /api/v1/slots`); any client may stop the arm meanwhile",
             ),
-            Self::NotAsking(_) => (problem_kinds::NOT_ASKING, "`dobot lease` shows who asks"),
+            Self::NotAsking(_) => (
+                problem_kinds::NOT_ASKING,
+                "list the requests: `dobot lease` or `GET /api/v1/state`",
+            ),
             Self::Stopped { of_fleet: true, .. } => (
                 problem_kinds::STOPPED,
-                "look at the arm; `dobot stop --reset` lets this one move again, `dobot fleet stop --reset` all of the fleet",
+                "check the arm, then clear the stop: `dobot stop --reset` or `DELETE /api/v1/stop` for this arm, `dobot fleet stop --reset` or `DELETE /api/v1/fleet/stop` for the fleet",
             ),
             Self::Stopped { .. } => (
                 problem_kinds::STOPPED,
-                "look at the arm; when it may move again, `dobot stop --reset`",
+                "check the arm, then clear the stop: `dobot stop --reset` or `DELETE /api/v1/stop`",
             ),
-            Self::StillMoving { .. } => (problem_kinds::STILL_MOVING, "wait until it rests"),
+            Self::StillMoving { .. } => (problem_kinds::STILL_MOVING, "wait until it is at rest"),
             Self::LetGo(_) => (
                 problem_kinds::LET_GO,
-                "let go of the button, then press it again",
+                "release the button, then press it again",
             ),
             Self::NotDelivered(_) => (
                 problem_kinds::NOT_DELIVERED,
-                "switch the arm off by hand; it is sent as soon as the link is back",
+                "switch the arm off by hand; the packets are sent as soon as the link is back",
             ),
             Self::Unguarded(_) => (
                 problem_kinds::UNGUARDED,
@@ -237,37 +240,52 @@ impl Refusal {
             ),
             Self::NoLink(_) => (
                 problem_kinds::NO_LINK,
-                "`dobot watch` shows what the station waits for",
+                "see what the station is waiting for: `dobot watch` or `GET /api/v1/state`",
             ),
             Self::Send(error) => return (problem_kinds::COMMAND, send_hint(error).map(Into::into)),
-            Self::Policy(_) => (problem_kinds::POLICY, "`dobot policy` shows the rules"),
+            Self::Policy(_) => (
+                problem_kinds::POLICY,
+                "see the rules: `dobot policy` or `GET /api/v1/policy`",
+            ),
             Self::LaserDisarmed => (
                 problem_kinds::LASER_DISARMED,
-                "put the goggles on, then arm the laser for a while, with the client that is to use it: `--arm-laser 600` of `dobot jog` and `dobot jobs start`",
+                "put on goggles, then arm the laser from the client that uses it: `--arm-laser 600` of `dobot jog` and `dobot jobs start`, or `POST /api/v1/laser`",
             ),
             Self::TooMany { .. } => (
                 problem_kinds::TOO_MANY,
                 "wait until some are over, or send them as a job",
             ),
-            Self::JobRunning(_) => (problem_kinds::JOB_RUNNING, "pause it: `dobot jobs pause`"),
+            Self::JobRunning(_) => (
+                problem_kinds::JOB_RUNNING,
+                "pause it: `dobot jobs pause` or `POST /api/v1/jobs/pause`",
+            ),
             Self::Detecting => (
                 problem_kinds::DETECTING,
-                "wait until it is done, or stop it: `dobot stop`",
+                "wait until it is done, or stop it: `dobot stop` or `POST /api/v1/stop`",
             ),
             Self::NotFound(_) => (
                 problem_kinds::DIALECT_NOT_FOUND,
-                "see that nothing is in the arm's way and that its cable sits well, then `dobot detect` again; or say which dialect it is: `--dialect firmware-1.1` for an arm as it was sold",
+                "make sure that nothing blocks the arm and its cable is plugged in firmly, then detect again (`dobot detect` or `POST /api/v1/dialect/detect`); or set the dialect: `--dialect firmware-1.1` or `PUT /api/v1/dialect` for an arm with its original firmware",
             ),
             Self::NeedsPerson { .. } => (
                 problem_kinds::NEEDS_PERSON,
-                "a person goes on with it: on the page, or with `dobot jobs start` in a terminal",
+                "have a person confirm and resume it: on the page, or with `dobot jobs start` in a terminal",
             ),
-            Self::NoJobRuns => (problem_kinds::NO_JOB_RUNS, "`dobot jobs` lists the jobs"),
-            Self::NoSuchJob(_) => (problem_kinds::NO_SUCH_JOB, "`dobot jobs` lists the jobs"),
-            Self::JobPhase { .. } => (problem_kinds::JOB_PHASE, "`dobot jobs` lists the jobs"),
+            Self::NoJobRuns => (
+                problem_kinds::NO_JOB_RUNS,
+                "list the jobs: `dobot jobs` or `GET /api/v1/jobs`",
+            ),
+            Self::NoSuchJob(_) => (
+                problem_kinds::NO_SUCH_JOB,
+                "list the jobs: `dobot jobs` or `GET /api/v1/jobs`",
+            ),
+            Self::JobPhase { .. } => (
+                problem_kinds::JOB_PHASE,
+                "list the jobs: `dobot jobs` or `GET /api/v1/jobs`",
+            ),
             Self::NoVectors(_) => (
                 problem_kinds::NO_VECTORS,
-                "`dobot set percent` changes the speed of targets",
+                "change the speed of targets: `dobot set percent`",
             ),
             Self::BadJob { .. } => (
                 problem_kinds::BAD_JOB,
@@ -275,17 +293,17 @@ impl Refusal {
             ),
             Self::KeyReused { .. } => (
                 problem_kinds::KEY_REUSED,
-                "give each request a key of its own, such as a random number",
+                "use a new key for each request, such as a random number",
             ),
             Self::CannotResume(_) => (
                 problem_kinds::CANNOT_RESUME,
-                "`dobot jobs` says how far it is; `dobot jobs cancel` ends it",
+                "see its progress with `dobot jobs` or `GET /api/v1/jobs`; end it with `dobot jobs cancel` or `DELETE /api/v1/jobs/{id}`",
             ),
             Self::Journal(_) => (
                 problem_kinds::JOURNAL,
                 "make room on the disk, or check the folder's permissions",
             ),
-            Self::Ending => (problem_kinds::ENDING, "`dobot up` starts it again"),
+            Self::Ending => (problem_kinds::ENDING, "start it again: `dobot up`"),
             // Both texts state what is allowed.
             Self::OutOfRange { .. } => return (problem_kinds::OUT_OF_RANGE, None),
             Self::Malformed(_) => return (problem_kinds::MALFORMED, None),
@@ -297,11 +315,11 @@ impl Refusal {
 
 fn lease_hint(holder: Option<&Holder>) -> &'static str {
     match holder {
-        None => "take the lease",
+        None => "take control: `dobot lease take` or `POST /api/v1/lease`",
         Some(Holder { is_program, .. }) if *is_program => {
-            "a program on the raw port cannot be asked; on this machine, take control from it: `dobot lease take`"
+            "a program on the raw port cannot answer requests; take control from it as an administrator: `dobot lease take` or `POST /api/v1/lease`"
         }
-        Some(_) => "ask the holder for the lease: `dobot lease ask`",
+        Some(_) => "ask for control: `dobot lease ask` or `POST /api/v1/lease/ask`",
     }
 }
 
@@ -335,12 +353,12 @@ impl From<Violation> for Refusal {
 const fn send_hint(error: &SendError) -> Option<&'static str> {
     match error {
         SendError::Undecided { .. } => Some(
-            "find out with `dobot detect`, or say which: `--dialect firmware-1.1` for an arm as it was sold",
+            "detect the dialect (`dobot detect` or `POST /api/v1/dialect/detect`), or set it: `--dialect firmware-1.1` or `PUT /api/v1/dialect` for an arm with its original firmware",
         ),
         SendError::Untrusted => Some(
-            "look at the arm; where it stands as its statuses say, confirm it: `dobot confirm`",
+            "check the arm; if it stands where its statuses say, confirm the pose: `dobot confirm` or `POST /api/v1/pose/confirm`",
         ),
-        SendError::OnTheSpot => Some("a JUMP goes there without harm"),
+        SendError::OnTheSpot => Some("use a JUMP"),
         _ => None,
     }
 }
@@ -356,7 +374,7 @@ impl From<&Refusal> for Problem {
         if let Refusal::Policy(violation) = refusal {
             problem.rule = Some(violation.rule.clone());
             problem.nearest_mm = violation.nearest;
-            problem.at_mm = violation.at.as_ref().map(|it| it.position_mm);
+            problem.at_mm = violation.at.as_ref().map(|at| at.position_mm);
         }
         problem
     }

@@ -47,7 +47,7 @@ use self::stop_latch::StopLatch;
 use self::stop_sequence::StopSequence;
 use crate::refusal::Refusal;
 
-pub use self::fleet_stops::KeptFleetStop;
+pub use self::fleet_stops::SavedFleetStop;
 pub use self::job::FORGETTABLE;
 pub use self::plan::{JobPlan, draws_below_mm};
 pub use self::run::{Effect, StartedJob};
@@ -157,7 +157,7 @@ impl Supervisor {
         if known.calibration.is_some() {
             let name = known.name().unwrap_or("the arm that was calibrated there");
             let text = format!(
-                "the arm at {address} is taken to be {name}; if it is another one, have its own calibration hold: `dobot calibrate ARM.toml --use`"
+                "the arm at {address} is assumed to be {name}; if it is a different one, use its own calibration: `dobot calibrate ARM.toml --use`"
             );
             self.notify(News::Calibrated, text);
         }
@@ -195,7 +195,7 @@ impl Supervisor {
         // The link first: the first packet to an arm that reappears switches the laser off,
         // whatever happened before (a crash, another program, an unplugged cable).
         if self.link.handle_status() {
-            self.notify(News::LinkUp, "the arm tells its state".into());
+            self.notify(News::LinkUp, "the arm is connected".into());
         }
         if self.link.take_pending_laser_off() {
             // The last packets may have been lost with the link.
@@ -204,7 +204,7 @@ impl Supervisor {
             if self.stop_latch.handle_delivered() {
                 self.notify(
                     News::Trouble,
-                    "the stop is delivered now: the link to the arm is back".into(),
+                    "the link to the arm is back: the stop has been delivered".into(),
                 );
             }
         }
@@ -224,7 +224,7 @@ impl Supervisor {
             self.notify(News::AtRest, "the arm is at rest".into());
             self.release_fleet_stop();
         }
-        self.judge_grip(&status);
+        self.check_grip(&status);
         self.with_run(Run::handle_status);
         // The detection last: it sets the dialect, which a job using the arm would forbid.
         self.watch_detection(&status);
@@ -263,11 +263,11 @@ impl Supervisor {
     fn apply_effects(&mut self, effects: impl IntoIterator<Item = JobEffect>) {
         for effect in effects {
             match effect {
-                JobEffect::Ask(effect) => self.journal_requests.ask(effect),
-                JobEffect::Keep(effect) => self.journal_requests.keep_phase(effect),
+                JobEffect::Write(effect) => self.journal_requests.ask(effect),
+                JobEffect::WritePhase(effect) => self.journal_requests.keep_phase(effect),
                 JobEffect::Notify(news, text) => self.notify(news, text),
-                JobEffect::Forget => self.run = None,
-                JobEffect::TryAgain => self.try_again(),
+                JobEffect::Drop => self.run = None,
+                JobEffect::Resend => self.resend_lost(),
             }
             self.outgoing.note_change();
         }
@@ -280,7 +280,7 @@ impl Supervisor {
             at_s: self.arm.now().as_secs_f64(),
             link: self.link.view(&self.arm.session().link()),
             arm: self.arm.last().map(|reported| {
-                let status = self.arm.true_status(&reported);
+                let status = self.arm.calibrated_status(&reported);
                 ArmView {
                     status,
                     told: Some(reported).filter(|_| self.arm.is_calibrated()),
@@ -420,9 +420,7 @@ impl Supervisor {
         }
         match self.arm.session().model() {
             Some(model) => Ok(*model),
-            None => Err(Refusal::NoLink(
-                "no arm has told where it stands yet".into(),
-            )),
+            None => Err(Refusal::NoLink("the arm has not sent a status yet".into())),
         }
     }
 
@@ -437,7 +435,7 @@ impl Supervisor {
     /// # Errors
     ///
     /// [`Refusal::BadSlots`]; then there are no slots.
-    pub fn handle_kept_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
+    pub fn handle_saved_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
         self.handle_time(now);
         self.leases.set_slots(self.arm.now(), slots)?;
         self.outgoing.note_change();

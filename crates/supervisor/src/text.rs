@@ -4,7 +4,10 @@
 /// characters, characters that change the text direction, and invisible ones.
 #[must_use]
 pub fn plain(text: &str, most: usize) -> String {
-    text.chars().filter(|it| is_plain(*it)).take(most).collect()
+    text.chars()
+        .filter(|character| is_plain(*character))
+        .take(most)
+        .collect()
 }
 
 /// Returns whether a character is safe to show.

@@ -85,7 +85,7 @@ impl Session {
         let job = client.submit(job).await?;
         let begun = self.start(Rests { job, burns }, reports).await;
         if let Err(Failure::Refused(_)) = begun {
-            self.client.forget_unbegun(job).await;
+            self.client.remove_unstarted(job).await;
         }
         begun
     }

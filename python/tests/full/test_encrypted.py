@@ -32,7 +32,7 @@ def encrypted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple
             for line in process.stdout:
                 name, _, value = line.strip().partition(" ")
                 told[name] = value.strip()
-                if "the arm tells its state" in line:
+                if "the arm is connected" in line:
                     break
             yield told["page"], told["fingerprint"], token
         finally:

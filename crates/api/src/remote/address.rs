@@ -153,14 +153,25 @@ pub fn fingerprint(text: &str) -> Result<[u8; 32], StationAddressError> {
     let error = || StationAddressError::Fingerprint {
         found: text.to_owned(),
     };
-    let digits: Option<Vec<u8>> = text.chars().filter(|it| *it != ':').map(digit).collect();
-    let digits = digits.filter(|it| it.len() == 64).ok_or_else(error)?;
-    let bytes: Vec<u8> = digits.chunks(2).map(|it| it[0] << 4 | it[1]).collect();
+    let digits: Option<Vec<u8>> = text
+        .chars()
+        .filter(|character| *character != ':')
+        .map(digit)
+        .collect();
+    let digits = digits
+        .filter(|digits| digits.len() == 64)
+        .ok_or_else(error)?;
+    let bytes: Vec<u8> = digits
+        .chunks(2)
+        .map(|pair| pair[0] << 4 | pair[1])
+        .collect();
     bytes.try_into().map_err(|_| error())
 }
 
 fn digit(digit: char) -> Option<u8> {
-    digit.to_digit(16).and_then(|it| u8::try_from(it).ok())
+    digit
+        .to_digit(16)
+        .and_then(|value| u8::try_from(value).ok())
 }
 
 fn host_and_port(text: &str) -> Option<(String, u16)> {
@@ -173,7 +184,8 @@ fn host_and_port(text: &str) -> Option<(String, u16)> {
         None if host.contains(':') => return None,
         None => host,
     };
-    let allowed = |it: char| it.is_ascii_alphanumeric() || "-._:%".contains(it);
+    let allowed =
+        |character: char| character.is_ascii_alphanumeric() || "-._:%".contains(character);
     (!host.is_empty() && port > 0 && host.chars().all(allowed)).then(|| (host.to_owned(), port))
 }
 

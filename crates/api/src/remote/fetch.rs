@@ -31,7 +31,7 @@ pub async fn post<T: DeserializeOwned>(
     document: &impl Serialize,
 ) -> Result<T, ConnectError> {
     let body = serde_json::to_string(document);
-    let body = body.map_err(|it| ConnectError::no_station(address, it))?;
+    let body = body.map_err(|error| ConnectError::no_station(address, error))?;
     answered(address, &question(address, "POST", path, &body)).await
 }
 
@@ -54,7 +54,8 @@ async fn answered<T: DeserializeOwned>(
     let answer = soon(address, ask(address, question)).await?;
     let (status, body) = split(&answer).ok_or_else(|| ConnectError::no_station(address, SPEECH))?;
     if (200..300).contains(&status) {
-        return serde_json::from_slice(body).map_err(|it| ConnectError::no_station(address, it));
+        return serde_json::from_slice(body)
+            .map_err(|error| ConnectError::no_station(address, error));
     }
     Err(refused(address, status, body))
 }
@@ -75,7 +76,7 @@ pub(super) fn refused(address: &StationAddress, status: u16, body: &[u8]) -> Con
 
 /// Sends one HTTP 1.0 request on its own connection; the answer ends with the connection.
 async fn ask(address: &StationAddress, question: &str) -> Result<Vec<u8>, ConnectError> {
-    let broken = |it| ConnectError::no_station(address, it);
+    let broken = |error| ConnectError::no_station(address, error);
     let mut stream = open(address).await?;
     stream
         .write_all(question.as_bytes())
@@ -104,7 +105,7 @@ fn question(address: &StationAddress, method: &str, path: &str, body: &str) -> S
 
 /// Splits an answer into status and body.
 fn split(answer: &[u8]) -> Option<(u16, &[u8])> {
-    let end = answer.windows(4).position(|it| it == b"\r\n\r\n")?;
+    let end = answer.windows(4).position(|window| window == b"\r\n\r\n")?;
     let head = std::str::from_utf8(&answer[..end]).ok()?;
     let status = head.strip_prefix("HTTP/1.")?.get(2..5)?.parse().ok()?;
     Some((status, &answer[end + 4..]))

@@ -23,7 +23,7 @@ pub struct StationSearch {
 #[non_exhaustive]
 pub enum SearchError {
     /// The user has no home folder.
-    #[error("this person has no home folder")]
+    #[error("this user has no home folder")]
     NoFolders,
     /// The address is invalid.
     #[error(transparent)]
@@ -39,7 +39,7 @@ impl SearchError {
     pub const fn hint(&self) -> Option<&'static str> {
         match self {
             Self::NoFolders => Some(
-                "say where the station keeps its data: `--data FOLDER`, or the environment variable DOBOT_DATA",
+                "name the station's data folder: `--data FOLDER`, or the environment variable DOBOT_DATA",
             ),
             Self::Address(_) | Self::Running(_) => None,
         }
@@ -83,7 +83,9 @@ impl StationSearch {
         address.token = self.token.clone().or_else(|| variable("DOBOT_TOKEN"));
         address.trust.clone_from(&self.trust);
         // The local station's token need not be given.
-        if let Some(here) = running(&here()?)?.filter(|it| it.to_string() == address.to_string()) {
+        if let Some(here) = running(&here()?)?
+            .filter(|address_here| address_here.to_string() == address.to_string())
+        {
             address.token = address.token.or(here.token);
             address.trust = address.trust.or(here.trust);
         }
@@ -106,7 +108,9 @@ impl fmt::Debug for StationSearch {
 /// [`SearchError`] if its file is invalid.
 pub fn running(folders: &Folders) -> Result<Option<StationAddress>, SearchError> {
     let running = Running::read(&folders.running())?;
-    let address = running.map(|it| StationAddress::of(&it)).transpose();
+    let address = running
+        .map(|running| StationAddress::of(&running))
+        .transpose();
     Ok(address?)
 }
 
@@ -116,7 +120,7 @@ fn here() -> Result<Folders, SearchError> {
 
 /// Returns an environment variable that is set and not empty.
 fn variable(name: &str) -> Option<String> {
-    std::env::var(name).ok().filter(|it| !it.is_empty())
+    std::env::var(name).ok().filter(|value| !value.is_empty())
 }
 
 /// The default address of a station.

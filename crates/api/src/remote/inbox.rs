@@ -116,7 +116,7 @@ impl Received {
         match message {
             Ok(ToClient::State { state }) => {
                 self.events.push_back(Ok(StationEvent::State(state)));
-                let states = self.events.iter().filter(|it| is_state(it)).count();
+                let states = self.events.iter().filter(|event| is_state(event)).count();
                 if self.expected.is_some() || states > MOST_STATES {
                     self.keep_last_state();
                 }
@@ -140,7 +140,8 @@ impl Received {
     fn keep_last_state(&mut self) {
         let last = self.events.iter().rposition(is_state);
         let mut at = 0..;
-        self.events.retain(|it| at.next() == last || !is_state(it));
+        self.events
+            .retain(|event| at.next() == last || !is_state(event));
     }
 
     fn why(&mut self) -> RemoteError {

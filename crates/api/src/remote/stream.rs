@@ -32,13 +32,13 @@ pub enum ConnectError {
         source: io::Error,
     },
     /// The connection was accepted, but no answer came.
-    #[error("{address} does not answer within {} s", PATIENCE.as_secs())]
+    #[error("{address} did not respond within {} s", PATIENCE.as_secs())]
     Silent {
         /// The address.
         address: String,
     },
     /// Over https, the reason to trust the certificate is required.
-    #[error("nothing says why the certificate of {address} may be trusted")]
+    #[error("there is no reason to trust the certificate of {address}")]
     NoTrust {
         /// The address.
         address: String,
@@ -52,7 +52,7 @@ pub enum ConnectError {
         part: NotBuilt,
     },
     /// The token cannot be sent in a header.
-    #[error("the token is not one: it has characters that no token has")]
+    #[error("the token has characters that are not allowed")]
     Token,
     /// The file of certificates is unusable.
     #[error(transparent)]
@@ -67,7 +67,7 @@ pub enum ConnectError {
         source: io::Error,
     },
     /// The server is not a station.
-    #[error("what answers at {address} is no station: {why}")]
+    #[error("the server at {address} is not a station: {why}")]
     NoStation {
         /// The address.
         address: String,
@@ -82,7 +82,7 @@ pub enum ConnectError {
 impl ConnectError {
     /// Returns whether no station runs there (as opposed to one that cannot be used).
     #[must_use]
-    pub const fn is_nobody(&self) -> bool {
+    pub const fn is_not_running(&self) -> bool {
         matches!(self, Self::Unreachable { .. })
     }
 
@@ -100,7 +100,7 @@ impl ConnectError {
                     .into(),
             ),
             Self::NoStation { .. } | Self::Silent { .. } => {
-                Some("is it https rather than http, or another port? 8642 is usual".into())
+                Some("check the scheme (https or http) and the port (default 8642)".into())
             }
             Self::NotBuilt { .. } => Some(NotBuilt::HINT.into()),
             Self::Refused(problem) => problem.hint.clone(),
@@ -133,7 +133,7 @@ pub enum TrustError {
         why: String,
     },
     /// The file has no certificate.
-    #[error("there is no certificate in {file}; allowed is a PEM file with one at least")]
+    #[error("there is no certificate in {file}; a PEM file needs at least one")]
     Empty {
         /// The file.
         file: String,

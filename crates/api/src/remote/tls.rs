@@ -26,7 +26,7 @@ pub(super) async fn encrypt(
 ) -> Result<Box<dyn Bytes>, ConnectError> {
     let connector = TlsConnector::from(Arc::new(client_config(trust)?));
     let name = ServerName::try_from(address.host().to_owned());
-    let name = name.map_err(|it| ConnectError::no_station(address, it))?;
+    let name = name.map_err(|error| ConnectError::no_station(address, error))?;
     match connector.connect(name, tcp).await {
         Ok(stream) => Ok(Box::new(stream)),
         Err(source) if is_certificate(&source) => Err(ConnectError::Untrusted {
@@ -38,7 +38,7 @@ pub(super) async fn encrypt(
 }
 
 fn is_certificate(error: &io::Error) -> bool {
-    let tls = error.get_ref().and_then(|it| it.downcast_ref());
+    let tls = error.get_ref().and_then(|source| source.downcast_ref());
     matches!(tls, Some(rustls::Error::InvalidCertificate(_)))
 }
 
@@ -66,12 +66,12 @@ fn authorities(file: &Path) -> Result<RootCertStore, TrustError> {
         why,
     };
     let certificates =
-        CertificateDer::pem_file_iter(file).map_err(|it| unreadable(it.to_string()))?;
+        CertificateDer::pem_file_iter(file).map_err(|error| unreadable(error.to_string()))?;
     let mut store = RootCertStore::empty();
     for certificate in certificates {
-        let certificate = certificate.map_err(|it| unreadable(it.to_string()))?;
+        let certificate = certificate.map_err(|error| unreadable(error.to_string()))?;
         let added = store.add(certificate);
-        added.map_err(|it| unreadable(it.to_string()))?;
+        added.map_err(|error| unreadable(error.to_string()))?;
     }
     if store.is_empty() {
         return Err(TrustError::Empty {

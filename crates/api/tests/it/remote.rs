@@ -14,11 +14,11 @@ use tokio_tungstenite::tungstenite::protocol::CloseFrame;
 use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
 use tokio_tungstenite::{WebSocketStream, accept_hdr_async};
 
-/// A station that says what a test wants.
+/// A station that sends what a test wants.
 pub(crate) struct Fake<S = TcpStream>(WebSocketStream<S>);
 
 impl<S: AsyncRead + AsyncWrite + Unpin> Fake<S> {
-    /// Lets a client in and says hello; gives what it asked for.
+    /// Accepts a client and greets it; returns its request.
     pub(crate) async fn welcome(stream: S) -> (Self, String) {
         let mut asked = String::new();
         let note = |request: &server::Request, answer: server::Response| {
@@ -101,25 +101,25 @@ async fn an_answer_is_told_from_what_comes_before_it_and_nothing_of_that_is_lost
     };
     let (reply, ()) = tokio::join!(remote.request(Request::TakeLease), serve);
     assert_eq!(reply.unwrap(), Reply::Lease { lease: None });
-    assert_eq!(told_text(&mut remote).await, "here");
-    assert_eq!(told_at_s(&mut remote).await, 2.0);
+    assert_eq!(next_text(&mut remote).await, "here");
+    assert_eq!(next_at_s(&mut remote).await, 2.0);
 }
 
-/// Until the client has heard all that was said, though nobody has asked it for anything.
+/// Waits until the client has received everything, without a request.
 async fn is_heard(fake: &mut Fake) {
     fake.0.send(Message::Ping("there?".into())).await.unwrap();
     let answer = fake.0.next().await.unwrap().unwrap();
     assert_eq!(answer, Message::Pong("there?".into()));
 }
 
-async fn told_text(remote: &mut Remote) -> String {
+async fn next_text(remote: &mut Remote) -> String {
     match remote.next().await.unwrap() {
         StationEvent::Notice(notice) => notice.text,
         other @ StationEvent::State(_) => panic!("{other:?}"),
     }
 }
 
-async fn told_at_s(remote: &mut Remote) -> f64 {
+async fn next_at_s(remote: &mut Remote) -> f64 {
     match remote.next().await.unwrap() {
         StationEvent::State(state) => state.at_s,
         other @ StationEvent::Notice(_) => panic!("{other:?}"),
@@ -135,8 +135,8 @@ async fn a_client_that_waits_for_a_person_answers_that_it_is_there_and_then_hear
         fake.say(state(second.into())).await;
     }
     is_heard(&mut fake).await;
-    assert_eq!(told_text(&mut remote).await, "here");
-    assert_eq!(told_at_s(&mut remote).await, 17.0);
+    assert_eq!(next_text(&mut remote).await, "here");
+    assert_eq!(next_at_s(&mut remote).await, 17.0);
 }
 
 #[tokio::test]
@@ -147,7 +147,7 @@ async fn states_that_come_in_a_burst_are_all_told() {
     }
     is_heard(&mut fake).await;
     for second in 1..=16 {
-        assert_eq!(told_at_s(&mut remote).await, f64::from(second));
+        assert_eq!(next_at_s(&mut remote).await, f64::from(second));
     }
 }
 
@@ -165,7 +165,7 @@ async fn whoever_asks_hears_no_state_from_before_the_last_one() {
     };
     let (reply, ()) = tokio::join!(remote.request(Request::PauseJob), serve);
     assert_eq!(reply.unwrap(), Reply::Done);
-    assert_eq!(told_at_s(&mut remote).await, 9.0);
+    assert_eq!(next_at_s(&mut remote).await, 9.0);
 }
 
 #[tokio::test]
@@ -251,7 +251,7 @@ async fn where_nobody_listens_there_is_no_station() {
     let (listener, address) = listen().await;
     drop(listener);
     let error = Remote::connect(&address, "test").await.unwrap_err();
-    assert!(error.is_nobody(), "{error:?}");
+    assert!(error.is_not_running(), "{error:?}");
     assert!(error.hint().unwrap().contains("dobot up"));
 }
 

@@ -110,7 +110,7 @@ fn lines(lease: Option<&LeaseView>, now_s: f64) -> Vec<String> {
     };
     let (name, client, time) = (&lease.name, lease.client.0, clock(now_s - lease.since_s));
     let mut lines = vec![format!("{name} (client {client}) has control, for {time}")];
-    let asks = |asking: &dobot_api::Asking| {
+    let asks = |asking: &dobot_api::ControlRequest| {
         format!("{} (client {}) asks for it", asking.name, asking.client.0)
     };
     lines.extend(lease.asked_by.iter().map(asks));

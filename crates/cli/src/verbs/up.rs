@@ -171,12 +171,12 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         log.report(&format!("no browser could be opened: {error}"));
     }
     let service_manager = ServiceManager::of_environment();
-    service_manager.tell(Notification::Ready);
+    service_manager.notify(Notification::Ready);
     tokio::select! {
         () = print_notices(notices, log) => {}
         () = &mut interrupt => {}
     }
-    service_manager.tell(Notification::Stopping);
+    service_manager.notify(Notification::Stopping);
     log.report("stopping: the laser goes off, and the arm comes to rest");
     // The other stations still see the arm come to rest.
     let ended = async {

@@ -51,7 +51,7 @@ fn over_a_virtual_serial_port_a_killed_station_is_spoken_for_too() {
     up.station.kill();
     let ports = ["up", "--http", "127.0.0.1:0", "--raw", "off"];
     let mut again = RunningProcess::new(up.command(&[&ports[..], &arm].concat()));
-    again.wait_for_line("let go of the joint jog's button");
+    again.wait_for_line("released the joint jog button");
     again.wait_for_line("Ctrl-C");
     let base = || {
         let status = up.json(&["status", "--count", "1"]);

@@ -82,7 +82,7 @@ fn a_move_can_be_asked_about_before_it_is_made() {
         &[
             "refused by keep_out.cup",
             "the tool would touch keep_out.cup",
-            "as far as x 200 y -",
+            "up to x 200 y -",
         ],
     );
     dobot(&[

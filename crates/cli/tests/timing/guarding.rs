@@ -177,7 +177,7 @@ fn a_watchdog_that_is_killed_is_replaced_and_the_next_one_lets_go() {
     assert_eq!(watchdogs.len(), 1, "{watchdogs:?}");
     rustix::process::kill_process(watchdogs[0], rustix::process::Signal::KILL)
         .expect("it is there");
-    line_with("another one takes its place", &mut errors);
+    line_with("has been replaced", &mut errors);
     let _holder = bench.jog("base+");
     let at = Instant::now();
     station.kill();
@@ -247,7 +247,7 @@ fn an_arm_whose_station_stands_still_is_let_go_and_the_station_tells_it_when_it_
     bench.check_words(at, JOINT_RELEASE);
     let on = Instant::now();
     signal(&station, Signal::CONT);
-    line_with("the station stood still for", &mut errors);
+    line_with("the station hung for", &mut errors);
     line_with("the station was silent for", &mut errors);
     // What it says first is laser off; it does not take up the jog where it was.
     let first = loop {

@@ -381,7 +381,7 @@ async fn time_slots_are_set_for_a_group_and_outlive_their_station() {
     );
     let detail = problem["detail"].as_str().unwrap();
     assert!(
-        detail.starts_with("it is the time of anna, for another 1"),
+        detail.starts_with("the arm is reserved for anna for another 1"),
         "{detail}"
     );
     assert_eq!(lease(&anna).await.0, 200);

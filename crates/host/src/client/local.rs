@@ -45,7 +45,7 @@ pub enum OpenArmError {
     #[error(transparent)]
     Host(#[from] HostError),
     /// The system has no thread left for the arm.
-    #[error("the system gives the arm no thread of its own")]
+    #[error("the system has no thread left for the arm")]
     Thread(#[source] std::io::Error),
     /// The host ended immediately.
     #[error(transparent)]
@@ -71,7 +71,7 @@ impl Local {
         let prepared_arm = PreparedArm::open(&arm.address).await?;
         let host = Host::start(prepared_arm, setup(&arm))?;
         let handle = host.handle().clone();
-        for text in host.notes().iter().chain(host.of_watchdog()) {
+        for text in host.notes().iter().chain(host.watchdog_reports()) {
             handle.try_report_trouble(text.clone());
         }
         let (states, notices) = (handle.every_state(), handle.notices());

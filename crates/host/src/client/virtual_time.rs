@@ -13,17 +13,17 @@ use crate::VirtualStation;
 
 /// A client of a supervisor in virtual time: time passes while it waits.
 #[derive(Debug)]
-pub(super) struct InVirtualTime {
+pub(super) struct VirtualTimeClient {
     station: VirtualStation,
     client: ClientId,
     /// Events not taken yet; only the last of several states, unless each is requested.
     heard: VecDeque<StationEvent>,
     /// The number of notices taken.
-    told: usize,
+    taken: usize,
     dead_man_s: f64,
 }
 
-impl InVirtualTime {
+impl VirtualTimeClient {
     pub(super) fn new(arm: VirtualArm, power_up: PowerUp, policy: Policy, name: &str) -> Self {
         let dead_man_s = policy.jog.dead_man_s;
         let mut station = VirtualStation::with_arm(arm, power_up, policy);
@@ -33,7 +33,7 @@ impl InVirtualTime {
             station,
             client,
             heard: VecDeque::new(),
-            told: 0,
+            taken: 0,
             dead_man_s,
         }
     }
@@ -96,15 +96,15 @@ impl InVirtualTime {
 
     fn listen(&mut self) {
         let notices = self.station.notices();
-        let news = notices[self.told..]
+        let news = notices[self.taken..]
             .iter()
             .cloned()
             .map(StationEvent::Notice);
         self.heard.extend(news);
-        self.told = notices.len();
+        self.taken = notices.len();
         if self.station.poll_status() {
             self.heard
-                .retain(|it| !matches!(it, StationEvent::State(_)));
+                .retain(|event| !matches!(event, StationEvent::State(_)));
             let state = Box::new(self.station.supervisor().state());
             self.heard.push_back(StationEvent::State(state));
         }

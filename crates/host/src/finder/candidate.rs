@@ -2,7 +2,7 @@
 
 use dobot_session::{Address, DEFAULT_BAUD, Port, Usb};
 
-use super::{Search, WhereFound};
+use super::{KnownPort, Search};
 
 /// A port to try.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,9 +37,9 @@ enum Rank {
 
 impl Candidate {
     /// Returns where an arm was found, if this is a serial port.
-    pub(super) fn place(&self) -> Option<WhereFound> {
+    pub(super) fn place(&self) -> Option<KnownPort> {
         match &self.address {
-            Address::Serial { path, baud } => Some(WhereFound {
+            Address::Serial { path, baud } => Some(KnownPort {
                 path: path.clone(),
                 baud: *baud,
                 usb: self.usb.clone(),
@@ -58,8 +58,8 @@ pub(super) fn choose(search: &Search, ports: &[Port]) -> Choice {
     };
     let mut candidates = first.clone();
     for &baud in &search.other_bauds {
-        let others = first.iter().filter_map(|it| it.at(baud));
-        candidates.extend(others.filter(|it| !first.contains(it)));
+        let others = first.iter().filter_map(|candidate| candidate.at(baud));
+        candidates.extend(others.filter(|other| !first.contains(other)));
     }
     Choice {
         candidates,
@@ -70,13 +70,13 @@ pub(super) fn choose(search: &Search, ports: &[Port]) -> Choice {
 fn named(search: &Search, ports: &[Port]) -> Vec<Candidate> {
     let candidate = |address: &Address| {
         let port = match address {
-            Address::Serial { path, .. } => ports.iter().find(|it| it.path == *path),
+            Address::Serial { path, .. } => ports.iter().find(|port| port.path == *path),
             _ => None,
         };
         Candidate {
             address: address.clone(),
-            device: port.and_then(|it| it.device.clone()),
-            usb: port.and_then(|it| it.usb.clone()),
+            device: port.and_then(|port| port.device.clone()),
+            usb: port.and_then(|port| port.usb.clone()),
             sure: true,
         }
     };
@@ -85,7 +85,7 @@ fn named(search: &Search, ports: &[Port]) -> Vec<Candidate> {
 
 fn automatic(search: &Search, ports: &[Port]) -> (Vec<Candidate>, Vec<String>) {
     let last = search.last.as_ref();
-    let mut ranked: Vec<_> = ports.iter().map(|it| (rank(it, last), it)).collect();
+    let mut ranked: Vec<_> = ports.iter().map(|port| (rank(port, last), port)).collect();
     // A stable sort keeps the order of names among equals.
     ranked.sort_by_key(|(rank, _)| *rank);
     let (tried, passed_over): (Vec<_>, Vec<_>) = ranked
@@ -96,24 +96,24 @@ fn automatic(search: &Search, ports: &[Port]) -> (Vec<Candidate>, Vec<String>) {
         Candidate {
             address: Address::Serial {
                 path: port.path.clone(),
-                baud: baud.map_or(DEFAULT_BAUD, |it| it.baud),
+                baud: baud.map_or(DEFAULT_BAUD, |found| found.baud),
             },
             device: port.device.clone(),
             usb: port.usb.clone(),
             sure: rank == Rank::TheSame,
         }
     };
-    let passed_over = passed_over.into_iter().map(|(_, it)| it.path.clone());
+    let passed_over = passed_over.into_iter().map(|(_, port)| port.path.clone());
     (
         tried.into_iter().map(candidate).collect(),
         passed_over.collect(),
     )
 }
 
-fn rank(port: &Port, last: Option<&WhereFound>) -> Rank {
+fn rank(port: &Port, last: Option<&KnownPort>) -> Rank {
     match &port.usb {
-        _ if last.is_some_and(|it| it.is(port)) => Rank::TheSame,
-        _ if last.is_some_and(|it| it.may_be(port)) => Rank::PerhapsTheSame,
+        _ if last.is_some_and(|last| last.is(port)) => Rank::TheSame,
+        _ if last.is_some_and(|last| last.may_be(port)) => Rank::PerhapsTheSame,
         Some(usb) if LIKELY.contains(&(usb.vendor, usb.product)) => Rank::LikelyChip,
         Some(_) => Rank::OtherChip,
         None => Rank::NoUsb,

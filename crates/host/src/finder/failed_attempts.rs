@@ -23,7 +23,8 @@ struct Attempt {
 impl FailedAttempts {
     /// Records a failed attempt. A port that could not be opened was not disturbed.
     pub(super) fn note(&mut self, candidate: &Candidate, failure: &ProbeFailure, now: Duration) {
-        self.0.retain(|it| it.address != candidate.address);
+        self.0
+            .retain(|attempt| attempt.address != candidate.address);
         if !candidate.sure && failure.was_open() {
             self.0.push(Attempt {
                 address: candidate.address.clone(),
@@ -35,15 +36,21 @@ impl FailedAttempts {
 
     /// Returns why a candidate should not be opened now, if it failed recently.
     pub(super) fn reason_to_wait(&self, candidate: &Candidate, now: Duration) -> Option<&str> {
-        let is_recent = |it: &&Attempt| now < it.at.saturating_add(LEFT_ALONE);
+        let is_recent = |attempt: &&Attempt| now < attempt.at.saturating_add(LEFT_ALONE);
         let mut attempts = self.0.iter().filter(|_| !candidate.sure);
-        let attempt = attempts.find(|it| it.address == candidate.address);
-        attempt.filter(is_recent).map(|it| it.why.as_str())
+        let attempt = attempts.find(|attempt| attempt.address == candidate.address);
+        attempt
+            .filter(is_recent)
+            .map(|attempt| attempt.why.as_str())
     }
 
     /// Forgets ports that are gone.
     pub(super) fn keep(&mut self, candidates: &[Candidate]) {
-        let is_there = |it: &Attempt| candidates.iter().any(|there| there.address == it.address);
+        let is_there = |attempt: &Attempt| {
+            candidates
+                .iter()
+                .any(|candidate| candidate.address == attempt.address)
+        };
         self.0.retain(is_there);
     }
 }

@@ -36,7 +36,11 @@ impl Listening {
         self.kept.drain(..self.kept.len().saturating_sub(KEPT));
         let is_status = |frame| Status::parse(&frame).is_ok();
         // Count all of them: the decoder drops bytes that it has not reached.
-        self.decoder.feed(bytes).filter(|it| is_status(*it)).count() > 0
+        self.decoder
+            .feed(bytes)
+            .filter(|frame| is_status(*frame))
+            .count()
+            > 0
     }
 
     /// Returns why no arm was found when the time is over.
@@ -74,9 +78,9 @@ mod tests {
     #[test]
     fn one_status_in_any_pieces_is_an_arm() {
         let mut listening = Listening::new();
-        let heard: Vec<bool> = status().map(|it| listening.handle_bytes(&[it])).into();
+        let heard: Vec<bool> = status().map(|byte| listening.handle_bytes(&[byte])).into();
         assert!(heard[41]);
-        assert_eq!(heard.iter().filter(|it| **it).count(), 1);
+        assert_eq!(heard.iter().filter(|heard| **heard).count(), 1);
         assert_eq!(listening.into_bytes(), status());
     }
 
@@ -110,7 +114,7 @@ mod tests {
             let mut all = noise;
             // A false header at the end of the noise hides at most the first status.
             all.extend(status().repeat(2));
-            let heard = all.chunks(cut).filter(|it| listening.handle_bytes(it)).count();
+            let heard = all.chunks(cut).filter(|chunk| listening.handle_bytes(chunk)).count();
             prop_assert!(heard > 0);
             prop_assert!(listening.into_bytes().len() <= 4096);
         }

@@ -13,10 +13,10 @@ pub enum ProbeFailure {
     #[error("{}", open_text(.0))]
     Open(#[from] OpenError),
     /// Nothing was received.
-    #[error("nothing was heard for 5 s")]
+    #[error("nothing was received for 5 s")]
     Silent,
     /// Something was received, but not from an arm.
-    #[error("{bytes} bytes came in 5 s, and no valid status among them")]
+    #[error("{bytes} bytes were received in 5 s, without a valid status")]
     Noise {
         /// The number of bytes.
         bytes: u64,
@@ -28,7 +28,7 @@ pub enum ProbeFailure {
     #[error("it broke: {0}")]
     Broken(#[source] io::Error),
     /// The port failed recently and is not tried again for a while.
-    #[error("{why}; it is tried again later")]
+    #[error("{why}; retrying later")]
     Before {
         /// The earlier failure.
         why: String,
@@ -52,9 +52,9 @@ impl ProbeFailure {
     pub fn hint(&self) -> Option<String> {
         match self {
             Self::Open(error) => error.hint(),
-            Self::Silent => Some("is the arm switched on?".into()),
+            Self::Silent => Some("switch the arm on".into()),
             Self::Noise { .. } => Some(
-                "is it an arm? one that does not speak at 9600 baud is named with its speed, as in serial:/dev/ttyUSB0@115200".into(),
+                "if it is an arm at another speed than 9600 baud, name the speed, as in serial:/dev/ttyUSB0@115200".into(),
             ),
             Self::Closed | Self::Broken(_) | Self::Before { .. } => None,
         }
@@ -88,10 +88,9 @@ impl NothingFound {
     /// Returns a hint on how to fix it.
     #[must_use]
     pub fn hint(&self) -> String {
-        let hint = self.failures.iter().find_map(|(_, it)| it.hint());
+        let hint = self.failures.iter().find_map(|(_, failure)| failure.hint());
         hint.unwrap_or_else(|| {
-            "plug the arm in and switch it on; `dobot ports` lists the serial ports of this machine"
-                .into()
+            "plug the arm in and switch it on; list the serial ports with `dobot ports`".into()
         })
     }
 }
@@ -181,6 +180,6 @@ mod tests {
         let error = io::Error::other("no /sys");
         let text = nothing.without_list(&error).to_string();
         assert!(text.contains("cannot be listed: no /sys"), "{text}");
-        assert!(text.contains("nothing was heard"), "{text}");
+        assert!(text.contains("nothing was received"), "{text}");
     }
 }

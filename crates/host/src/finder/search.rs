@@ -11,12 +11,12 @@ pub struct Search {
     /// Line speeds to try besides 9600 baud, in bits per second.
     pub other_bauds: Vec<u32>,
     /// Where an arm was last found.
-    pub last: Option<WhereFound>,
+    pub last: Option<KnownPort>,
 }
 
 /// The serial port where an arm was found.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct WhereFound {
+pub struct KnownPort {
     /// The name.
     pub path: String,
     /// The speed, in bits per second.
@@ -26,7 +26,7 @@ pub struct WhereFound {
     pub usb: Option<Usb>,
 }
 
-impl WhereFound {
+impl KnownPort {
     /// Returns whether this is the same port: the same chip if it has a serial number, otherwise
     /// the same kind of chip under the same name.
     pub(super) fn is(&self, port: &Port) -> bool {

@@ -40,7 +40,7 @@ fn port(path: &Path) -> Port {
 fn arm(faults: &[&str]) -> (JoinHandle<()>, Port) {
     let faults: Vec<Fault> = faults
         .iter()
-        .map(|it| it.parse().expect("it is a fault"))
+        .map(|fault| fault.parse().expect("it is a fault"))
         .collect();
     let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
     let arm = arm.with_faults(PowerUp::default(), &faults, 0);
@@ -82,7 +82,7 @@ fn finder() -> Finder {
 }
 
 fn listened_to(news: &[FinderNews]) -> Vec<String> {
-    let path = |it: &FinderNews| match it {
+    let path = |event: &FinderNews| match event {
         FinderNews::Listening { address, .. } => Some(address.to_string()),
         FinderNews::Failed { .. } => None,
     };
@@ -95,7 +95,7 @@ async fn an_arm_is_found_and_its_link_goes_on_with_nothing_lost() {
     let mut finder = finder();
     let mut news = Vec::new();
     let found = finder
-        .find_among(std::slice::from_ref(&port), |it| news.push(it))
+        .find_among(std::slice::from_ref(&port), |event| news.push(event))
         .await;
     let Found {
         address,
@@ -133,7 +133,7 @@ async fn a_silent_port_is_told_and_nothing_was_written_to_it() {
     let pty = pty();
     let port = port(pty.path());
     let nothing = finder().find_among(&[port], |_| {}).await;
-    let nothing = nothing.expect_err("nobody is there");
+    let nothing = nothing.expect_err("there is no arm");
     assert!(
         matches!(nothing.failures[..], [(_, ProbeFailure::Silent)]),
         "{nothing}"
@@ -183,7 +183,7 @@ async fn a_port_that_is_not_there_or_in_use_is_passed_over_with_the_reason() {
     let gone = port(Path::new("/dev/no-such-port"));
     let mut news = Vec::new();
     let ports = [gone, port(taken.path()), arm.clone()];
-    let found = finder().find_among(&ports, |it| news.push(it)).await;
+    let found = finder().find_among(&ports, |event| news.push(event)).await;
     let found = found.expect("the third one is an arm");
     assert_eq!(
         found.address.to_string(),
@@ -191,7 +191,7 @@ async fn a_port_that_is_not_there_or_in_use_is_passed_over_with_the_reason() {
     );
     let failures: Vec<_> = news
         .iter()
-        .filter_map(|it| match it {
+        .filter_map(|event| match event {
             FinderNews::Failed { why, hint, .. } => Some((why.as_str(), hint.clone())),
             FinderNews::Listening { .. } => None,
         })
@@ -211,16 +211,16 @@ async fn a_port_that_was_found_silent_is_not_opened_again_for_a_minute() {
     let mut finder = finder();
     let mut news = Vec::new();
     for _ in 0..3 {
-        let nothing = finder.find_among(&ports, |it| news.push(it)).await;
-        nothing.expect_err("nobody is there");
+        let nothing = finder.find_among(&ports, |event| news.push(event)).await;
+        nothing.expect_err("there is no arm");
     }
     assert_eq!(listened_to(&news).len(), 1);
     let nothing = finder.find_among(&ports, |_| {}).await;
-    let nothing = nothing.expect_err("nobody is there").to_string();
-    assert!(nothing.contains("nothing was heard"), "{nothing}");
+    let nothing = nothing.expect_err("there is no arm").to_string();
+    assert!(nothing.contains("nothing was received"), "{nothing}");
     tokio::time::advance(std::time::Duration::from_mins(1)).await;
-    let nothing = finder.find_among(&ports, |it| news.push(it)).await;
-    nothing.expect_err("nobody is there");
+    let nothing = finder.find_among(&ports, |event| news.push(event)).await;
+    nothing.expect_err("there is no arm");
     assert_eq!(listened_to(&news).len(), 2);
 }
 
@@ -240,7 +240,7 @@ async fn an_arm_that_was_unplugged_is_found_again_before_other_ports_are_touched
     }
     let mut news = Vec::new();
     let ports = [other, back.clone()];
-    let found = finder.find_among(&ports, |it| news.push(it)).await;
+    let found = finder.find_among(&ports, |event| news.push(event)).await;
     found.expect("it is there");
     assert_eq!(listened_to(&news), [format!("serial:{}@9600", back.path)]);
 }
@@ -268,7 +268,7 @@ async fn a_named_address_without_anybody_is_told_with_its_reason() {
         named: vec!["serial:/dev/no-such-port".parse().expect("it is one")],
         ..Search::default()
     });
-    let nothing = finder.find(|_| {}).await.expect_err("nobody is there");
+    let nothing = finder.find(|_| {}).await.expect_err("there is no arm");
     let [(_, ProbeFailure::Open(OpenError::NoSuchPort { .. }))] = &nothing.failures[..] else {
         panic!("{nothing}");
     };

@@ -59,17 +59,17 @@ fn check_place(job: &NewJob, before: usize, least: usize) -> Result<(), Refusal>
     if !(least..job.commands.len()).contains(&before) {
         let most = job.commands.len().saturating_sub(1);
         return Err(Refusal::Malformed(format!(
-            "a pause stands before command {before}; allowed are {least} to {most}, in order"
+            "a pause is before command {before}; allowed are {least} to {most}, in order"
         )));
     }
-    let last = before.checked_sub(1).map(|it| &job.commands[it]);
+    let last = before.checked_sub(1).map(|before| &job.commands[before]);
     match last {
-        Some(Command::WriteVector(it)) if !it.stop && it.end_speed_mm_s > 0.0 => {
+        Some(Command::WriteVector(vector)) if !vector.stop && vector.end_speed_mm_s > 0.0 => {
             Err(Refusal::BadJob {
                 index: before,
                 why: format!(
-                    "a pause stands before it, and the vector before ends at {} mm/s; allowed is 0",
-                    it.end_speed_mm_s
+                    "a pause is before it, and the previous vector ends at {} mm/s; allowed is 0",
+                    vector.end_speed_mm_s
                 ),
                 rule: None,
             })

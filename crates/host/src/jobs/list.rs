@@ -39,8 +39,8 @@ pub(crate) fn move_before(journal: &Journal, job: u64, before: Option<u64>) -> R
         check_queued(&find(journal, job)?)?;
     }
     let jobs = journal.jobs().map_err(|error| journal_refusal(&error))?;
-    let queued = jobs.iter().filter(|it| it.state == JobState::Queued);
-    let order = moved(queued.map(|it| it.id).collect(), JobId(job), before);
+    let queued = jobs.iter().filter(|job| job.state == JobState::Queued);
+    let order = moved(queued.map(|job| job.id).collect(), JobId(job), before);
     let arranged = journal.arrange(&order);
     arranged.map_err(|error| journal_refusal(&error))
 }
@@ -75,8 +75,8 @@ fn moved(mut order: Vec<JobId>, job: JobId, before: Option<u64>) -> Vec<JobId> {
     if before == Some(job.0) {
         return order;
     }
-    order.retain(|it| *it != job);
-    let at = order.iter().position(|it| Some(it.0) == before);
+    order.retain(|other| *other != job);
+    let at = order.iter().position(|id| Some(id.0) == before);
     order.insert(at.unwrap_or(order.len()), job);
     order
 }
@@ -89,7 +89,7 @@ mod tests {
     fn a_job_is_put_before_another_one_or_behind_all_others() {
         let order = |job, before| {
             let moved = moved(vec![JobId(3), JobId(5), JobId(8)], JobId(job), before);
-            moved.iter().map(|it| it.0).collect::<Vec<_>>()
+            moved.iter().map(|id| id.0).collect::<Vec<_>>()
         };
         assert_eq!(order(8, Some(3)), [8, 3, 5]);
         assert_eq!(order(3, Some(8)), [5, 3, 8]);

@@ -7,7 +7,7 @@ use dobot_safety::Policy;
 use dobot_supervisor::{Refusal, plain};
 
 use super::{check_key, find, journal_refusal, planned, view};
-use crate::handle::{OfferAnswer, OfferAsk};
+use crate::handle::{OfferAnswer, OfferRequest};
 
 /// Answers another station. Anything but its own journal that keeps the station from accepting a
 /// job results in a final refusal.
@@ -15,7 +15,7 @@ pub(crate) fn answer(
     journal: &Journal,
     policy: &Policy,
     key: &str,
-    ask: OfferAsk,
+    ask: OfferRequest,
     model: Result<Model, Refusal>,
     now_ms: i64,
 ) -> Result<OfferAnswer, Refusal> {
@@ -24,17 +24,19 @@ pub(crate) fn answer(
         .offered(key)
         .map_err(|error| journal_refusal(&error))?;
     let answered = match (ask, known) {
-        (OfferAsk::Withdraw { by }, _) => {
+        (OfferRequest::Withdraw { by }, _) => {
             let by = plain(&by, LONGEST_NAME);
             journal.withdraw(key, &format!("{WITHDRAWN}{by}")).map(Some)
         }
         (_, Some(known)) => Ok(Some(known)),
-        (OfferAsk::Look, None) => Ok(None),
-        (OfferAsk::Refuse { reason, busy }, None) => journal.refuse(key, &reason, busy).map(Some),
-        (OfferAsk::Take { job, made_for }, None) => match model {
+        (OfferRequest::Look, None) => Ok(None),
+        (OfferRequest::Refuse { reason, busy }, None) => {
+            journal.refuse(key, &reason, busy).map(Some)
+        }
+        (OfferRequest::Take { job, made_for }, None) => match model {
             // The arm may be connected, or its dialect known, later.
             Err(refusal) => journal.refuse(key, &refusal.to_string(), true).map(Some),
-            Ok(model) if made_for.is_some_and(|it| !it.is_same(&model.calibration)) => {
+            Ok(model) if made_for.is_some_and(|made_for| !made_for.is_same(&model.calibration)) => {
                 journal.refuse(key, OTHER_ARM, false).map(Some)
             }
             Ok(model) => {
@@ -97,6 +99,6 @@ fn forgotten(job: u64, state: &JobState) -> JobView {
 /// of the station.
 pub const WITHDRAWN: &str = "withdrawn by ";
 /// Why a job for an arm with another calibration is not accepted.
-const OTHER_ARM: &str = "its commands were made for an arm with another calibration: submit the drawing itself, which is planned where it is drawn";
+const OTHER_ARM: &str = "its commands were made for an arm with another calibration: submit the drawing itself, which is planned at the arm that draws it";
 /// The maximum number of characters shown of a station's name.
 const LONGEST_NAME: usize = 40;

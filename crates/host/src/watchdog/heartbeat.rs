@@ -72,14 +72,14 @@ impl Hazards {
             return self;
         };
         let jog = match command {
-            Command::JointJog(it) if it.axis.moves() => Some(JogKind::Joint),
-            Command::LinearJog(it) if it.axis.moves() => Some(JogKind::Linear),
+            Command::JointJog(jog) if jog.axis.moves() => Some(JogKind::Joint),
+            Command::LinearJog(jog) if jog.axis.moves() => Some(JogKind::Linear),
             _ => self.jog,
         };
         let burns = match command {
-            Command::JointJog(it) if it.axis == JointJogAxis::LaserOff => false,
-            Command::LinearJog(it) if it.axis == LinearJogAxis::LaserOff => false,
-            Command::WriteVector(it) => it.laser,
+            Command::JointJog(jog) if jog.axis == JointJogAxis::LaserOff => false,
+            Command::LinearJog(jog) if jog.axis == LinearJogAxis::LaserOff => false,
+            Command::WriteVector(vector) => vector.laser,
             _ => self.burns || dobot_motion::burns(&command),
         };
         Self { jog, burns }
@@ -93,7 +93,7 @@ impl Hazards {
             (Some(release), true) => vec![LASER_OFF, release],
             (Some(release), false) => vec![release, LASER_OFF],
         };
-        let emit = |it: Command| it.emit(&Dialect::SPECIFICATION);
+        let emit = |command: Command| command.emit(&Dialect::SPECIFICATION);
         commands.into_iter().map(emit).collect()
     }
 }

@@ -94,7 +94,7 @@ impl HeartbeatSender {
             && now >= self.reported + period
         {
             self.reported = now;
-            self.service_manager.tell(Notification::Alive);
+            self.service_manager.notify(Notification::Alive);
         }
         let silent = now.saturating_sub(self.last?);
         if silent >= PERIOD {
@@ -117,8 +117,11 @@ impl HeartbeatSender {
 
     /// Returns the time until the next heartbeat is due.
     pub(crate) fn due_in(&self) -> Option<Duration> {
-        let watchdog = self.last.map(|it| it + PERIOD);
-        let service_manager = self.service_manager.period().map(|it| self.reported + it);
+        let watchdog = self.last.map(|last| last + PERIOD);
+        let service_manager = self
+            .service_manager
+            .period()
+            .map(|period| self.reported + period);
         let next = watchdog.into_iter().chain(service_manager).min()?;
         Some(next.saturating_sub(self.clock.now()))
     }
@@ -170,8 +173,7 @@ impl HeartbeatSender {
         match self.start_watchdog() {
             Ok(()) if self.watchdog.is_some() => {
                 self.gone = None;
-                self.trouble =
-                    Some("the watchdog was gone; another one takes its place".to_owned());
+                self.trouble = Some("the watchdog was gone and has been replaced".to_owned());
             }
             Ok(()) => {}
             Err(error) => self.set_gone(&error),
@@ -183,7 +185,7 @@ impl HeartbeatSender {
         self.watchdog = None;
         if self.gone.is_none() {
             self.trouble = Some(format!(
-                "the watchdog is gone: {error}; nothing is jogged and nothing burns until another one is there"
+                "the watchdog is gone: {error}; jogging and burning are refused until there is another one"
             ));
         }
         self.gone = Some(error.to_string());

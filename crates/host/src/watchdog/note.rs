@@ -21,7 +21,7 @@ impl Note {
         std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
         let file = options.open(path).ok();
         // If another watchdog has the lock, it also has the port.
-        Self(file.inspect(|it| drop(it.try_lock())))
+        Self(file.inspect(|file| drop(file.try_lock())))
     }
 
     /// Adds a line with the time of day.
@@ -73,8 +73,8 @@ pub(crate) async fn wait_for_watchdog(path: &Path) {
 /// Returns whether a watchdog is running.
 fn is_locked(path: &Path) -> bool {
     // Opening a pipe would wait for its other end.
-    path.metadata().is_ok_and(|it| it.is_file())
-        && File::open(path).is_ok_and(|it| it.try_lock_shared().is_err())
+    path.metadata().is_ok_and(|metadata| metadata.is_file())
+        && File::open(path).is_ok_and(|file| file.try_lock_shared().is_err())
 }
 
 /// Longer than a watchdog runs after its station.

@@ -57,7 +57,7 @@ impl PanicStop {
             let previous = take_hook();
             set_hook(Box::new(move |panic| {
                 // A thread that is ending has no hook left.
-                let stop = OF_THREAD.try_with(|it| it.borrow().clone());
+                let stop = OF_THREAD.try_with(|stop| stop.borrow().clone());
                 if let Ok(Some(stop)) = stop {
                     stop.send();
                 }
@@ -154,7 +154,7 @@ mod tests {
             .collect();
         let mut heard = Vec::new();
         let mut port = child.stdout.take().unwrap();
-        while !heard.windows(wanted.len()).any(|it| it == wanted) {
+        while !heard.windows(wanted.len()).any(|window| window == wanted) {
             let mut bytes = [0; 256];
             let read = port.read(&mut bytes).unwrap();
             assert!(read > 0, "it ended without the packets");

@@ -8,7 +8,7 @@ use rustix::io::Errno;
 
 /// The outcome of a write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Taken {
+pub(super) enum WriteOutcome {
     /// This many bytes were accepted.
     Some(usize),
     /// None at the moment.
@@ -19,11 +19,11 @@ pub(super) enum Taken {
 
 /// Writes what the port accepts without waiting. Blocking mode cannot be set here, because station
 /// and watchdog share the port.
-pub(super) fn write_some(port: impl AsFd, bytes: &[u8]) -> Taken {
+pub(super) fn write_some(port: impl AsFd, bytes: &[u8]) -> WriteOutcome {
     match rustix::io::write(port, bytes) {
-        Ok(written) => Taken::Some(written),
-        Err(Errno::AGAIN | Errno::INTR) => Taken::Later,
-        Err(_) => Taken::Gone,
+        Ok(written) => WriteOutcome::Some(written),
+        Err(Errno::AGAIN | Errno::INTR) => WriteOutcome::Later,
+        Err(_) => WriteOutcome::Gone,
     }
 }
 
@@ -37,10 +37,10 @@ pub(super) fn write_within(port: impl AsFd, mut bytes: &[u8], within: Duration) 
             return false;
         }
         match write_some(&port, bytes) {
-            Taken::Some(written) => bytes = &bytes[written..],
-            Taken::Later if left.is_zero() => return false,
-            Taken::Later => {}
-            Taken::Gone => return false,
+            WriteOutcome::Some(written) => bytes = &bytes[written..],
+            WriteOutcome::Later if left.is_zero() => return false,
+            WriteOutcome::Later => {}
+            WriteOutcome::Gone => return false,
         }
     }
     true

@@ -9,7 +9,7 @@ use rustix::event::{PollFd, PollFlags, poll};
 use rustix::io::Errno;
 
 use super::clock::Clock;
-use super::port::{Taken, timespec, write_some, write_within};
+use super::port::{WriteOutcome, timespec, write_some, write_within};
 use super::reporter::Reporter;
 use super::{Hazards, Heartbeat, JogKind, Silence, Watchdog};
 
@@ -28,7 +28,7 @@ pub fn guard(note: &Path) -> io::Result<()> {
         watchdog: Watchdog::new(clock.now()),
         clock,
         line: Vec::new(),
-        told: None,
+        reported: None,
         ended: false,
         reporter: Reporter::start(note),
     };
@@ -47,7 +47,7 @@ struct Guard {
     /// The rest of the packet being written.
     line: Vec<u8>,
     /// The last reported silence.
-    told: Option<Silence>,
+    reported: Option<Silence>,
     /// Whether the heartbeat pipe is closed.
     ended: bool,
     reporter: Reporter,
@@ -80,7 +80,7 @@ impl Guard {
             Ok(_) | Err(Errno::INTR) => {}
             Err(error) => return Err(error.into()),
         }
-        let mut ready = waited.iter().map(|it| !it.revents().is_empty());
+        let mut ready = waited.iter().map(|polled| !polled.revents().is_empty());
         Ok(Ready {
             beats: has_beats && ready.next() == Some(true),
             port: has_port && ready.next() == Some(true),
@@ -101,9 +101,9 @@ impl Guard {
         }
         if !self.line.is_empty() {
             match write_some(port, &self.line) {
-                Taken::Some(written) => drop(self.line.drain(..written)),
-                Taken::Later => {}
-                Taken::Gone => gone = true,
+                WriteOutcome::Some(written) => drop(self.line.drain(..written)),
+                WriteOutcome::Later => {}
+                WriteOutcome::Gone => gone = true,
             }
         }
         if gone {
@@ -129,7 +129,7 @@ impl Guard {
         }
         for heartbeat in bytes[..read]
             .iter()
-            .filter_map(|it| Heartbeat::from_byte(*it))
+            .filter_map(|byte| Heartbeat::from_byte(*byte))
         {
             self.watchdog.handle_heartbeat(now, heartbeat);
         }
@@ -153,10 +153,10 @@ impl Guard {
     /// Reports what it does on standard error and in the note for the next start.
     fn report(&mut self) {
         let silence = self.watchdog.silence();
-        if silence == self.told {
+        if silence == self.reported {
             return;
         }
-        self.told = silence;
+        self.reported = silence;
         let Some(silence) = silence else {
             return;
         };
@@ -176,8 +176,8 @@ fn text(silence: Silence, silent: Duration, hazards: Hazards) -> String {
     };
     let button = match hazards.jog {
         None => "",
-        Some(JogKind::Joint) => ", and let go of the joint jog's button",
-        Some(JogKind::Linear) => ", and let go of the linear jog's button",
+        Some(JogKind::Joint) => ", and released the joint jog button",
+        Some(JogKind::Linear) => ", and released the linear jog button",
     };
     format!("{why}: the watchdog switched the laser off{button}")
 }
@@ -197,7 +197,7 @@ mod tests {
         };
         assert_eq!(
             text(Silence::Stalled, Duration::from_millis(312), hazards),
-            "the station was silent for 0.31 s: the watchdog switched the laser off, and let go of the linear jog's button"
+            "the station was silent for 0.31 s: the watchdog switched the laser off, and released the linear jog button"
         );
         assert_eq!(
             text(Silence::Ended, Duration::ZERO, Hazards::default()),

@@ -5,7 +5,7 @@ use crate::cases::{
     watchdogs,
 };
 
-/// Fails with the first thing that should not be, and says how many there are.
+/// Fails with the first violation and their number.
 fn right(wrong: &[String]) {
     assert!(wrong.is_empty(), "{} of them: {}", wrong.len(), wrong[0]);
 }
@@ -55,7 +55,7 @@ fn a_watchdog_brings_every_motion_to_rest_and_darkens_every_light_when_the_stati
         right(&it.wrong);
         assert_eq!((it.unasked, it.burnt), (0, 0), "{} {}", it.fate, it.doing);
         assert!(it.packet_s.most() <= 0.4, "{} {}", it.fate, it.doing);
-        // What is under way goes to its end; a button runs down from its speed within 1.2 s.
+        // In-flight commands finish; a jog slows down from its speed within 1.2 s.
         if it.doing != watchdogs::GuardedMotion::Moving
             && it.doing != watchdogs::GuardedMotion::Burning
         {

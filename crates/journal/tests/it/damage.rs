@@ -1,4 +1,4 @@
-//! What becomes of a journal whose file is damaged while no program has it open.
+//! A journal whose file is damaged while no program has it open.
 
 use std::fs;
 use std::path::Path;
@@ -42,7 +42,7 @@ fn damaged(bytes: &[u8], older: &[u8], chance: &mut Random) -> (Vec<u8>, String)
             format!("page at {page} is an old one")
         }
         2 => {
-            // The head of the file tells which of the two newest writes is in force.
+            // The head of the file determines which of the two newest writes is in force.
             let bit = below(chance, 320 * 8);
             damaged[bit / 8] ^= 1 << (bit % 8);
             format!("bit {bit} of the head flipped")

@@ -1,4 +1,4 @@
-//! A disk that is full or fails: the journal says so, loses nothing, and works again afterwards.
+//! A disk that is full or fails: the journal reports it, loses nothing, and works again afterwards.
 
 use crate::lab::{Disk, job};
 use dobot_api::JobState;
@@ -13,7 +13,7 @@ fn a_full_disk_refuses_a_new_job_and_keeps_the_old_ones() {
     assert!(
         error
             .to_string()
-            .starts_with("no room is left for the journal")
+            .starts_with("there is no room left for the journal")
     );
 
     let jobs = journal.jobs().unwrap();
@@ -22,7 +22,7 @@ fn a_full_disk_refuses_a_new_job_and_keeps_the_old_ones() {
         journal.commands(id).unwrap(),
         job("a picture", 100).commands
     );
-    // A job that runs needs no room to go on.
+    // A running job needs no room to continue.
     journal.extend_window(id, &window(8)).unwrap();
 
     disk.hold(None);

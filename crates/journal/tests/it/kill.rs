@@ -22,7 +22,7 @@ fn twenty_kills_lose_no_acknowledged_row() {
     assert!(acknowledged.len() >= 20, "{} jobs", acknowledged.len());
 }
 
-/// The program that is killed: it works on the journal for ever, and says what was acknowledged.
+/// The program to kill: it works on the journal forever and reports what was acknowledged.
 #[test]
 fn the_program_that_is_killed() {
     let Some(path) = std::env::var_os(PATH) else {
@@ -66,7 +66,7 @@ fn hear_and_kill(mut child: Child, lines: usize, acknowledged: &mut BTreeMap<u64
         let Some(row) = line.strip_prefix(ACKNOWLEDGED) else {
             continue;
         };
-        let mut numbers = row.split_whitespace().map(|it| it.parse().unwrap());
+        let mut numbers = row.split_whitespace().map(|number| number.parse().unwrap());
         let (id, upto) = (numbers.next().unwrap(), numbers.next().unwrap());
         acknowledged.insert(id, usize::try_from(upto).unwrap());
         heard += 1;
@@ -83,7 +83,7 @@ fn check(path: &Path, acknowledged: &BTreeMap<u64, usize>) {
     assert!(!journal.was_clean());
     for (&id, &upto) in acknowledged {
         let found = journal.job(JobId(id)).unwrap();
-        // One more may have been written that nobody heard of.
+        // One more may have been written without an acknowledgement.
         assert!((upto..=upto + 1).contains(&found.window.upto), "{found:?}");
         let commands = journal.commands(JobId(id)).unwrap();
         assert_eq!(commands, job("a picture", COMMANDS).commands);

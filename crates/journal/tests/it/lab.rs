@@ -1,4 +1,4 @@
-//! What the tests share: jobs, and a disk that can be cut off and can be full.
+//! Shared by the tests: jobs, and a disk that can lose power and be full.
 
 pub(crate) mod program;
 
@@ -9,7 +9,7 @@ use dobot_api::JobKind;
 use dobot_journal::{PlannedJob, StorageBackend};
 use dobot_wire::{Command, Configuration, Dialect, Status, WriteVector};
 
-/// A job of so many commands, each different from the others.
+/// A job of this many different commands.
 pub(crate) fn job(title: &str, commands: u16) -> PlannedJob {
     PlannedJob {
         title: title.to_owned(),
@@ -57,15 +57,15 @@ pub(crate) struct Disk(Arc<Mutex<Platters>>);
 
 #[derive(Debug, Default)]
 struct Platters {
-    /// What a read sees.
+    /// The content seen by reads.
     seen: Vec<u8>,
-    /// What a power cut leaves, before the changes since the last sync.
+    /// The content left by a power cut, without the changes since the last sync.
     synced: Vec<u8>,
     /// The changes since the last sync.
     unsynced: Vec<Change>,
-    /// The power goes after so many more changes.
+    /// The number of changes until the power cut.
     changes_left: Option<u64>,
-    /// How large the storage may become.
+    /// The maximum size of the storage.
     capacity: Option<u64>,
 }
 
@@ -76,17 +76,17 @@ enum Change {
 }
 
 impl Disk {
-    /// The power goes after so many more changes (writes, changes of the length, syncs).
+    /// Cuts the power after this many more changes (writes, changes of the length, syncs).
     pub(crate) fn cut_after(&self, changes: u64) {
         self.lock().changes_left = Some(changes);
     }
 
-    /// No more than so many bytes from now on; `None` for as many as wanted.
+    /// Limits the storage to this many bytes; `None` for no limit.
     pub(crate) fn hold(&self, capacity: Option<u64>) {
         self.lock().capacity = capacity;
     }
 
-    /// How long the storage is, in bytes.
+    /// Returns the size of the storage, in bytes.
     pub(crate) fn length(&self) -> u64 {
         self.lock().seen.len() as u64
     }
@@ -96,13 +96,13 @@ impl Disk {
         self.lock().seen.clone()
     }
 
-    /// Changes a byte behind everybody's back.
+    /// Changes a byte without the journal.
     pub(crate) fn flip(&self, offset: usize) {
         self.lock().seen[offset] ^= 0x10;
     }
 
-    /// What is found when the power is back: all that was synced, and of the changes since then
-    /// those for which `survives` says so, in their order; the last one that does is torn.
+    /// Returns the content after a power cut: everything synced, and of the later changes those for
+    /// which `survives` is true, in order; the last of these is torn.
     pub(crate) fn after_power_cut(&self, mut survives: impl FnMut() -> bool, torn_at: f64) -> Self {
         let platters = self.lock();
         let mut left = platters.synced.clone();

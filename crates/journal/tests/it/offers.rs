@@ -1,4 +1,4 @@
-//! What is answered to the offers of other stations holds for good.
+//! Answers to the offers of other stations are final.
 
 use crate::lab::job;
 use dobot_api::JobState;
@@ -53,7 +53,7 @@ fn what_was_refused_before_it_came_is_refused_when_it_comes() {
     let refused = journal.refuse("a", "withdrawn by desk-1", false).unwrap();
     assert_eq!(take(&journal, "a"), refused);
     assert!(journal.jobs().unwrap().is_empty());
-    // The other way around it is too late.
+    // In the opposite order it is too late.
     take(&journal, "b");
     assert_eq!(journal.refuse("b", "too late", false).unwrap(), taken(1));
     assert_eq!(journal.offered("c").unwrap(), None);

@@ -1,8 +1,10 @@
-//! What a power cut leaves: all that was acknowledged, and nothing half.
+//! After a power cut everything acknowledged is there, and nothing partial.
 
 use crate::lab::{Disk, START, job};
 use dobot_api::JobState;
-use dobot_journal::{Adjustment, Behind, Job, JobId, Journal, JournalError, PlannedJob, Window};
+use dobot_journal::{
+    Adjustment, Job, JobHistory, JobId, Journal, JournalError, PlannedJob, Window,
+};
 use dobot_wire::Command;
 use proptest::prelude::*;
 
@@ -64,7 +66,7 @@ fn a_bit_that_the_disk_turns_over_is_told_or_does_no_harm() {
     }
     let written = Content::read(&journal);
     let mut told = 0;
-    // Behind a crash it would look like a commit that the power cut off.
+    // JobHistory a crash it would look like a commit that the power cut off.
     drop(journal);
     for offset in (0..512).chain((512..disk.length()).step_by(97)) {
         let left = disk.after_power_cut(|| false, 1.0);
@@ -151,7 +153,7 @@ impl Act {
     }
 }
 
-/// What a journal holds, by its promises.
+/// The promised content of a journal.
 #[derive(Clone, Debug, Default)]
 struct Content {
     jobs: Vec<(Job, Vec<Command>)>,
@@ -232,13 +234,13 @@ impl Content {
             key: new.key,
             adjustment: Adjustment::default(),
             state: JobState::Queued,
-            behind: Behind::default(),
+            history: JobHistory::default(),
             window: Window::default(),
         };
         self.jobs.push((job, new.commands));
     }
 
-    /// The window behind the one that a running job has.
+    /// Returns the window after the one of a running job.
     fn next_window(&self, nth: usize, more: usize) -> Option<(JobId, Window)> {
         let (job, commands) = self.jobs.get(nth)?;
         let completed = job.window.upto;

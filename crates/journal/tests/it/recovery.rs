@@ -1,4 +1,4 @@
-//! Where the arm rests tells which command was the last one done.
+//! Where the arm rests shows which command was the last one done.
 
 use crate::lab::program::{self, LIFT_MM, lifted};
 use crate::lab::vector;
@@ -289,7 +289,9 @@ fn pen() -> impl Strategy<Value = Pen> {
 fn direction() -> impl Strategy<Value = Position> {
     (-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64)
         .prop_map(|(x, y, z)| Position::new(x, y, z))
-        .prop_filter("a direction has a length", |it| it.length().0 > 0.1)
+        .prop_filter("a direction has a length", |direction| {
+            direction.length().0 > 0.1
+        })
 }
 
 fn scaled(direction: Position, length_mm: f64) -> Position {
@@ -300,7 +302,7 @@ const fn is_vector(command: &Command) -> bool {
     matches!(command, Command::WriteVector(_))
 }
 
-/// Where an arm may rest, by adding increments.
+/// The possible rest positions of an arm, by adding increments.
 struct Places {
     all: Vec<Place>,
     pen: Pen,
@@ -308,7 +310,7 @@ struct Places {
 
 #[derive(Clone, Copy, Debug)]
 struct Place {
-    /// The command behind the last motion.
+    /// The command after the last motion.
     next: usize,
     lifted: bool,
     at: Position,
@@ -335,10 +337,10 @@ impl Places {
             }
         }
         if pen != Pen::NeverLifted {
-            let lift = |it: &Place| Place {
+            let lift = |place: &Place| Place {
                 lifted: true,
-                at: lifted(it.at),
-                ..*it
+                at: lifted(place.at),
+                ..*place
             };
             all.extend(all.clone().iter().map(lift));
         }
@@ -349,7 +351,7 @@ impl Places {
         let wanted = self
             .all
             .iter()
-            .filter(|it| it.lifted == (self.pen == Pen::Lifted));
+            .filter(|end| end.lifted == (self.pen == Pen::Lifted));
         **index.get(&wanted.collect::<Vec<_>>())
     }
 
@@ -368,7 +370,7 @@ impl Places {
 }
 
 impl Place {
-    /// Whether it was found, or what is as good.
+    /// Returns whether it was found, or an equivalent end.
     fn is(&self, found: Result<Located, Unclear>, commands: &[Command]) -> bool {
         found.is_ok_and(|Located { next, lifted }| {
             let found = Self {
@@ -383,8 +385,12 @@ impl Place {
     /// A pen that was lifted from the lower end of a lift is at its upper end.
     fn is_as_good_as(&self, other: &Self, commands: &[Command]) -> bool {
         let between = self.next.min(other.next)..self.next.max(other.next);
-        let mut moves = commands[between].iter().filter(|it| is_vector(it));
-        let way = moves.next().map(|it| program::end(Position::default(), it));
+        let mut moves = commands[between]
+            .iter()
+            .filter(|command| is_vector(command));
+        let way = moves
+            .next()
+            .map(|command| program::end(Position::default(), command));
         let up_mm = if self.next > other.next {
             LIFT_MM
         } else {
@@ -394,6 +400,6 @@ impl Place {
         !self.lifted
             && other.lifted
             && moves.next().is_none()
-            && way.is_some_and(|it| it.distance(up).0 < SPACING_MM)
+            && way.is_some_and(|way| way.distance(up).0 < SPACING_MM)
     }
 }

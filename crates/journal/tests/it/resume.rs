@@ -45,13 +45,13 @@ proptest! {
 /// One run of the program, up to its crash.
 #[derive(Clone, Debug)]
 struct Life {
-    /// How many commands the arm does between one look of the program and the next.
+    /// The number of commands that the arm does between two checks by the program.
     done_between: Vec<usize>,
-    /// How many more of those given to it the arm does behind the crash.
+    /// The number of given commands that the arm still does after the crash.
     done_behind: usize,
     /// Whether the program has the pen lifted as its last act.
     lifts: bool,
-    /// How many commands a window holds at most.
+    /// The maximum number of commands of a window.
     most: usize,
 }
 
@@ -79,7 +79,7 @@ fn life() -> impl Strategy<Value = Life> {
         })
 }
 
-/// Finds out where the job stands, and goes on with it until the crash.
+/// Finds the progress of the job and resumes it until the crash.
 fn live(journal: &Journal, id: JobId, arm: &mut Arm, life: &Life) {
     let (job, commands) = (journal.job(id).unwrap(), journal.commands(id).unwrap());
     if job.state == JobState::Done {
@@ -122,7 +122,7 @@ fn next_window(
     Window::at(arm.done, upto.max(before.upto), &model)
 }
 
-/// Which commands are done, by where the arm rests; a person is asked where that is unclear.
+/// Returns the completed commands, by where the arm rests; a person is asked if that is unclear.
 fn resume(journal: &Journal, id: JobId, arm: &mut Arm) -> Window {
     let (job, commands) = (journal.job(id).unwrap(), journal.commands(id).unwrap());
     let window = job.window;
@@ -149,7 +149,7 @@ fn resume(journal: &Journal, id: JobId, arm: &mut Arm) -> Window {
 /// An arm that does what it is given, and where its pen has been.
 struct Arm {
     at: Position,
-    /// Where the last command has led.
+    /// The end of the last command.
     end: Position,
     done: usize,
     path: Vec<Position>,
@@ -186,7 +186,7 @@ impl Arm {
         twin.path
     }
 
-    /// What the program believes of it: what it tells, and what it was told before.
+    /// Returns the program's model: the last report and the settings sent before.
     fn model(&self, dialect: Dialect, told: &[Command]) -> Model {
         let mut pose = program::model(dialect).place.pose;
         pose.position = self.at;

@@ -1,11 +1,11 @@
-//! What the journal promises on a disk that works.
+//! The promises of the journal on a disk that works.
 
 use std::fs;
 
 use crate::lab::{START, job, vector};
 use dobot_api::{JobPause, JobState};
 use dobot_journal::{
-    Adjustment, Behind, HeightChange, JobId, Journal, JournalError, PlannedJob, Window,
+    Adjustment, HeightChange, JobHistory, JobId, Journal, JournalError, PlannedJob, Window,
 };
 use dobot_wire::{Command, Configuration, Dialect, Status};
 use proptest::prelude::*;
@@ -131,7 +131,7 @@ fn jobs_that_are_arranged_exchange_their_places_and_keep_them_when_the_file_is_o
     let journal = Journal::open(&path).unwrap();
     let order = || {
         let jobs = journal.jobs().unwrap();
-        jobs.iter().map(|it| it.id).collect::<Vec<_>>()
+        jobs.iter().map(|job| job.id).collect::<Vec<_>>()
     };
     assert_eq!(order(), [four, two, one, three]);
     let five = journal.submit(&job("five", 2)).unwrap();
@@ -200,7 +200,7 @@ fn a_window_neither_leaves_its_job_nor_goes_back() {
     let error = journal.extend_window(id, &window(7, 9)).unwrap_err();
     assert_eq!(
         error.to_string(),
-        format!("job {id} is done; only a running one is given commands")
+        format!("job {id} is done; only a running job may get commands")
     );
 }
 
@@ -357,7 +357,7 @@ fn a_journal_of_the_first_format_is_read_and_gone_on_with() {
     let found = journal.job(id).unwrap();
     assert_eq!((found.title.as_str(), found.commands), ("a picture", 3));
     assert_eq!(found.adjustment, Adjustment::default());
-    assert_eq!((found.planned_s, found.behind.ran_s), (None, None));
+    assert_eq!((found.planned_s, found.history.ran_s), (None, None));
     journal.set_state(id, &JobState::Running).unwrap();
     assert_eq!(journal.job(id).unwrap().state, JobState::Running);
 }
@@ -385,17 +385,19 @@ fn what_a_person_changed_and_what_a_job_has_behind_it_come_back() {
     };
     journal.adjust(id, &adjustment).unwrap();
     let reason = "the blue pen".to_owned();
-    let behind = Behind {
+    let history = JobHistory {
         pauses: 1,
         ran_s: Some(3.25),
     };
     let paused = JobState::Paused { reason };
-    journal.set_state_behind(id, &paused, behind).unwrap();
+    journal
+        .set_state_with_history(id, &paused, history)
+        .unwrap();
     drop(journal);
     let found = Journal::open(&path).unwrap().job(id).unwrap();
     assert_eq!((found.planned_s, found.pauses), (Some(12.5), pauses));
     assert_eq!(found.adjustment, adjustment);
-    assert_eq!((found.state, found.behind), (paused, behind));
+    assert_eq!((found.state, found.history), (paused, history));
 }
 
 #[test]
@@ -404,11 +406,11 @@ fn a_pause_that_stands_nowhere_is_refused_with_where_it_may_stand() {
     for (pauses, text) in [
         (
             vec![pause(3)],
-            "pause 0 of the job stands before command 3; 0 to 2 are allowed",
+            "pause 0 of the job is before command 3; allowed are 0 to 2",
         ),
         (
             vec![pause(1), pause(1)],
-            "pause 1 of the job stands before command 1; 2 to 2 are allowed",
+            "pause 1 of the job is before command 1; allowed are 2 to 2",
         ),
     ] {
         let job = PlannedJob {
@@ -439,7 +441,7 @@ fn a_request_that_is_sent_again_queues_one_job_also_after_a_crash() {
     assert_ne!(journal.submit(&job("a picture", 3)).unwrap(), first);
     let error = journal.submit(&asked("7f", "b")).unwrap_err();
     assert!(matches!(error, JournalError::KeyReused { job, .. } if job == first));
-    // What is forgotten can be asked for anew.
+    // A removed job can be requested again.
     journal.remove(first).unwrap();
     assert_ne!(journal.submit(&asked("7f", "b")).unwrap(), first);
     assert_eq!(journal.jobs().unwrap().len(), 3);

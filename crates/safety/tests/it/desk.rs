@@ -42,7 +42,7 @@ impl Desk {
         }
     }
 
-    /// The same with a policy that says this much more than the default.
+    /// The desk with the default policy plus these keys.
     #[track_caller]
     pub(crate) fn under(mut self, policy: &str) -> Self {
         self.policy = Policy::from_toml(policy).expect("it is a policy");

@@ -155,7 +155,7 @@ fn the_schema_knows_every_key_of_the_default() {
     for (name, section) in sections {
         let property = &schema["properties"][name];
         assert!(property.is_object(), "{name}");
-        let Some(fields) = section.as_object().filter(|it| !it.is_empty()) else {
+        let Some(fields) = section.as_object().filter(|object| !object.is_empty()) else {
             continue;
         };
         let reference = property["$ref"].as_str().expect("a definition");
@@ -177,7 +177,7 @@ proptest! {
     fn every_policy_comes_back_from_its_file_and_from_json(policy in policies()) {
         prop_assert!(policy.validate().is_ok(), "{:?}", policy.validate());
         let text = policy.to_toml();
-        prop_assert_eq!(&Policy::from_toml(&text).map_err(|it| it.to_string()), &Ok(policy.clone()));
+        prop_assert_eq!(&Policy::from_toml(&text).map_err(|error| error.to_string()), &Ok(policy.clone()));
         let json = serde_json::to_value(&policy).expect("it is JSON");
         prop_assert_eq!(serde_json::from_value::<Policy>(json).ok(), Some(policy));
     }

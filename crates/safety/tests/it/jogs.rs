@@ -1,4 +1,4 @@
-//! Jogs: the way that they can cover until the release is in force.
+//! The paths that jogs can cover until the release takes effect.
 
 use dobot_motion::Model;
 use dobot_wire::{Command, JointJogAxis as J, LinearJogAxis as L};
@@ -33,8 +33,9 @@ fn a_linear_jog_stops_above_the_table() {
 
 #[test]
 fn a_held_jog_is_never_found_beyond_a_limit() {
-    // 15 degrees/s; at every status, 80 ms apart, the way of a quarter of a second ahead is checked.
-    // From the first refusal it takes the whole reaction time and the run-down to stop.
+    // 15 degrees/s; at every status, 80 ms apart, the path of a quarter of a second ahead is
+    // checked. From the first refusal it takes the whole reaction time and the deceleration to
+    // stop.
     let desk = Desk::with_joints(100.0, 20.0, 30.0);
     let hold = Command::from(jog(J::BasePlus, 100.0));
     let reaction_s = desk.policy.jog.reaction_s;
@@ -95,7 +96,7 @@ fn the_gripper_moves_nothing_else() {
     Desk::with_joints(150.0, 20.0, 30.0).allows(jog(J::GripperOpen, 100.0));
 }
 
-/// The model behind a jog that goes on, at the same place.
+/// Returns the model during a jog that continues, at the same position.
 fn held(model: &Model, command: Command) -> Model {
     let trajectory = model.trajectory(&command).expect("a jog");
     model.after(&command, &trajectory)

@@ -52,7 +52,7 @@ fn a_laser_burns_only_within_its_area() {
     let desk = Desk::at(200.0, 0.0, 0.0).under(area);
     desk.allows(burning(50.0, 50.0));
     let violation = desk.refuses("laser.area", burning(0.0, 60.0));
-    assert_eq!(violation.value.map(|it| it.nearest), Some(50.0));
+    assert_eq!(violation.value.map(|value| value.nearest), Some(50.0));
     desk.allows(vector(0.0, 60.0, 0.0));
     // Outside already: coming back in burns too.
     Desk::at(200.0, 60.0, 0.0)
@@ -125,7 +125,7 @@ fn a_line_that_burns_for_long_comes_in_shorter_vectors() {
             .under("[laser]\nlongest_s = 1");
         let violation = desk.refuses("laser.longest", at_speed(96.0));
         assert!(violation.to_string().contains("shorter"), "{violation}");
-        assert_eq!(violation.value.map(|it| it.nearest), Some(1.0));
+        assert_eq!(violation.value.map(|value| value.nearest), Some(1.0));
         desk.allows(at_speed(2.5));
         desk.allows(WriteVector {
             laser: false,

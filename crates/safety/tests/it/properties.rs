@@ -1,4 +1,4 @@
-//! What holds for every policy, place and command.
+//! Properties of every policy, position and command.
 
 use dobot_arm::{Calibration, Joints, Limits, Plane, Tool};
 use dobot_motion::{ArmPlace, Model};
@@ -54,15 +54,15 @@ proptest! {
         };
         prop_assert_eq!(violation.to_string().lines().count(), 1);
         if let (Command::MoveTo(target), Some(place)) = (&command, violation.nearest) {
-            // What is told can be typed, and the way there is free.
-            let [x_mm, y_mm, z_mm] = place.map(|it| format!("{it:.1}").parse().expect("a number"));
+            // The reported position can be typed, and the path there is free.
+            let [x_mm, y_mm, z_mm] = place.map(|place| format!("{place:.1}").parse().expect("a number"));
             let typed = MoveTo { x_mm, y_mm, z_mm, ..*target };
             prop_assert!(policy.check(&model, &typed.into()).is_ok(), "{:?}", place);
         }
         let (Some(at), Some([x, y, z])) = (&violation.at, violation.nearest) else {
             return Ok(());
         };
-        // The place that is told is on the way, right behind the nearest that is allowed.
+        // The reported position is on the path, right after the nearest allowed one.
         let trajectory = model.trajectory(&command).expect("it has a way");
         let place = trajectory.place_at(at.after_s.expect("no jog")).expect("it is reachable");
         let told = place.pose.position;
@@ -101,7 +101,7 @@ proptest! {
         let full_s = trajectory.change_s() + within_s;
         let (speed, acceleration) = (trajectory.target_speed().abs(), trajectory.acceleration());
         let covered = speed * within_s + speed * speed / (2.0 * acceleration);
-        // The same way from rest takes longer: until then no farther than it.
+        // The same distance from rest takes longer: until then it is no farther.
         for index in 0..=300 {
             let t_s = full_s * f64::from(index) / 300.0;
             let ramp_s = t_s.min(trajectory.change_s());
@@ -172,7 +172,7 @@ proptest! {
                 came_in[rule] |= now[rule] == 0.0;
             }
         }
-        // What came in is in at the end.
+        // A part that came in is in at the end.
         let end = outside(&trajectory.place_at(duration_s).expect("reachable"));
         for rule in 0..2 {
             prop_assert!(!came_in[rule] || end[rule] <= 3e-6, "{:?} at the end", end);
@@ -259,7 +259,7 @@ fn policies() -> impl Strategy<Value = Policy> {
     )
 }
 
-/// The same with all rules tighter by so much.
+/// Returns the policy with all rules tighter by this much.
 fn shrunk(policy: &Policy, by: f64) -> Policy {
     let mut tight = policy.clone();
     let joints = &mut tight.joints;
@@ -283,7 +283,7 @@ fn shrunk(policy: &Policy, by: f64) -> Policy {
     tight
 }
 
-/// What the check does not look into any further, in mm or degrees.
+/// The resolution of the check, in mm or degrees.
 const LEAF: f64 = 0.0201;
 
 /// It begins this much inside of all rules, in mm or degrees: the points of the truth are 4.5 mm

@@ -1,10 +1,11 @@
-//! What the policy means, written down a second time and slowly: for one place, by points.
+//! A slow second implementation of the policy: for one position, by points.
 
 use dobot_arm::Tool;
 use dobot_motion::ArmPlace;
 use dobot_safety::{Bounds, KeepOut, Policy};
 
-/// What is broken at a place with the suction cup; values and points may be out by `tolerance`.
+/// Returns the rules broken at a position with the suction cup; values and points may be off by
+/// `tolerance`.
 pub(crate) fn broken(policy: &Policy, place: &ArmPlace, tolerance: f64) -> Option<String> {
     let joints = place.joints;
     let position = place.pose.position;

@@ -1,4 +1,4 @@
-//! What the whole way of a command may and may not do.
+//! Rules for the whole path of a command.
 
 use dobot_arm::{Calibration, Plane, Tool};
 use dobot_motion::{ArmPlace, Model};
@@ -176,7 +176,7 @@ fn an_arm_that_stands_outside_may_come_back_in_but_not_go_deeper() {
     desk.allows(turn(MovJ, 145.0, 20.0, 30.0));
     desk.allows(turn(MovJ, 100.0, 20.0, 30.0));
     desk.refuses("joints.base", turn(MovJ, 151.0, 20.0, 30.0));
-    // What is not broken holds all the same.
+    // Rules that are not broken still apply.
     desk.refuses("joints.rear", turn(MovJ, 145.0, 86.0, 60.0));
     let low = Desk::at(200.0, 0.0, -80.0);
     low.allows(vector(0.0, 0.0, 30.0));

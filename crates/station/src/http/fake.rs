@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 use dobot_api::{ClientId, FleetWideStop, JobPath, JobView, LeaseView, Reply, Request, Role};
-use dobot_host::{DriverChannels, Message, OfferAnswer, OfferAsk, Rules, StationHandle};
+use dobot_host::{DriverChannels, Message, OfferAnswer, OfferRequest, Rules, StationHandle};
 use dobot_supervisor::Refusal;
 use tokio::sync::mpsc;
 
@@ -138,7 +138,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
 }
 
 /// Accepts one offer, and refuses all others.
-fn answer(offers: &mut HashMap<String, OfferAnswer>, key: String, ask: OfferAsk) -> OfferAnswer {
+fn answer(offers: &mut HashMap<String, OfferAnswer>, key: String, ask: OfferRequest) -> OfferAnswer {
     let refused = |reason: &str, busy| OfferAnswer::Refused {
         reason: reason.into(),
         busy,
@@ -150,11 +150,11 @@ fn answer(offers: &mut HashMap<String, OfferAnswer>, key: String, ask: OfferAsk)
         return known.clone();
     }
     let answer = match ask {
-        OfferAsk::Look => return OfferAnswer::Unknown,
-        OfferAsk::Withdraw { by } => refused(&format!("withdrawn by {by}"), false),
-        OfferAsk::Refuse { reason, busy } => refused(&reason, busy),
-        OfferAsk::Take { .. } if is_busy => refused("job 7 is queued here", true),
-        OfferAsk::Take { job: new, .. } => {
+        OfferRequest::Look => return OfferAnswer::Unknown,
+        OfferRequest::Withdraw { by } => refused(&format!("withdrawn by {by}"), false),
+        OfferRequest::Refuse { reason, busy } => refused(&reason, busy),
+        OfferRequest::Take { .. } if is_busy => refused("job 7 is queued here", true),
+        OfferRequest::Take { job: new, .. } => {
             let title = new.title;
             OfferAnswer::Taken(Box::new(JobView { title, ..job(7) }))
         }

@@ -15,21 +15,26 @@ pub(super) fn amended(packet: &Packet, model: &Model, policy: &Policy) -> Option
     let Packet::Frame(frame) = packet else {
         return None;
     };
-    let mut told = Vec::new();
-    let sent = below_ceilings(frame, model, policy, &mut told);
-    let sent = as_a_stock_arm_takes_it(&sent, model, &mut told);
+    let mut notes = Vec::new();
+    let sent = reduce_to_ceilings(frame, model, policy, &mut notes);
+    let sent = replace_harmless_values(&sent, model, &mut notes);
     let state = frame.float(1);
-    (!told.is_empty()).then(|| (sent.into(), format!("state {state}: {}", told.join("; "))))
+    (!notes.is_empty()).then(|| (sent.into(), format!("state {state}: {}", notes.join("; "))))
 }
 
 /// Reduces values above a ceiling to the ceiling.
-fn below_ceilings(frame: &Frame, model: &Model, policy: &Policy, told: &mut Vec<String>) -> Frame {
+fn reduce_to_ceilings(
+    frame: &Frame,
+    model: &Model,
+    policy: &Policy,
+    notes: &mut Vec<String>,
+) -> Frame {
     let mut sent = *frame;
     for (n, name, most) in ceilings(frame, model, policy) {
         let found = frame.float(n);
         if found.is_finite() && found > most {
             sent = sent.with(n, most);
-            told.push(format!(
+            notes.push(format!(
                 "float {n} ({name}) is {found}; the policy allows {most}, which is sent"
             ));
         }
@@ -38,17 +43,18 @@ fn below_ceilings(frame: &Frame, model: &Model, policy: &Policy, told: &mut Vec<
 }
 
 /// Replaces values that no table allows, but a stock arm accepts harmlessly, with equivalent ones.
-fn as_a_stock_arm_takes_it(frame: &Frame, model: &Model, told: &mut Vec<String>) -> Frame {
+fn replace_harmless_values(frame: &Frame, model: &Model, notes: &mut Vec<String>) -> Frame {
     let in_force = in_force(frame, model);
     let mut sent = *frame;
     let mut changes = Vec::new();
     // Each iteration replaces one float.
     for _ in frame.floats() {
         let Err(error) = Command::parse(&sent.into(), &model.dialect) else {
-            told.append(&mut changes);
+            notes.append(&mut changes);
             return sent;
         };
-        let Some(leniency) = Leniency::of(&sent, &error).filter(|it| it.is_harmless) else {
+        let Some(leniency) = Leniency::of(&sent, &error).filter(|leniency| leniency.is_harmless)
+        else {
             break;
         };
         let stand_in = leniency.stand_in(&sent, &error, &in_force);
@@ -88,7 +94,7 @@ fn in_force(frame: &Frame, model: &Model) -> Frame {
         let pump = Frame::ZERO.with(7, f32::from(model.suction));
         return pump.with(9, single(model.gripper_deg));
     }
-    let configuration = |it: Configuration| it.emit(&model.dialect);
+    let configuration = |configuration: Configuration| configuration.emit(&model.dialect);
     match [state, frame.float(2)] {
         [Configuration::STATE, 0.0] => configuration(teach(&settings.teach)),
         [Configuration::STATE, 1.0] => Frame::ZERO.with(9, single(settings.default_pause_s)),

@@ -82,7 +82,7 @@ impl Arm {
     /// Returns the calibration that applies now.
     pub(super) fn calibration(&self) -> Calibration {
         let model = self.session.model();
-        model.map_or(self.calibration, |it| it.calibration)
+        model.map_or(self.calibration, |model| model.calibration)
     }
 
     pub(super) fn is_calibrated(&self) -> bool {
@@ -96,18 +96,18 @@ impl Arm {
     }
 
     /// Returns the status with calibrated positions and angles.
-    pub(super) fn true_status(&self, told: &Status) -> Status {
+    pub(super) fn calibrated_status(&self, raw: &Status) -> Status {
         let Some(model) = self.session.model().filter(|_| self.is_calibrated()) else {
-            return *told;
+            return *raw;
         };
-        let mut place = ArmPlace::of_status(told);
+        let mut place = ArmPlace::of_status(raw);
         // A joint with backlash that last turned back stands further than its motor reports.
         let arm = &model.calibration;
         place.joints = arm.joints_at(&place.joints, self.turned_deg);
         let place = model.calibrated_place(&place);
         Status {
-            suction: told.suction,
-            gripper_deg: told.gripper_deg,
+            suction: raw.suction,
+            gripper_deg: raw.gripper_deg,
             ..place.status()
         }
     }
@@ -116,7 +116,7 @@ impl Arm {
     /// status.
     pub(super) fn end_status(&self) -> Option<Status> {
         if self.is_idle() {
-            return self.last.map(|last| self.true_status(&last));
+            return self.last.map(|last| self.calibrated_status(&last));
         }
         let model = self.session.model()?;
         Some(Status {
@@ -142,7 +142,9 @@ impl Arm {
     }
 
     fn tool(&self) -> Tool {
-        self.session.model().map_or(Tool::default(), |it| it.tool)
+        self.session
+            .model()
+            .map_or(Tool::default(), |model| model.tool)
     }
 
     /// Converts a command with calibrated positions to a raw command.
@@ -207,7 +209,7 @@ impl Arm {
     }
 
     /// Forgets that the arm was seen at rest.
-    pub(super) const fn lose_sight(&mut self) {
+    pub(super) const fn forget_rest(&mut self) {
         self.still = 0;
     }
 
@@ -228,8 +230,8 @@ impl Arm {
         if within < Duration::MAX {
             return within.max(unknown);
         }
-        let run_down_s = self.session.model().map_or(0.0, |it| {
-            let teach = it.settings.teach;
+        let run_down_s = self.session.model().map_or(0.0, |model| {
+            let teach = model.settings.teach;
             let joint_s = teach.joint_deg_s / teach.joint_deg_s2;
             joint_s.max(teach.line_mm_s / teach.line_mm_s2)
         });
@@ -259,7 +261,7 @@ impl Arm {
     }
 
     /// Returns the path a command would take if sent now, if all of it is allowed.
-    pub(super) fn foresee(&self, command: &Command) -> Result<PathPreview, Refusal> {
+    pub(super) fn preview(&self, command: &Command) -> Result<PathPreview, Refusal> {
         self.session.check(command)?;
         let Some(model) = self.session.model() else {
             return Err(Refusal::NoLink("no status has come yet".to_owned()));
@@ -281,8 +283,9 @@ impl Arm {
     pub(super) fn send_question(&mut self, packet: Packet) {
         let dialect = self.session.dialect().unwrap_or(&Dialect::SPECIFICATION);
         let command = Command::parse(&packet, dialect);
-        if let Ok(it @ (Command::Configuration(_) | Command::PlaybackAdjustment(_))) = command {
-            self.session.note_urgent(&it);
+        if let Ok(setting @ (Command::Configuration(_) | Command::PlaybackAdjustment(_))) = command
+        {
+            self.session.note_urgent(&setting);
         }
         self.line.push(packet);
     }
@@ -348,12 +351,12 @@ fn path_preview(model: &Model, trajectory: &Trajectory) -> Result<PathPreview, V
     let end = way.last().unwrap_or(&start);
     let point = |place: &ArmPlace| {
         let at = place.pose.position;
-        [at.x, at.y, at.z].map(|it| it.0)
+        [at.x, at.y, at.z].map(|mm| mm.0)
     };
     let joints = end.joints;
     Ok(PathPreview {
         takes_s: trajectory.duration_s(),
-        joints_deg: [joints.base, joints.rear, joints.fore, joints.servo].map(|it| it.0),
+        joints_deg: [joints.base, joints.rear, joints.fore, joints.servo].map(|angle| angle.0),
         path_mm: iter::once(&start).chain(&way).map(point).collect(),
     })
 }

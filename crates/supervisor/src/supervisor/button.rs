@@ -61,7 +61,7 @@ impl Supervisor {
         self.check_guarded()?;
         self.detecting.check()?;
         match &self.run {
-            Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),
+            Some(run) if run.occupies_arm() => Err(Refusal::JobRunning(run.job())),
             _ => Ok(()),
         }
     }
@@ -88,7 +88,7 @@ impl Supervisor {
         let Some(JogSilence { client, lasts }) = self.jogging.expired(self.arm.now()) else {
             return;
         };
-        let who = client.map_or_else(|| "the arm".into(), |it| self.client_name(it));
+        let who = client.map_or_else(|| "the arm".into(), |client| self.client_name(client));
         let silent_ms = lasts.as_secs_f64() * 1e3;
         let why = format!("{who} fell silent for {silent_ms:.0} ms");
         let waited = self.jogging.waits();
@@ -114,7 +114,7 @@ impl Supervisor {
     /// been given the press.
     pub(super) fn withdraw(&mut self, why: Refusal) -> bool {
         let ended = self.jogging.revoke(why);
-        ended.is_some_and(|it| self.end_press(it) || it.command.is_some())
+        ended.is_some_and(|ended| self.end_press(ended) || ended.command.is_some())
     }
 
     /// Ends a press; returns whether the arm had been given it.
@@ -131,7 +131,7 @@ impl Supervisor {
         let name = self.client_name(client);
         let kind = Refusal::LetGo(String::new()).kind().to_owned();
         let text = format!(
-            "refused to {name}: the button was let go before the arm could be told, so nothing moved; hold it until the arm moves"
+            "refused to {name}: the button was released before the press was sent, so nothing moved; hold it until the arm moves"
         );
         self.notify(News::Refused { client, kind }, text);
     }

@@ -29,7 +29,7 @@ impl Commands {
         command: &Command,
         rests_within: Duration,
     ) -> Result<CommandId, Refusal> {
-        let command = understood(arm, command, rests_within)?;
+        let command = translate(arm, command, rests_within)?;
         let waiting = arm.session().waiting();
         if waiting >= MOST_WAITING {
             return Err(Refusal::TooMany {
@@ -37,7 +37,7 @@ impl Commands {
                 most: MOST_WAITING,
             });
         }
-        if leads_somewhere(&command) && !knows_place(arm) {
+        if leads_somewhere(&command) && !knows_start(arm) {
             return Err(still_moving(rests_within));
         }
         let pieces = line_pieces(arm, &command)?;
@@ -56,7 +56,7 @@ impl Commands {
     }
 
     pub(super) fn any_of(&self, client: ClientId) -> bool {
-        self.pending.values().any(|it| *it == client)
+        self.pending.values().any(|sender| *sender == client)
     }
 
     /// Returns the commands that are not over.
@@ -67,13 +67,13 @@ impl Commands {
 
 /// Returns whether the start of a motion is known: after a jog, or a motion that ended elsewhere,
 /// only once the arm was seen at rest.
-fn knows_place(arm: &Arm) -> bool {
-    arm.session().model().is_none_or(Model::knows_place)
+fn knows_start(arm: &Arm) -> bool {
+    arm.session().model().is_none_or(Model::knows_start)
 }
 
 /// Translates a command for this arm: a voice order to a stock arm, which has no voice recognition
 /// or uses other numbers, becomes the motion or the button that the words mean (note N50).
-pub(super) fn understood(
+pub(super) fn translate(
     arm: &Arm,
     command: &Command,
     rests_within: Duration,
@@ -109,8 +109,8 @@ pub(super) fn button(command: &Command) -> Option<Jog> {
         Some(Button::Suction(_) | Button::Laser(_))
     );
     match command {
-        Command::JointJog(it) if !switches => Some(Jog::Joint(*it)),
-        Command::LinearJog(it) if !switches => Some(Jog::Linear(*it)),
+        Command::JointJog(jog) if !switches => Some(Jog::Joint(*jog)),
+        Command::LinearJog(jog) if !switches => Some(Jog::Linear(*jog)),
         _ => None,
     }
 }
@@ -127,9 +127,13 @@ fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
     }
     let policy = arm.policy();
     // A line without a trajectory is refused when it is sent.
-    let takes_s = begin.trajectory(command).ok().and_then(|it| it.motion_s());
-    let is_enough =
-        |pieces: &u16| takes_s.is_none_or(|it| it <= f64::from(*pieces) * policy.queue.line_s);
+    let takes_s = begin
+        .trajectory(command)
+        .ok()
+        .and_then(|trajectory| trajectory.motion_s());
+    let is_enough = |pieces: &u16| {
+        takes_s.is_none_or(|takes_s| takes_s <= f64::from(*pieces) * policy.queue.line_s)
+    };
     let pieces = (1..MOST_PIECES).find(is_enough).unwrap_or(MOST_PIECES);
     if pieces == 1 {
         return Ok(Vec::new());
@@ -148,7 +152,7 @@ fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
             ..*target
         })
     };
-    let before_last = (1..pieces).map(|it| at(f32::from(it) / f32::from(pieces)));
+    let before_last = (1..pieces).map(|piece| at(f32::from(piece) / f32::from(pieces)));
     let before_last: Vec<Command> = before_last.collect();
     let mut model = *begin;
     for piece in before_last.iter().chain([command]) {
@@ -161,7 +165,7 @@ fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
 /// Returns whether the path of a command starts where the arm is.
 const fn leads_somewhere(command: &Command) -> bool {
     match command {
-        Command::WriteVector(it) => !it.stop,
+        Command::WriteVector(vector) => !vector.stop,
         Command::MoveTo(_)
         | Command::MoveJoints(_)
         | Command::MouseMove(_)

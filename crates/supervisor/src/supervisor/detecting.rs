@@ -40,8 +40,8 @@ impl Detecting {
             return Err(still_moving(rests_within));
         };
         let model = arm.session().model();
-        let tool = model.map_or(Tool::SuctionCup, |it| it.tool);
-        let calibration = model.map_or(Calibration::NONE, |it| it.calibration);
+        let tool = model.map_or(Tool::SuctionCup, |model| model.tool);
+        let calibration = model.map_or(Calibration::NONE, |model| model.calibration);
         let allowed = |joints: &Joints| {
             let place = ArmPlace::at_joints(*joints, tool);
             let checked = arm.policy().check_place(&place, tool, &calibration);
@@ -91,7 +91,7 @@ impl Detecting {
 
     /// Aborts the detection; returns its requester.
     pub(super) fn end(&mut self) -> Option<ClientId> {
-        self.running.take().map(|it| it.client)
+        self.running.take().map(|running| running.client)
     }
 
     /// Returns how the dialect was detected, if it was.

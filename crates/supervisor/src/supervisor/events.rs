@@ -7,7 +7,7 @@ use dobot_motion::LASER_OFF;
 use dobot_session::{Address, CommandId, Event};
 
 use super::Supervisor;
-use super::fleet_stops::KeptFleetStop;
+use super::fleet_stops::SavedFleetStop;
 use super::request::REASON_LEN;
 use super::run::{Effect, Run};
 use super::stop_latch::StopLatch;
@@ -34,7 +34,7 @@ impl Supervisor {
         let lost = self.link.handle_down(phase, problem);
         self.outgoing.note_change();
         if lost {
-            self.lose_link();
+            self.handle_link_loss();
             self.disarm_laser("the link to the arm was lost");
         }
     }
@@ -54,12 +54,12 @@ impl Supervisor {
     pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
         self.arm.set_time(now);
         self.arm.session_mut().handle_stall(now);
-        let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
+        let why = format!("the station hung for {:.1} s", silent.as_secs_f64());
         self.arm.send_at_once(LASER_OFF);
         self.withdraw(Refusal::LetGo(why.clone()));
         self.notify(
             News::Trouble,
-            format!("{why}: the laser was switched off and the button let go"),
+            format!("{why}: the laser was switched off and the button released"),
         );
         self.disarm_laser(&why);
     }
@@ -102,14 +102,14 @@ impl Supervisor {
     }
 
     /// Restores the stops that held when the station ended: they hold until a person clears them.
-    pub fn handle_kept_stops(
+    pub fn handle_saved_stops(
         &mut self,
         now: Duration,
         own: Option<StoppedBy>,
-        fleet: Vec<KeptFleetStop>,
+        fleet: Vec<SavedFleetStop>,
     ) {
         self.handle_time(now);
-        self.stop_latch.handle_kept(self.arm.now(), own, fleet);
+        self.stop_latch.handle_saved(self.arm.now(), own, fleet);
         self.outgoing.note_change();
     }
 
@@ -126,7 +126,7 @@ impl Supervisor {
         self.handle_time(now);
         let by = StoppedBy {
             by: plain(&by.by, REASON_LEN),
-            reason: by.reason.map(|it| plain(&it, REASON_LEN)),
+            reason: by.reason.map(|reason| plain(&reason, REASON_LEN)),
         };
         let stop = self.stop_latch.make_fleet_stop(origin, by, now_ms);
         let reply = self.bring_to_rest(&stop.text(), StopLatch::hold);
@@ -144,7 +144,7 @@ impl Supervisor {
         } else {
             Reply::Stopping {
                 rests_within_s: self.rests_within().as_secs_f64(),
-                delivered: self.stop_latch.view().is_none_or(|it| it.delivered),
+                delivered: self.stop_latch.view().is_none_or(|view| view.delivered),
             }
         };
         self.release_fleet_stop();
@@ -169,15 +169,15 @@ impl Supervisor {
     }
 
     /// Returns the stops to save, if they have changed: this arm's own and those of the fleet.
-    pub fn poll_kept_stops(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
-        self.stop_latch.poll_kept()
+    pub fn poll_saved_stops(&mut self) -> Option<(Option<StoppedBy>, Vec<SavedFleetStop>)> {
+        self.stop_latch.poll_saved()
     }
 
     /// Releases the arm after its fleet-wide stop was reset elsewhere.
     pub(super) fn release_fleet_stop(&mut self) {
         if self.stop_latch.release(self.arm.last().is_some()) {
             self.stop_sequence.forget();
-            let text = "the stop of the fleet was reset: the arm may move again".to_owned();
+            let text = "the fleet-wide stop was cleared: the arm may move again".to_owned();
             self.notify(News::StopReset, text);
         }
     }
@@ -218,8 +218,8 @@ impl Supervisor {
             .journal_requests
             .handle_not_written(self.arm.now(), effect, why);
         let why = format!("the journal of jobs cannot be written: {why}");
-        if self.run.as_ref().is_some_and(Run::has_the_arm) {
-            self.arm.part_from_laser();
+        if self.run.as_ref().is_some_and(Run::occupies_arm) {
+            self.arm.send_laser_off();
             self.drop_waiting(&why);
             self.interrupt_run(&why);
         }
@@ -268,7 +268,7 @@ impl Supervisor {
 
     /// Handles a disarmed laser: it goes off, and a burning job is paused.
     fn laser_disarmed(&mut self, why: &str) {
-        self.arm.part_from_laser();
+        self.arm.send_laser_off();
         self.interrupt_burning(why);
         let text = if self.link.is_there() {
             format!("the laser is off and disarmed: {why}")
@@ -292,7 +292,7 @@ impl Supervisor {
                 format!("command {command} is done"),
             ),
             Some(why) => {
-                self.arm.part_from_laser();
+                self.arm.send_laser_off();
                 self.notify(
                     News::CommandFailed { command },
                     format!("command {command}: {why}"),
@@ -356,13 +356,13 @@ impl Supervisor {
 
     fn fall_silent(&mut self, event: Event) {
         self.link.handle_silence(&failure(event));
-        self.lose_link();
+        self.handle_link_loss();
     }
 
     /// Handles the loss of the link: unsent commands are dropped; the arm finishes those it has.
-    fn lose_link(&mut self) {
-        self.arm.lose_sight();
-        self.arm.part_from_laser();
+    fn handle_link_loss(&mut self) {
+        self.arm.forget_rest();
+        self.arm.send_laser_off();
         // A line that loses statuses may still carry packets.
         self.arm.release_urgently();
         self.jogging
@@ -377,7 +377,7 @@ impl Supervisor {
     fn notice_reset(&mut self, evidence: &str) {
         self.jogging
             .revoke(Refusal::LetGo("the arm was reset".into()));
-        self.arm.part_from_laser();
+        self.arm.send_laser_off();
         // Nothing is sent again before a person has checked where the arm stands.
         self.interrupt_run("the arm was reset");
         // The session has also dropped its in-flight commands.
@@ -387,7 +387,7 @@ impl Supervisor {
         self.end_detection("the arm was reset");
         self.notify(
             News::Reset,
-            format!("the arm was reset ({evidence}): it believes to stand where it may not stand; confirm its pose, or set its angles anew"),
+            format!("the arm was reset ({evidence}): its reported position may be wrong; confirm its pose, or set its angles again"),
         );
     }
 }
@@ -402,6 +402,6 @@ fn failure(event: Event) -> String {
 
 pub(super) const NOT_DELIVERED: &str =
     "the stop was NOT DELIVERED: there is no link to the arm; switch the arm off";
-const SWITCHED_OFF: &str = "the laser was switched off: nothing that goes on came in time, and it may not burn on the spot";
-const OPENED: &str =
-    "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";
+const SWITCHED_OFF: &str =
+    "the laser was switched off: no further motion came in time, and it may not burn in one place";
+const OPENED: &str = "its port was opened, which resets a stock arm: it then assumes a base angle of 0, wherever it points";

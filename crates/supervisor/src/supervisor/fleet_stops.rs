@@ -9,12 +9,12 @@ use crate::plain;
 
 /// The newest fleet-wide stop of each origin.
 #[derive(Clone, Debug, Default)]
-pub(super) struct FleetStops(BTreeMap<String, KeptFleetStop>);
+pub(super) struct FleetStops(BTreeMap<String, SavedFleetStop>);
 
 /// A fleet-wide stop, and whether this arm was released from it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct KeptFleetStop {
+pub struct SavedFleetStop {
     /// The stop.
     pub stop: FleetWideStop,
     /// Whether a person at this station has cleared it for this arm alone.
@@ -35,8 +35,8 @@ pub(super) enum Adopted {
 
 impl FleetStops {
     /// Restores the stops saved earlier.
-    pub(super) fn of(kept: Vec<KeptFleetStop>) -> Self {
-        let by_origin = |it: KeptFleetStop| (it.stop.origin.clone(), it);
+    pub(super) fn of(kept: Vec<SavedFleetStop>) -> Self {
+        let by_origin = |kept: SavedFleetStop| (kept.stop.origin.clone(), kept);
         Self(kept.into_iter().map(by_origin).collect())
     }
 
@@ -49,7 +49,7 @@ impl FleetStops {
         reason: Option<String>,
         now_ms: u64,
     ) -> FleetWideStop {
-        let before = self.0.get(origin).map_or(0, |it| it.stop.count);
+        let before = self.0.get(origin).map_or(0, |known| known.stop.count);
         let stop = FleetWideStop {
             origin: origin.to_owned(),
             count: now_ms.max(before + 1),
@@ -64,14 +64,14 @@ impl FleetStops {
     /// Adopts a stop from another station. A reset of the same stop is newer than the stop.
     pub(super) fn adopt(&mut self, other: &FleetWideStop) -> Adopted {
         let known = self.0.get(&other.origin);
-        let age = |it: &FleetWideStop| (it.count, !it.holds());
-        let is_newer = known.is_none_or(|it| age(other) > age(&it.stop));
+        let age = |stop: &FleetWideStop| (stop.count, !stop.holds());
+        let is_newer = known.is_none_or(|known| age(other) > age(&known.stop));
         let is_reset_here =
-            known.is_some_and(|it| it.is_reset_here && it.stop.count == other.count);
+            known.is_some_and(|known| known.is_reset_here && known.stop.count == other.count);
         if !is_newer || other.count > MOST_COUNT || !self.has_room(&other.origin) {
             return Adopted::Known;
         }
-        let text = |it: &Option<String>| it.as_ref().map(|it| plain(it, LONGEST));
+        let text = |text: &Option<String>| text.as_ref().map(|text| plain(text, LONGEST));
         let stop = FleetWideStop {
             origin: other.origin.clone(),
             count: other.count,
@@ -89,7 +89,7 @@ impl FleetStops {
 
     /// Resets all stops for the whole fleet.
     pub(super) fn reset(&mut self, by: &str) {
-        for kept in self.0.values_mut().filter(|it| it.stop.holds()) {
+        for kept in self.0.values_mut().filter(|kept| kept.stop.holds()) {
             kept.stop.reset_by = Some(by.to_owned());
         }
     }
@@ -105,21 +105,23 @@ impl FleetStops {
     /// clocks.
     pub(super) fn holding(&self) -> Option<&FleetWideStop> {
         let holding = self.0.values();
-        let holding = holding.filter(|it| it.stop.holds() && !it.is_reset_here);
-        holding.map(|it| &it.stop).max_by_key(|it| it.count)
+        let holding = holding.filter(|holding| holding.stop.holds() && !holding.is_reset_here);
+        holding
+            .map(|holding| &holding.stop)
+            .max_by_key(|stop| stop.count)
     }
 
     pub(super) fn all(&self) -> Vec<FleetWideStop> {
-        self.0.values().map(|it| it.stop.clone()).collect()
+        self.0.values().map(|kept| kept.stop.clone()).collect()
     }
 
-    pub(super) fn kept(&self) -> Vec<KeptFleetStop> {
+    pub(super) fn kept(&self) -> Vec<SavedFleetStop> {
         self.0.values().cloned().collect()
     }
 
     fn put(&mut self, stop: FleetWideStop, is_reset_here: bool) {
         let origin = stop.origin.clone();
-        let kept = KeptFleetStop {
+        let kept = SavedFleetStop {
             stop,
             is_reset_here,
         };
@@ -133,9 +135,9 @@ impl FleetStops {
             return false;
         }
         if self.0.len() >= MOST && !self.0.contains_key(origin) {
-            let over = self.0.iter().find(|(_, it)| !it.stop.holds());
+            let over = self.0.iter().find(|(_, kept)| !kept.stop.holds());
             let over = over.map(|(origin, _)| origin.clone());
-            return over.is_some_and(|it| self.0.remove(&it).is_some());
+            return over.is_some_and(|over| self.0.remove(&over).is_some());
         }
         true
     }
@@ -200,7 +202,7 @@ mod tests {
         let mut one = after(&[stop("a", 5)]);
         one.reset("Ms Weber");
         assert_eq!(one.adopt(&stop("b", 4)), Adopted::Stops);
-        assert_eq!(one.holding().map(|it| &*it.origin), Some("b"));
+        assert_eq!(one.holding().map(|holding| &*holding.origin), Some("b"));
         assert_eq!(one.adopt(&stop("a", 5)), Adopted::Known);
     }
 

@@ -63,7 +63,7 @@ impl Supervisor {
         self.leases.check(client)?;
         self.confirmed_job = Some(job);
         let name = self.client_name(client);
-        let text = format!("{name} confirmed that job {job} may go on");
+        let text = format!("{name} confirmed that job {job} may resume");
         self.notify(News::Message { client }, text);
         Ok(Reply::Done)
     }
@@ -85,7 +85,7 @@ impl Supervisor {
     ///
     /// [`Refusal::StillMoving`]; [`Refusal::NoLink`] if the arm cannot be seen at rest.
     pub fn check_rests(&self, job: u64) -> Result<(), Refusal> {
-        let run = self.run.as_ref().filter(|it| it.job() == job);
+        let run = self.run.as_ref().filter(|run| run.job() == job);
         if run.is_some_and(Run::is_coming_to_rest) {
             self.link.check()?;
             return Err(self.still_moving());
@@ -114,7 +114,7 @@ impl Supervisor {
 
     /// Returns whether a job is executing its commands, as opposed to approaching its start.
     #[must_use]
-    pub fn has_active_job(&self) -> bool {
+    pub fn is_executing_job(&self) -> bool {
         self.run.as_ref().is_some_and(Run::is_running)
     }
 
@@ -129,11 +129,11 @@ impl Supervisor {
 
     /// Pauses the running job, if any, for this reason.
     pub(super) fn pause_for(&mut self, why: &str) -> Result<Reply, Refusal> {
-        let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) else {
+        let Some(run) = self.run.as_ref().filter(|run| run.occupies_arm()) else {
             return Err(Refusal::NoJobRuns);
         };
         let at_work = run.is_at_work();
-        self.part_from_burning();
+        self.send_laser_off_if_burning();
         // A job that is coming to rest need not be interrupted or lifted again.
         if at_work {
             self.come_to_rest(JobPhase::Paused, why);
@@ -145,12 +145,12 @@ impl Supervisor {
         if self.leases.is_taken() {
             self.leases.check(client)?;
         }
-        let Some(run) = self.run.as_ref().filter(|it| it.job() == job) else {
+        let Some(run) = self.run.as_ref().filter(|run| run.job() == job) else {
             return Err(Refusal::NoSuchJob(job));
         };
         let at_work = run.is_at_work();
         let why = format!("ended by {}", self.client_name(client));
-        self.part_from_burning();
+        self.send_laser_off_if_burning();
         if at_work {
             self.come_to_rest(JobPhase::Stopped, &why);
         } else {
@@ -162,11 +162,11 @@ impl Supervisor {
     }
 
     /// Returns the refusal to remove the current job.
-    pub(super) fn not_forgotten(&self, job: u64) -> Refusal {
-        let found = self.job().filter(|it| it.job == job);
-        found.map_or(Refusal::NoSuchJob(job), |it| Refusal::JobPhase {
+    pub(super) fn refuse_removal(&self, job: u64) -> Refusal {
+        let found = self.job().filter(|view| view.job == job);
+        found.map_or(Refusal::NoSuchJob(job), |view| Refusal::JobPhase {
             job,
-            found: it.phase,
+            found: view.phase,
             allowed: FORGETTABLE,
         })
     }
@@ -217,15 +217,15 @@ impl Supervisor {
     /// Takes unsent commands back, to send them again.
     fn take_back(&mut self) {
         if self.run.as_ref().is_some_and(Run::is_running) {
-            self.drop_waiting("it is sent at another speed or height");
+            self.drop_waiting("it is sent again at another speed or height");
         }
     }
 
     /// Switches the laser off immediately if it may be on. An arm that draws with a pen gets the
     /// packet at rest: in the middle of a stroke it would stop the arm for a moment.
-    fn part_from_burning(&mut self) {
+    fn send_laser_off_if_burning(&mut self) {
         if self.arm.laser_view().on || self.run.as_ref().is_none_or(Run::burns) {
-            self.arm.part_from_laser();
+            self.arm.send_laser_off();
         }
     }
 
@@ -243,7 +243,7 @@ impl Supervisor {
 
     /// Interrupts a burning job.
     pub(super) fn interrupt_burning(&mut self, why: &str) {
-        let burns = |it: &Run| it.burns() && it.is_at_work();
+        let burns = |run: &Run| run.burns() && run.is_at_work();
         if self.run.as_ref().is_some_and(burns) {
             self.drop_waiting(why);
             self.with_run(|run, _| Some(run.interrupt_burning(why)));
@@ -266,26 +266,29 @@ impl Supervisor {
 
     /// Handles a failure of the job: waiting commands are dropped, and it retries or is paused.
     fn fail_run(&mut self, why: &str) {
-        self.arm.part_from_laser();
+        self.arm.send_laser_off();
         self.drop_waiting(why);
         self.with_run(|run, _| run.fail(why));
     }
 
     /// Checks with each status whether the awaited grip is visible.
-    pub(super) fn judge_grip(&mut self, status: &Status) {
+    pub(super) fn check_grip(&mut self, status: &Status) {
         let now = self.arm.now();
-        let lost = self.run.as_mut().and_then(|it| it.judge_grip(now, status));
+        let lost = self
+            .run
+            .as_mut()
+            .and_then(|run| run.check_grip(now, status));
         if let Some(why) = lost {
             self.fail_run(&why);
         }
     }
 
     /// Sends lost commands again.
-    pub(super) fn try_again(&mut self) {
+    pub(super) fn resend_lost(&mut self) {
         let Some(run) = self.run.take() else {
             return;
         };
-        match run.try_again(&mut self.arm) {
+        match run.resend_lost(&mut self.arm) {
             Ok((run, effects)) => {
                 self.run = Some(run);
                 self.apply_effects(effects);

@@ -115,7 +115,7 @@ impl Jogging {
         client: ClientId,
         jog: Jog,
     ) -> Option<Result<HoldOutcome, Refusal>> {
-        let same = |it: &&mut Held| it.client == client && is_same_button(it.jog, jog);
+        let same = |held: &&mut Held| held.client == client && is_same_button(held.jog, jog);
         let held = self.held.as_mut().filter(same)?;
         held.last_hold = now;
         let changed = held.jog != jog;
@@ -156,8 +156,8 @@ impl Jogging {
     /// Returns the press that waits for the arm to come to rest.
     pub(super) fn waits(&self) -> Option<(ClientId, Jog)> {
         let held = self.held.as_ref();
-        let waits = held.filter(|it| matches!(it.phase, JogPhase::Waiting));
-        waits.map(|it| (it.client, it.jog))
+        let waits = held.filter(|held| matches!(held.phase, JogPhase::Waiting));
+        waits.map(|held| (held.client, held.jog))
     }
 
     /// Marks the waiting press as moving the arm.
@@ -169,7 +169,7 @@ impl Jogging {
 
     /// Releases the button for its client; returns the press that ends.
     pub(super) fn release(&mut self) -> Option<EndedPress> {
-        self.held.take().and_then(|it| it.ended())
+        self.held.take().and_then(|held| held.ended())
     }
 
     /// Revokes the button: its client has to press it again. Returns the press that ends.
@@ -204,7 +204,7 @@ impl Jogging {
     /// Returns the party whose silence requires the release of the button.
     pub(super) fn expired(&self, now: Duration) -> Option<JogSilence> {
         let held = self.held.as_ref()?;
-        held.times_out_at().filter(|it| *it <= now)?;
+        held.times_out_at().filter(|at| *at <= now)?;
         let of_client = held.last_hold + held.timeout <= now;
         Some(JogSilence {
             client: of_client.then_some(held.client),
@@ -224,7 +224,9 @@ impl Jogging {
         let checked = arm
             .policy()
             .check_jog(&model, &held.jog.command(), within_s);
-        checked.err().map(|it| (held.client, it.into()))
+        checked
+            .err()
+            .map(|violation| (held.client, violation.into()))
     }
 }
 
@@ -250,8 +252,8 @@ pub(super) fn act(arm: &mut Arm, jog: Jog) -> Result<CommandId, Refusal> {
 /// Returns whether this is a button release.
 pub(super) const fn is_released(jog: Jog) -> bool {
     match jog {
-        Jog::Joint(it) => matches!(it.axis, JointJogAxis::Released),
-        Jog::Linear(it) => matches!(it.axis, LinearJogAxis::Released),
+        Jog::Joint(jog) => matches!(jog.axis, JointJogAxis::Released),
+        Jog::Linear(jog) => matches!(jog.axis, LinearJogAxis::Released),
     }
 }
 
@@ -267,8 +269,8 @@ fn is_same_button(one: Jog, other: Jog) -> bool {
 /// Returns whether the button has to be held; switches do not.
 pub(super) fn moves(jog: Jog) -> bool {
     match jog {
-        Jog::Joint(it) => it.axis.moves(),
-        Jog::Linear(it) => it.axis.moves(),
+        Jog::Joint(jog) => jog.axis.moves(),
+        Jog::Linear(jog) => jog.axis.moves(),
     }
 }
 

@@ -39,7 +39,9 @@ impl JournalRequests {
 
     /// Handles a completed write; returns whether it had failed before.
     pub(super) fn handle_written(&mut self, effect: &Effect) -> bool {
-        self.unsaved.take_if(|it| it.effect == *effect).is_some()
+        self.unsaved
+            .take_if(|unsaved| unsaved.effect == *effect)
+            .is_some()
     }
 
     /// Handles a failed write; returns whether this is news.
@@ -67,7 +69,7 @@ impl JournalRequests {
 
     /// Returns when the failed request is repeated.
     pub(super) fn next(&self) -> Option<Duration> {
-        self.unsaved.as_ref().map(|it| it.next)
+        self.unsaved.as_ref().map(|unsaved| unsaved.next)
     }
 
     /// Checks that nothing is unwritten: the journal cannot restore what it does not have.

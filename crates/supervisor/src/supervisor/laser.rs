@@ -49,11 +49,11 @@ impl Arm {
     /// Sends laser off urgently. It is repeated only after a while, unless a burning command was
     /// sent, and only to an arm with nothing else to do first: repeated bad requests must not fill
     /// its queue.
-    pub(super) fn part_from_laser(&mut self) {
+    pub(super) fn send_laser_off(&mut self) {
         let lately = |off: Duration| self.now().saturating_sub(off) < LATELY;
         let waits = self.session().in_flight() > 0;
-        let told = self.session().laser_off_sent_at();
-        if !told.is_some_and(|off| waits || lately(off)) {
+        let sent_at = self.session().laser_off_sent_at();
+        if !sent_at.is_some_and(|off| waits || lately(off)) {
             self.send_urgent(LASER_OFF);
         }
     }

@@ -3,9 +3,11 @@
 use std::collections::HashMap;
 use std::time::Duration;
 
-use dobot_api::{Asking, ClientId, LeaseView, LockView, Role, SlotsView, TimeSlot, is_same_person};
+use dobot_api::{
+    ClientId, ControlRequest, LeaseView, LockView, Role, SlotsView, TimeSlot, is_same_person,
+};
 
-use super::slots::{Slots, Turn};
+use super::slots::{SlotChange, Slots};
 use crate::plain;
 use crate::refusal::{Holder, Refusal};
 
@@ -51,7 +53,7 @@ struct Lock {
 
 /// Control that was lost; the arm comes to rest.
 #[derive(Debug)]
-pub(super) struct TimeOver {
+pub(super) struct LostControl {
     pub(super) why: String,
     pub(super) changes: Vec<Change>,
 }
@@ -99,12 +101,12 @@ impl Leases {
     /// Removes a client that disconnected, on purpose or not.
     pub(super) fn handle_left(&mut self, client: ClientId) -> Vec<Change> {
         let changes = if self.has(client) {
-            self.end("the client that had control is gone")
+            self.end("the client with control has disconnected")
         } else {
             Vec::new()
         };
         if let Some(lease) = &mut self.lease {
-            lease.asked_by.retain(|it| *it != client);
+            lease.asked_by.retain(|other| *other != client);
         }
         self.clients.remove(&client);
         changes
@@ -127,7 +129,7 @@ impl Leases {
 
     pub(super) fn release(&mut self, client: ClientId) -> Result<Vec<Change>, Refusal> {
         self.check(client)?;
-        Ok(self.end("control was given back"))
+        Ok(self.end("control was released"))
     }
 
     /// Locks control for administrators: any other holder loses it.
@@ -144,7 +146,7 @@ impl Leases {
             message,
             at: now,
         });
-        let holder = self.lease.as_ref().map(|it| it.client);
+        let holder = self.lease.as_ref().map(|lease| lease.client);
         match holder {
             Some(holder) if !self.is_admin(holder) => self.end(&why),
             _ => Vec::new(),
@@ -157,10 +159,10 @@ impl Leases {
     }
 
     pub(super) fn lock_view(&self) -> Option<LockView> {
-        self.lock.as_ref().map(|it| LockView {
-            by: it.by.clone(),
-            message: it.message.clone(),
-            at_s: it.at.as_secs_f64(),
+        self.lock.as_ref().map(|lock| LockView {
+            by: lock.by.clone(),
+            message: lock.message.clone(),
+            at_s: lock.at.as_secs_f64(),
         })
     }
 
@@ -175,10 +177,13 @@ impl Leases {
 
     /// Advances the time: returns the changes of time slots and of control. A holder outside its
     /// slot loses control; consecutive slots of one student cause no notice.
-    pub(super) fn handle_time(&mut self, now: Duration) -> (Vec<Turn>, Option<TimeOver>) {
+    pub(super) fn handle_time(&mut self, now: Duration) -> (Vec<SlotChange>, Option<LostControl>) {
         let before = self.slots.student().map(str::to_owned);
-        let turns: Vec<_> = std::iter::from_fn(|| self.slots.poll_turn(now)).collect();
-        if turns.iter().all(|it| matches!(it, Turn::Ending { .. })) {
+        let turns: Vec<_> = std::iter::from_fn(|| self.slots.poll_change(now)).collect();
+        if turns
+            .iter()
+            .all(|turn| matches!(turn, SlotChange::Ending { .. }))
+        {
             return (turns, None);
         }
         let after = self.slots.student();
@@ -186,17 +191,17 @@ impl Leases {
             .iter()
             .zip(after)
             .any(|(one, other)| is_same_person(one, other));
-        let holder = self.lease.as_ref().map(|it| it.client);
-        if goes_on || holder.is_some_and(|it| self.is_admin(it) || self.has_time(it)) {
+        let holder = self.lease.as_ref().map(|lease| lease.client);
+        if goes_on || holder.is_some_and(|holder| self.is_admin(holder) || self.has_time(holder)) {
             return (turns, None);
         }
         let why = match (after, before) {
-            (Some(student), _) => format!("it is the time of {student}"),
-            (None, Some(student)) => format!("the time of {student} is over"),
+            (Some(student), _) => format!("the time slot of {student} is active"),
+            (None, Some(student)) => format!("the time slot of {student} is over"),
             (None, None) => "a time slot is over".to_owned(),
         };
         let changes = self.end(&why);
-        (turns, Some(TimeOver { why, changes }))
+        (turns, Some(LostControl { why, changes }))
     }
 
     /// Returns when the next change is due.
@@ -224,7 +229,7 @@ impl Leases {
                 message: lock.message.clone(),
             });
         }
-        match self.slots.others_time(self.person(client)) {
+        match self.slots.other_slot(self.person(client)) {
             Some(others) => Err(Refusal::Slot {
                 student: others.student.to_owned(),
                 group: others.group.map(str::to_owned),
@@ -238,12 +243,14 @@ impl Leases {
     /// Returns whether this client's slot is the current one.
     fn has_time(&self, client: ClientId) -> bool {
         let student = self.slots.student();
-        student.is_some_and(|it| is_same_person(it, self.person(client)))
+        student.is_some_and(|student| is_same_person(student, self.person(client)))
     }
 
     /// Returns the person a client counts as for time slots.
     fn person(&self, client: ClientId) -> &str {
-        self.clients.get(&client).map_or("", |it| &it.person)
+        self.clients
+            .get(&client)
+            .map_or("", |client| &client.person)
     }
 
     pub(super) fn ask(&mut self, now: Duration, client: ClientId) -> Result<Vec<Change>, Refusal> {
@@ -267,12 +274,12 @@ impl Leases {
         to: ClientId,
     ) -> Result<Vec<Change>, Refusal> {
         self.check(client)?;
-        let asks = |it: &Lease| it.asked_by.contains(&to);
+        let asks = |lease: &Lease| lease.asked_by.contains(&to);
         if !self.lease.as_ref().is_some_and(asks) {
             return Err(Refusal::NotAsking(to.0));
         }
         self.check_allowed(to)?;
-        let mut changes = self.end("control was given to another client");
+        let mut changes = self.end("control was granted to another client");
         changes.push(self.assign(now, to));
         Ok(changes)
     }
@@ -281,7 +288,7 @@ impl Leases {
         if self.has(client) {
             return Vec::new();
         }
-        let mut changes = self.end("control was taken by an administrator");
+        let mut changes = self.end("an administrator took control");
         changes.push(self.assign(now, client));
         changes
     }
@@ -298,7 +305,7 @@ impl Leases {
     /// Records a modification of a client's packets; returns whether it is new.
     pub(super) fn handle_amended(&mut self, client: ClientId, text: &str) -> bool {
         let known = self.clients.get_mut(&client);
-        let Some(known) = known.filter(|it| it.amended.as_deref() != Some(text)) else {
+        let Some(known) = known.filter(|known| known.amended.as_deref() != Some(text)) else {
             return false;
         };
         known.amended = Some(text.to_owned());
@@ -306,7 +313,9 @@ impl Leases {
     }
 
     pub(super) fn has(&self, client: ClientId) -> bool {
-        self.lease.as_ref().is_some_and(|it| it.client == client)
+        self.lease
+            .as_ref()
+            .is_some_and(|lease| lease.client == client)
     }
 
     pub(super) const fn is_taken(&self) -> bool {
@@ -319,9 +328,9 @@ impl Leases {
             return Ok(());
         }
         self.check_allowed(client)?;
-        let holder = self.lease.as_ref().map(|it| Holder {
-            name: self.name(it.client),
-            is_program: self.is_program(it.client),
+        let holder = self.lease.as_ref().map(|lease| Holder {
+            name: self.name(lease.client),
+            is_program: self.is_program(lease.client),
         });
         Err(Refusal::NoLease { holder })
     }
@@ -337,7 +346,10 @@ impl Leases {
 
     /// Checks that a client's role is sufficient.
     pub(super) fn check_role(&self, client: ClientId, needed: Role) -> Result<(), Refusal> {
-        let found = self.clients.get(&client).map_or(Role::Watch, |it| it.role);
+        let found = self
+            .clients
+            .get(&client)
+            .map_or(Role::Watch, |client| client.role);
         if found < needed {
             return Err(Refusal::Role { needed, found });
         }
@@ -346,14 +358,17 @@ impl Leases {
 
     /// Returns whether a client speaks the arm's own protocol.
     pub(super) fn is_program(&self, client: ClientId) -> bool {
-        self.clients.get(&client).is_some_and(|it| it.is_program)
+        self.clients
+            .get(&client)
+            .is_some_and(|client| client.is_program)
     }
 
     /// Returns a client's name.
     pub(super) fn name(&self, client: ClientId) -> String {
-        self.clients
-            .get(&client)
-            .map_or_else(|| format!("client {}", client.0), |it| it.name.clone())
+        self.clients.get(&client).map_or_else(
+            || format!("client {}", client.0),
+            |client| client.name.clone(),
+        )
     }
 
     pub(super) fn clients(&self) -> usize {
@@ -361,29 +376,29 @@ impl Leases {
     }
 
     pub(super) fn view(&self) -> Option<LeaseView> {
-        let asking = |&client: &ClientId| Asking {
+        let asking = |&client: &ClientId| ControlRequest {
             client,
             name: self.name(client),
         };
-        self.lease.as_ref().map(|it| LeaseView {
-            client: it.client,
-            name: self.name(it.client),
-            person: self.person(it.client).to_owned(),
-            is_program: self.is_program(it.client),
-            since_s: it.since.as_secs_f64(),
-            asked_by: it.asked_by.iter().map(asking).collect(),
+        self.lease.as_ref().map(|lease| LeaseView {
+            client: lease.client,
+            name: self.name(lease.client),
+            person: self.person(lease.client).to_owned(),
+            is_program: self.is_program(lease.client),
+            since_s: lease.since.as_secs_f64(),
+            asked_by: lease.asked_by.iter().map(asking).collect(),
         })
     }
 
     /// Returns whether a raw program has control, which cannot answer requests.
     fn holder_cannot_answer(&self) -> bool {
         let lease = self.lease.as_ref();
-        lease.is_some_and(|it| self.is_program(it.client))
+        lease.is_some_and(|lease| self.is_program(lease.client))
     }
 
     fn is_admin(&self, client: ClientId) -> bool {
         let known = self.clients.get(&client);
-        known.is_some_and(|it| it.role == Role::Admin)
+        known.is_some_and(|known| known.role == Role::Admin)
     }
 
     fn assign(&mut self, now: Duration, client: ClientId) -> Change {
@@ -396,8 +411,8 @@ impl Leases {
     }
 
     fn end(&mut self, why: &str) -> Vec<Change> {
-        let ended = self.lease.take().map(|it| Change::Ended {
-            client: it.client,
+        let ended = self.lease.take().map(|lease| Change::Ended {
+            client: lease.client,
             why: why.to_owned(),
         });
         ended.into_iter().collect()

@@ -63,7 +63,7 @@ impl Link {
         self.phase = LinkPhase::Lost;
         self.laser_off_sent = false;
         self.problem = Some(format!(
-            "{why}; is the arm switched on, and the cable in its place?"
+            "{why}; check that the arm is switched on and its cable plugged in"
         ));
         self.lost.clone_from(&self.problem);
     }
@@ -96,7 +96,7 @@ impl Link {
         let why = match (&self.problem, self.phase) {
             (Some(problem), _) => problem.clone(),
             (None, LinkPhase::Searching) => "no arm has been found yet".into(),
-            (None, _) => "the arm has not told anything yet".into(),
+            (None, _) => "no status has arrived yet".into(),
         };
         Err(Refusal::NoLink(why))
     }
@@ -118,7 +118,7 @@ impl Link {
             statuses_per_s: quality.statuses_per_s,
             lost_statuses: quality.lost,
             damaged_bytes: quality.damaged_bytes,
-            latency_ms: quality.latency.map(|it| it.as_secs_f64() * 1e3),
+            latency_ms: quality.latency.map(|latency| latency.as_secs_f64() * 1e3),
         }
     }
 }

@@ -14,7 +14,7 @@ pub(super) fn near(policy: &Policy, place: &ArmPlace, tool: Tool) -> NearView {
         servo,
     } = place.joints;
     let position = place.pose.position;
-    let [x, y, z] = [position.x, position.y, position.z].map(|it| it.0);
+    let [x, y, z] = [position.x, position.y, position.z].map(|mm| mm.0);
     let (joints, space) = (&policy.joints, &policy.workspace);
     let angles = [
         (BoundedQuantity::Base, base.0, joints.base_deg),
@@ -33,8 +33,12 @@ pub(super) fn near(policy: &Policy, place: &ArmPlace, tool: Tool) -> NearView {
         (BoundedQuantity::Z, z, space.z_mm),
         (BoundedQuantity::Reach, x.hypot(y), space.reach_mm),
     ];
-    let angles = angles.into_iter().flat_map(|it| near_ends(it, NEAR_DEG));
-    let lengths = lengths.into_iter().flat_map(|it| near_ends(it, NEAR_MM));
+    let angles = angles
+        .into_iter()
+        .flat_map(|angle| near_ends(angle, NEAR_DEG));
+    let lengths = lengths
+        .into_iter()
+        .flat_map(|length| near_ends(length, NEAR_MM));
     let tool_at = [[x, y, z], [x, y, z - policy.tool_length.of(tool)]];
     let keep_outs = policy.keep_out.iter().filter_map(|(name, keep_out)| {
         let rooms_mm = tool_at.map(|point| distance_mm(keep_out, point));
@@ -77,9 +81,10 @@ fn distance_mm(keep_out: &KeepOut, [x, y, z]: [f64; 3]) -> f64 {
             let level = outside(x, area.x_mm).hypot(outside(y, area.y_mm));
             level.hypot(outside(z, area.z_mm))
         }
-        KeepOut::Cylinder(it) => {
-            let level = ((x - it.x_mm).hypot(y - it.y_mm) - it.radius_mm).max(0.0);
-            level.hypot(outside(z, it.z_mm))
+        KeepOut::Cylinder(cylinder) => {
+            let level =
+                ((x - cylinder.x_mm).hypot(y - cylinder.y_mm) - cylinder.radius_mm).max(0.0);
+            level.hypot(outside(z, cylinder.z_mm))
         }
     }
 }
@@ -120,7 +125,7 @@ mod tests {
         let near = near(&Policy::default(), place, CUP);
         near.limits
             .iter()
-            .map(|it| (it.quantity, it.bound))
+            .map(|limit| (limit.quantity, limit.bound))
             .collect()
     }
 

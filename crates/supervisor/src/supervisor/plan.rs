@@ -98,9 +98,9 @@ impl JobPlan {
         given: usize,
         program: &JobProgram,
     ) -> Result<Self, Refusal> {
-        let first = check_beginning(&commands)?;
+        let first = check_first_motion(&commands)?;
         let cycle = Cycle::of(program, commands.len());
-        let commands = cycle.map_or(commands.clone(), |it| it.unroll(commands));
+        let commands = cycle.map_or(commands.clone(), |cycle| cycle.unroll(commands));
         let burns = commands.iter().any(burns);
         let mut look = PlanWalk {
             policy,
@@ -125,7 +125,7 @@ impl JobPlan {
         let mut drawn = Vec::with_capacity(commands.len());
         let mut changes = heights.iter().peekable();
         for (index, command) in commands.iter().enumerate() {
-            if let Some(change) = changes.next_if(|it| it.from == index) {
+            if let Some(change) = changes.next_if(|change| change.from == index) {
                 look.change(change, steps.last_mut());
             }
             drawn.push(look.height.apply(command));
@@ -136,7 +136,9 @@ impl JobPlan {
         plan.commands = drawn.into();
         plan.steps = steps.into();
         let moved = &plan.steps[plan.first_motion()..];
-        let heights = moved.iter().map(|it| f64::from(it.end.z_mm) - it.raised_mm);
+        let heights = moved
+            .iter()
+            .map(|step| f64::from(step.end.z_mm) - step.raised_mm);
         plan.lowest_mm = heights.fold(f64::MAX, f64::min);
         Ok(plan)
     }
@@ -160,7 +162,11 @@ impl JobPlan {
         (height.raised_mm, height.offset_mm) = (change.begin_mm, change.offset_mm);
         let commands = Arc::make_mut(&mut self.commands);
         let steps = Arc::make_mut(&mut self.steps);
-        if let Some(last) = change.from.checked_sub(1).and_then(|it| steps.get_mut(it)) {
+        if let Some(last) = change
+            .from
+            .checked_sub(1)
+            .and_then(|from| steps.get_mut(from))
+        {
             last.higher_mm = change.begin_mm - last.raised_mm;
         }
         self.altered_until = change.from.min(self.altered_until);
@@ -180,7 +186,7 @@ impl JobPlan {
     /// [`Violation`] with the rule that forbids it.
     pub fn check_lowest(&self, policy: &Policy, from: usize) -> Result<(), Violation> {
         let ends = self.steps[from.min(self.len())..].iter().enumerate();
-        let ends: Vec<_> = ends.map(|(n, it)| (from + n, it.now())).collect();
+        let ends: Vec<_> = ends.map(|(n, step)| (from + n, step.now())).collect();
         let above_table_mm = |at: &Status| {
             let place = ArmPlace::of_status(at).pose.position;
             self.arm.above_table_mm(place).unwrap_or_default()
@@ -203,8 +209,8 @@ impl JobPlan {
     /// Returns the height above the plan before a command, in millimetres.
     #[must_use]
     pub fn raised_mm(&self, index: usize) -> f64 {
-        let last = index.checked_sub(1).and_then(|it| self.steps.get(it));
-        last.map_or(0.0, |it| it.raised_mm + it.higher_mm)
+        let last = index.checked_sub(1).and_then(|index| self.steps.get(index));
+        last.map_or(0.0, |last| last.raised_mm + last.higher_mm)
     }
 
     /// Returns whether this command or a later one was changed, so that its speeds may not fit.
@@ -216,7 +222,7 @@ impl JobPlan {
     /// Returns whether there is a vector.
     #[must_use]
     pub fn has_vectors(&self) -> bool {
-        let vector = |it: &Command| matches!(it, Command::WriteVector(_));
+        let vector = |command: &Command| matches!(command, Command::WriteVector(_));
         self.planned.iter().any(vector)
     }
 
@@ -226,10 +232,10 @@ impl JobPlan {
         let mut rests = false;
         self.commands[index.min(self.len())..]
             .iter()
-            .map_while(move |it| match it {
-                Command::WriteVector(it) if !it.stop && !rests => {
-                    rests = it.end_speed_mm_s == 0.0;
-                    Some(it)
+            .map_while(move |command| match command {
+                Command::WriteVector(vector) if !vector.stop && !rests => {
+                    rests = vector.end_speed_mm_s == 0.0;
+                    Some(vector)
                 }
                 _ => None,
             })
@@ -237,7 +243,7 @@ impl JobPlan {
 
     /// Returns the settings that apply to a command.
     pub(super) fn drawn_with(&self, index: usize) -> DrawnWith {
-        let later = self.settings.partition_point(|it| it.0 <= index);
+        let later = self.settings.partition_point(|setting| setting.0 <= index);
         self.settings[later.saturating_sub(1)].1
     }
 
@@ -249,22 +255,22 @@ impl JobPlan {
 
     /// Returns whether a command changes what pump or gripper hold.
     pub(super) fn grips(&self, index: usize) -> bool {
-        self.steps.get(index).is_some_and(|it| it.grips.any())
+        self.steps.get(index).is_some_and(|step| step.grips.any())
     }
 
     /// Returns whether a command does so without a motion.
     pub(super) fn grips_in_place(&self, index: usize) -> bool {
         self.steps
             .get(index)
-            .is_some_and(|it| it.grips.any() && !it.moves)
+            .is_some_and(|step| step.grips.any() && !step.moves)
     }
 
     /// Returns whether a status shows the effect of a command on pump and gripper.
     pub(super) fn shows_grip(&self, index: usize, status: &Status) -> bool {
-        self.steps.get(index).is_none_or(|it| {
-            let off_deg = (status.gripper_deg - it.end.gripper_deg).abs();
-            (!it.grips.suction || status.suction == it.end.suction)
-                && (!it.grips.gripper || off_deg < SAME_GRIP_DEG)
+        self.steps.get(index).is_none_or(|step| {
+            let off_deg = (status.gripper_deg - step.end.gripper_deg).abs();
+            (!step.grips.suction || status.suction == step.end.suction)
+                && (!step.grips.gripper || off_deg < SAME_GRIP_DEG)
         })
     }
 
@@ -273,7 +279,7 @@ impl JobPlan {
         let percents = self
             .settings
             .iter()
-            .map(|it| f64::from(it.1.playback.speed_percent));
+            .map(|setting| f64::from(setting.1.playback.speed_percent));
         percents.fold(0.0, f64::max)
     }
 
@@ -297,10 +303,10 @@ impl JobPlan {
 
     /// Returns the settings commands before a command.
     pub(super) fn settings_before(&self, index: usize) -> impl Iterator<Item = &Command> {
-        let indices = self.settings.iter().skip(1).map(|it| it.0 - 1);
+        let indices = self.settings.iter().skip(1).map(|setting| setting.0 - 1);
         indices
             .take_while(move |start| *start < index)
-            .map(|it| &self.commands[it])
+            .map(|index| &self.commands[index])
     }
 
     /// Returns whether the laser burns anywhere.
@@ -318,7 +324,7 @@ impl JobPlan {
     /// Returns the lift, if it is not 0.
     #[must_use]
     pub fn lift(&self) -> Option<f32> {
-        Some(self.lift_mm).filter(|it| *it > 0.0)
+        Some(self.lift_mm).filter(|lift_mm| *lift_mm > 0.0)
     }
 
     /// Returns the tool height below which a pen draws, in millimetres and raw coordinates, if
@@ -346,7 +352,7 @@ impl JobPlan {
     }
 
     fn first_motion(&self) -> usize {
-        let first = self.steps.iter().position(|it| it.moves);
+        let first = self.steps.iter().position(|step| step.moves);
         first.unwrap_or(self.steps.len())
     }
 
@@ -356,7 +362,7 @@ impl JobPlan {
         let Some(cycle) = &self.cycle else {
             return Some(self.until_s(self.len()));
         };
-        #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+        #[expect(clippy::cast_precision_loss, reason = "2^53 cycles are out of reach")]
         let more = cycle.times?.saturating_sub(1) as f64;
         Some(self.until_s(cycle.end()) + self.cycle_s().unwrap_or(0.0) * more)
     }
@@ -377,7 +383,7 @@ impl JobPlan {
 
     fn until_s(&self, index: usize) -> f64 {
         let over = index.min(self.len()).checked_sub(1);
-        over.map_or(0.0, |it| self.steps[it].until_s)
+        over.map_or(0.0, |over| self.steps[over].until_s)
     }
 }
 
@@ -433,7 +439,7 @@ impl PlanWalk<'_> {
             })?
         };
         let takes_s = trajectory.duration_s().ok_or_else(|| {
-            bad("a jog goes on until it is released; a job may not hold one".into())
+            bad("a jog lasts until it is released; a job may not contain one".into())
         })?;
         let before = self.model;
         self.model = self.model.after(command, &trajectory);
@@ -465,7 +471,7 @@ impl PlanWalk<'_> {
 }
 
 const fn is_pump_switch(command: &Command) -> bool {
-    matches!(command, Command::JointJog(it) if matches!(it.axis, JointJogAxis::SuctionOn | JointJogAxis::SuctionOff))
+    matches!(command, Command::JointJog(jog) if matches!(jog.axis, JointJogAxis::SuctionOn | JointJogAxis::SuctionOff))
 }
 
 /// A gripper this close to its target has reached it, in degrees.
@@ -493,14 +499,14 @@ fn somewhere(tool: Tool) -> ArmPlace {
 
 /// Returns the index of the first motion. It must be a target, because relative motions need a
 /// known start, wherever the arm was before.
-fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
-    let calm = |it: &Command| {
+fn check_first_motion(commands: &[Command]) -> Result<usize, Refusal> {
+    let calm = |command: &Command| {
         matches!(
-            it,
+            command,
             Command::Configuration(_) | Command::PlaybackAdjustment(_) | Command::JointJog(_)
         )
     };
-    let first = commands.iter().position(|it| !calm(it));
+    let first = commands.iter().position(|command| !calm(command));
     let bad = |index, why: &str| {
         Err(Refusal::BadJob {
             index,
@@ -509,22 +515,22 @@ fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
         })
     };
     match first.map(|index| (index, &commands[index])) {
-        None => bad(0, "nothing in it moves the arm"),
+        None => bad(0, "no command moves the arm"),
         Some((index, Command::MoveTo(_) | Command::MoveJoints(_))) => {
-            no_references(commands).map(|()| index)
+            check_no_references(commands).map(|()| index)
         }
         Some((index, _)) => bad(
             index,
-            "the first motion has to be a target (state 3 or 6), which says where the job begins",
+            "the first motion must be a target (state 3 or 6), which sets where the job begins",
         ),
     }
 }
 
 /// After new initial angles, the arm's position no longer follows from earlier positions.
-fn no_references(commands: &[Command]) -> Result<(), Refusal> {
-    let reference = |it: &Command| {
+fn check_no_references(commands: &[Command]) -> Result<(), Refusal> {
+    let reference = |command: &Command| {
         matches!(
-            it,
+            command,
             Command::Configuration(Configuration::InitialAngles { .. })
         )
     };

@@ -8,10 +8,10 @@ use dobot_safety::Policy;
 use dobot_wire::{Command, Configuration, Dialect, Packet, single};
 
 use super::amend::amended;
-use super::commands::{button, understood};
+use super::commands::{button, translate};
 use super::events::NOT_DELIVERED;
-use super::lease::{Change, TimeOver};
-use super::slots::Turn;
+use super::lease::{Change, LostControl};
+use super::slots::SlotChange;
 use super::stop_latch::StopLatch;
 use super::stop_latch::StoppedBy;
 use super::{Supervisor, still_moving};
@@ -75,7 +75,7 @@ impl Supervisor {
     ) -> Option<Result<Reply, Refusal>> {
         self.handle_time(now);
         if let Request::CheckCommand { command } = request {
-            return Some(self.foresee(&command));
+            return Some(self.preview(&command));
         }
         if let Request::Near {
             x_mm,
@@ -99,7 +99,7 @@ impl Supervisor {
             self.notify_refused(client, refusal);
             if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.leases.has(client) {
                 // The client's idea of the arm is wrong.
-                self.arm.part_from_laser();
+                self.arm.send_laser_off();
             }
         }
         self.outgoing.note_change();
@@ -143,7 +143,7 @@ impl Supervisor {
     /// Checks that a client may change policy or calibration: nothing may be in flight.
     fn check_may_change(&self, client: ClientId) -> Result<(), Refusal> {
         self.leases.check_role(client, Role::Admin)?;
-        if let Some(job) = self.job().filter(|_| self.has_active_job()) {
+        if let Some(job) = self.job().filter(|_| self.is_executing_job()) {
             return Err(Refusal::JobRunning(job.job));
         }
         self.detecting.check()?;
@@ -173,10 +173,10 @@ impl Supervisor {
         self.outgoing.note_change();
         let name = self.client_name(client);
         let text = if calibration.is_none() {
-            format!("{name} takes the arm to be as drawn: no calibration holds")
+            format!("{name} removed the calibration: the arm is assumed to match the drawing")
         } else {
             let arm = calibrations.name().unwrap_or("the arm");
-            format!("{name} calibrated {arm}: places are true ones from now on")
+            format!("{name} calibrated {arm}: positions are calibrated from now on")
         };
         self.notify(News::Calibrated, text);
         self.feed();
@@ -209,10 +209,10 @@ impl Supervisor {
     }
 
     /// Returns the path a command would take if it were sent now.
-    fn foresee(&self, command: &Command) -> Result<Reply, Refusal> {
+    fn preview(&self, command: &Command) -> Result<Reply, Refusal> {
         let command = &self.arm.raw_command(command)?;
-        let command = understood(&self.arm, command, self.rests_within())?;
-        let way = self.arm.foresee(&command)?;
+        let command = translate(&self.arm, command, self.rests_within())?;
+        let way = self.arm.preview(&command)?;
         Ok(Reply::Way { way })
     }
 
@@ -278,7 +278,7 @@ impl Supervisor {
             Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
             Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
             Request::CancelJob { job } => self.cancel_job(client, job),
-            Request::ForgetJob { job } => Err(self.not_forgotten(job)),
+            Request::ForgetJob { job } => Err(self.refuse_removal(job)),
             Request::CheckCommand { .. }
             | Request::Near { .. }
             | Request::Calibrate { .. }
@@ -287,16 +287,16 @@ impl Supervisor {
             | Request::QueueAgain { .. }
             | Request::MoveJob { .. }
             | Request::StartJob { .. }
-            | Request::StepJob { .. } => {
-                Err(Refusal::Malformed("this is not asked for this way".into()))
-            }
+            | Request::StepJob { .. } => Err(Refusal::Malformed(
+                "this request is not accepted here".into(),
+            )),
         }
     }
 
     fn stop_arm(&mut self, client: ClientId, reason: Option<String>) -> Reply {
         let by = self.client_name(client);
         let why = format!("the arm was stopped by {by}");
-        let reason = reason.map(|it| plain(&it, REASON_LEN));
+        let reason = reason.map(|reason| plain(&reason, REASON_LEN));
         let by = StoppedBy { by, reason };
         self.bring_to_rest(&why, |stop, now, rests_within, delivered| {
             stop.handle_stop(now, by, rests_within, delivered)
@@ -345,7 +345,7 @@ impl Supervisor {
             .reset(self.arm.now(), self.link.is_there())?
         {
             self.stop_sequence.forget();
-            let text = format!("{} lets the arm move again", self.client_name(client));
+            let text = format!("{} cleared the stop", self.client_name(client));
             self.notify(News::StopReset, text);
         }
         Ok(Reply::Done)
@@ -354,7 +354,7 @@ impl Supervisor {
     /// Locks the arm for administrators. A running job comes to rest; an administrator can resume
     /// it.
     fn lock(&mut self, client: ClientId, message: Option<String>) -> Reply {
-        let message = message.map(|it| plain(&it, REASON_LEN));
+        let message = message.map(|message| plain(&message, REASON_LEN));
         let by = self.client_name(client);
         let text = match &message {
             Some(message) => format!("{by} locked the arm: {message}"),
@@ -372,7 +372,7 @@ impl Supervisor {
         self.leases.set_slots(self.arm.now(), slots)?;
         let by = self.client_name(client);
         let text = match self.slots().last() {
-            None => format!("{by} cleared the time slots: the arm is everyone's"),
+            None => format!("{by} cleared the time slots: the arm is free"),
             Some(last) => format!(
                 "{by} set {} time slots, for the next {}",
                 slots.len(),
@@ -393,7 +393,7 @@ impl Supervisor {
     /// job comes to rest; the next holder can resume it.
     pub(super) fn watch_slots(&mut self) {
         let (turns, over) = self.leases.handle_time(self.arm.now());
-        if let Some(TimeOver { why, changes }) = over {
+        if let Some(LostControl { why, changes }) = over {
             self.follow_lease(changes);
             // Without a running job there is nothing to pause.
             let _ = self.pause_for(&why);
@@ -444,14 +444,14 @@ impl Supervisor {
     /// Without control nothing moves: buttons are released, waiting commands dropped, and the laser
     /// goes off. A drawing with a pen continues; it belongs to the station.
     fn lease_over(&mut self, client: ClientId, why: &str) {
-        self.arm.part_from_laser();
+        self.arm.send_laser_off();
         self.disarm_laser(why);
         self.release_button();
         self.end_detection(why);
         if self.commands.any_of(client) {
             self.drop_waiting(why);
         }
-        self.notify(News::LeaseFree, format!("nobody has control: {why}"));
+        self.notify(News::LeaseFree, format!("control is free: {why}"));
     }
 
     fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
@@ -559,7 +559,7 @@ impl Supervisor {
         let remedy = refusal
             .hint()
             .or_else(|| is_program.then(|| GOES_ON.into()));
-        let remedy = remedy.map_or_else(String::new, |it| format!("; {it}"));
+        let remedy = remedy.map_or_else(String::new, |remedy| format!("; {remedy}"));
         let text = format!("refused to {}: {refusal}{remedy}", self.client_name(client));
         let kind = refusal.kind().to_owned();
         self.notify(News::Refused { client, kind }, text);
@@ -574,17 +574,14 @@ impl Supervisor {
         // Nothing moves before the confirmation, so no client needs control for it.
         if !self.arm.session().is_trusted() {
             self.arm.session_mut().confirm_pose();
-            let text = format!(
-                "{} confirmed where the arm stands",
-                self.client_name(client)
-            );
+            let text = format!("{} confirmed the pose", self.client_name(client));
             self.notify(News::PoseTrusted, text);
         }
         Ok(Reply::Done)
     }
 
     pub(super) fn set_dialect(&mut self, dialect: Dialect) -> Result<Reply, Refusal> {
-        if let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) {
+        if let Some(run) = self.run.as_ref().filter(|run| run.occupies_arm()) {
             return Err(Refusal::JobRunning(run.job()));
         }
         if self.arm.session().dialect() != Some(&dialect) {
@@ -599,29 +596,29 @@ impl Supervisor {
 }
 
 /// Returns the notice for a time slot.
-fn slot_notice(turn: Turn) -> (News, String) {
+fn slot_notice(turn: SlotChange) -> (News, String) {
     match turn {
-        Turn::Began { student, lasts } => {
+        SlotChange::Began { student, lasts } => {
             let text = format!(
-                "it is the time of {student}, for {}",
+                "the time slot of {student} has begun and lasts {}",
                 span(lasts.as_secs_f64())
             );
             (News::SlotBegan { student }, text)
         }
-        Turn::Ending { student, left } => {
+        SlotChange::Ending { student, left } => {
             let left = span(left.as_secs_f64());
-            let text = format!("the time of {student} is over in {left}");
+            let text = format!("the time slot of {student} ends in {left}");
             (News::SlotEnding { student }, text)
         }
-        Turn::Ended { student } => {
-            let text = format!("the time of {student} is over");
+        SlotChange::Ended { student } => {
+            let text = format!("the time slot of {student} is over");
             (News::SlotEnded { student }, text)
         }
     }
 }
 
 /// The hint for a refused packet without a more specific one.
-const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
+const GOES_ON: &str = "send an allowed packet; this one was ignored";
 pub(super) const REASON_LEN: usize = 200;
 /// The shortest and the longest step of a button, in mm or degrees.
 const SHORTEST_STEP: f32 = 0.01;

@@ -34,17 +34,17 @@ pub(super) struct Run {
     next: usize,
     permit: Permit,
     /// The last result of [`Run::window_end`].
-    reach: Option<Reach>,
+    reach: Option<WindowLimit>,
     speeds: Speeds,
     /// Given to the session and not over.
     given: VecDeque<SentCommand>,
     /// The carry-over of the last completed command.
-    left: CarriedOver,
+    carry_over: CarryOver,
     tool: ToolHeight,
     /// A speed change by a person, sent before the next target.
     target_speed: Option<PlaybackAdjustment>,
     /// The time since the start or resume.
-    ran: Option<Ran>,
+    ran: Option<RunTime>,
     /// Where it comes to rest when run step by step.
     step_end: Option<usize>,
     /// A completed grip that no status shows yet.
@@ -57,15 +57,15 @@ pub(super) struct Run {
 #[derive(Debug)]
 pub(super) enum JobEffect {
     /// Request this from the journal.
-    Ask(Effect),
+    Write(Effect),
     /// Write the phase of the job, repeating until it succeeds.
-    Keep(Effect),
+    WritePhase(Effect),
     /// Publish a notice.
     Notify(News, String),
     /// Drop the job.
-    Forget,
+    Drop,
     /// Send lost commands again.
-    TryAgain,
+    Resend,
 }
 
 /// A command of the job that the session has.
@@ -74,12 +74,12 @@ struct SentCommand {
     id: CommandId,
     index: usize,
     /// The carry-over after this command.
-    left: CarriedOver,
+    carry_over: CarryOver,
 }
 
 /// What a command carries over to the next one.
 #[derive(Clone, Copy, Debug, Default)]
-struct CarriedOver {
+struct CarryOver {
     /// The speed of the arm, or the speed kept for the next vector, in mm/s: on a stock arm
     /// slightly above 0 even at rest.
     speed_mm_s: f32,
@@ -100,14 +100,14 @@ enum ToolHeight {
 
 /// The end of the journal window for a number of completed commands.
 #[derive(Clone, Copy, Debug)]
-struct Reach {
+struct WindowLimit {
     completed: usize,
     upto: usize,
 }
 
 /// When the job started to run and when its last command was over.
 #[derive(Clone, Copy, Debug)]
-struct Ran {
+struct RunTime {
     since: Duration,
     last_over: Duration,
 }
@@ -131,7 +131,7 @@ enum Phase {
         then: JobPhase,
         reason: String,
         upto: usize,
-        rests: Rests,
+        rests: RestMode,
     },
     /// Lifting the tool for a pause.
     Lifting {
@@ -145,14 +145,14 @@ enum Phase {
 
 /// How a job comes to rest after its last command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Rests {
+enum RestMode {
     AsItIs,
     /// With the tool lifted as soon as all is given.
     Lifted,
     /// To wait for a person.
     ForPerson,
     /// To send lost commands again from there.
-    ToTryAgain,
+    ToResend,
 }
 
 impl Run {
@@ -161,11 +161,11 @@ impl Run {
     /// Restores a job that was running when the station ended unexpectedly.
     pub(super) fn recovered(mut started: StartedJob, window: Window) -> Self {
         // How long it ran is unknown.
-        started.behind.ran_s = None;
+        started.history.ran_s = None;
         let window = started.in_plan(window);
         let kept = started.completed;
         let mut run = Self::new(started, kept, Phase::Locating { window }, None);
-        run.left.is_unknown = true;
+        run.carry_over.is_unknown = true;
         run
     }
 
@@ -183,7 +183,7 @@ impl Run {
             reach: None,
             speeds,
             given: VecDeque::new(),
-            left: CarriedOver::default(),
+            carry_over: CarryOver::default(),
             tool: ToolHeight::Down,
             target_speed: None,
             ran: None,
@@ -200,47 +200,49 @@ impl Run {
 
     /// Returns the commands given to the session and not over.
     pub(super) fn in_flight(&self) -> impl Iterator<Item = CommandId> {
-        self.given.iter().map(|it| it.id)
+        self.given.iter().map(|sent| sent.id)
     }
 
     /// Returns the carry-over of the last command given.
-    fn left(&self) -> CarriedOver {
-        self.given.back().map_or(self.left, |it| it.left)
+    fn carry_over(&self) -> CarryOver {
+        self.given
+            .back()
+            .map_or(self.carry_over, |sent| sent.carry_over)
     }
 
     fn speed_mm_s(&self) -> f32 {
-        self.left().speed_mm_s
+        self.carry_over().speed_mm_s
     }
 
     /// Returns the carry-over of all completed commands, if they were done as planned.
-    fn planned_left(&self) -> CarriedOver {
+    fn planned_carry_over(&self) -> CarryOver {
         let next = self.started.plan.chain(self.started.completed).next();
-        CarriedOver {
-            speed_mm_s: next.map_or(0.0, |it| it.start_speed_mm_s),
+        CarryOver {
+            speed_mm_s: next.map_or(0.0, |next| next.start_speed_mm_s),
             is_unknown: self.started.completed > 0,
-            ..CarriedOver::default()
+            ..CarryOver::default()
         }
     }
 
     /// Returns the carry-over after the next command.
-    fn after(&self, before: CarriedOver, command: &Command) -> CarriedOver {
+    fn after(&self, before: CarryOver, command: &Command) -> CarryOver {
         let arm_limits = self.speeds.arm_limits_at(&self.started.plan, self.next);
         match command {
-            Command::WriteVector(it) => CarriedOver {
-                speed_mm_s: end_speed_mm_s(it, before.speed_mm_s, &arm_limits),
-                moves: it.end_speed_mm_s > 0.0 && !it.stop,
+            Command::WriteVector(vector) => CarryOver {
+                speed_mm_s: end_speed_mm_s(vector, before.speed_mm_s, &arm_limits),
+                moves: vector.end_speed_mm_s > 0.0 && !vector.stop,
                 is_unknown: before.is_unknown && self.speeds.rests_each(self.next),
             },
-            _ if arm_limits.has_ticks => CarriedOver {
+            _ if arm_limits.has_ticks => CarryOver {
                 moves: false,
                 ..before
             },
-            _ => CarriedOver::default(),
+            _ => CarryOver::default(),
         }
     }
 
     /// Returns whether no other client may move the arm.
-    pub(super) const fn has_the_arm(&self) -> bool {
+    pub(super) const fn occupies_arm(&self) -> bool {
         !matches!(self.phase, Phase::Paused { .. })
     }
 
@@ -280,7 +282,7 @@ impl Run {
     /// Handles a completed journal write, possibly of this job.
     pub(super) fn handle_written(&mut self, effect: &Effect) {
         match effect {
-            Effect::Give { job, upto, .. } if *job == self.job() => {
+            Effect::ExtendWindow { job, upto, .. } if *job == self.job() => {
                 self.permit
                     .handle_given(upto.saturating_sub(self.started.back));
             }
@@ -293,7 +295,7 @@ impl Run {
 
     /// Adds the time it ran.
     fn note_ran(&mut self) {
-        if let (Some(ran), Some(before_s)) = (self.ran.take(), &mut self.started.behind.ran_s) {
+        if let (Some(ran), Some(before_s)) = (self.ran.take(), &mut self.started.history.ran_s) {
             *before_s += ran.last_over.saturating_sub(ran.since).as_secs_f64();
         }
     }
@@ -341,7 +343,7 @@ impl Run {
     /// completed commands and the plan.
     fn window_end(&mut self, status: &Status) -> usize {
         let completed = self.started.completed;
-        if let Some(known) = self.reach.filter(|it| it.completed == completed) {
+        if let Some(known) = self.reach.filter(|reach| reach.completed == completed) {
             return known.upto;
         }
         let (plan, dialect) = (&self.started.plan, self.started.dialect);
@@ -350,7 +352,7 @@ impl Run {
         match &model {
             Some(model) => {
                 let upto = end(model);
-                self.reach = Some(Reach { completed, upto });
+                self.reach = Some(WindowLimit { completed, upto });
                 upto
             }
             None => end(&Model::new(dialect, status)),
@@ -399,7 +401,7 @@ impl Run {
             planned_s: plan.planned_s(),
             left_s: self
                 .left_s()
-                .map(|it| it * 100.0 / adjustment.speed_percent),
+                .map(|left_s| left_s * 100.0 / adjustment.speed_percent),
             took_s: None,
             speed_percent: adjustment.speed_percent,
             height_mm: self.started.height_mm(),

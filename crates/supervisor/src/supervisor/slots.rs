@@ -32,7 +32,7 @@ struct Slot {
 
 /// A change of a slot.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Turn {
+pub(super) enum SlotChange {
     Began { student: String, lasts: Duration },
     Ending { student: String, left: Duration },
     Ended { student: String },
@@ -40,7 +40,7 @@ pub(super) enum Turn {
 
 /// A slot of another student.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct OthersTime<'a> {
+pub(super) struct OtherSlot<'a> {
     pub(super) student: &'a str,
     pub(super) group: Option<&'a str>,
     /// The remaining time.
@@ -59,21 +59,21 @@ impl Slots {
         let mut all = read(now, slots).map_err(Refusal::BadSlots)?;
         // A slot that continues in the new list causes no notice.
         let student = self.student();
-        if let Some(first) = all.first_mut().filter(|it| it.from <= now) {
-            first.started = student.is_some_and(|it| is_same_person(it, &first.student));
+        if let Some(first) = all.first_mut().filter(|first| first.from <= now) {
+            first.started = student.is_some_and(|student| is_same_person(student, &first.student));
         }
         self.all = all.into();
         Ok(())
     }
 
     /// Advances the time: returns the next change of a slot.
-    pub(super) fn poll_turn(&mut self, now: Duration) -> Option<Turn> {
+    pub(super) fn poll_change(&mut self, now: Duration) -> Option<SlotChange> {
         self.now = now;
         // A slot that was over before it could begin had no effect.
         while self
             .all
             .front()
-            .is_some_and(|it| !it.started && it.until <= now)
+            .is_some_and(|slot| !slot.started && slot.until <= now)
         {
             self.all.pop_front();
         }
@@ -82,18 +82,18 @@ impl Slots {
         let left = first.until.saturating_sub(now);
         if left.is_zero() {
             self.all.pop_front();
-            return Some(Turn::Ended { student });
+            return Some(SlotChange::Ended { student });
         }
         if !first.started && first.from <= now {
             first.started = true;
-            return Some(Turn::Began {
+            return Some(SlotChange::Began {
                 student,
                 lasts: left,
             });
         }
         if first.started && !first.warned && left <= WARNING {
             first.warned = true;
-            return Some(Turn::Ending { student, left });
+            return Some(SlotChange::Ending { student, left });
         }
         None
     }
@@ -112,17 +112,17 @@ impl Slots {
 
     /// Returns the student of the current slot.
     pub(super) fn student(&self) -> Option<&str> {
-        self.current().map(|it| it.student.as_str())
+        self.current().map(|current| current.student.as_str())
     }
 
-    /// Returns the current slot, if it is not this person's.
-    pub(super) fn others_time(&self, person: &str) -> Option<OthersTime<'_>> {
-        let it = self.current()?;
-        (!is_same_person(&it.student, person)).then(|| OthersTime {
-            student: &it.student,
-            group: it.group.as_deref(),
-            left: it.until.saturating_sub(self.now),
-            free_in: self.free(it.until).saturating_sub(self.now),
+    /// Returns the current slot, if slot is not this person's.
+    pub(super) fn other_slot(&self, person: &str) -> Option<OtherSlot<'_>> {
+        let slot = self.current()?;
+        (!is_same_person(&slot.student, person)).then(|| OtherSlot {
+            student: &slot.student,
+            group: slot.group.as_deref(),
+            left: slot.until.saturating_sub(self.now),
+            free_in: self.free(slot.until).saturating_sub(self.now),
         })
     }
 
@@ -145,12 +145,12 @@ impl Slots {
         (!self.all.is_empty()).then(|| SlotsView {
             now: now.map(Slot::view),
             next: next.map(Slot::view),
-            free_s: now.map(|it| self.free(it.until).as_secs_f64()),
+            free_s: now.map(|now| self.free(now.until).as_secs_f64()),
         })
     }
 
     fn current(&self) -> Option<&Slot> {
-        self.all.front().filter(|it| it.started)
+        self.all.front().filter(|slot| slot.started)
     }
 
     /// Returns the end of the consecutive slots.
@@ -158,7 +158,7 @@ impl Slots {
         let later = self.all.iter().skip(1);
         later.fold(
             until,
-            |free, it| if it.from <= free { it.until } else { free },
+            |free, slot| if slot.from <= free { slot.until } else { free },
         )
     }
 }
@@ -185,17 +185,17 @@ fn read(now: Duration, slots: &[TimeSlot]) -> Result<Vec<Slot>, String> {
         let read = read_one(now, slot);
         all.push(read.map_err(|why| format!("slot {}: {why}", index + 1))?);
     }
-    all.sort_by_key(|it| it.from);
+    all.sort_by_key(|slot| slot.from);
     for (one, next) in all.iter().zip(all.iter().skip(1)) {
         if next.from < one.until {
-            let told = |it: &Slot| {
+            let describe = |slot: &Slot| {
                 let s = |at: Duration| at.saturating_sub(now).as_secs_f64();
-                let (from_s, until_s) = (s(it.from), s(it.until));
-                format!("{} (from {from_s} s to {until_s} s)", it.student)
+                let (from_s, until_s) = (s(slot.from), s(slot.until));
+                format!("{} (from {from_s} s to {until_s} s)", slot.student)
             };
-            let (one, next) = (told(one), told(next));
+            let (one, next) = (describe(one), describe(next));
             return Err(format!(
-                "the slots of {one} and {next} overlap; a slot begins when the one before has ended"
+                "the slots of {one} and {next} overlap; a slot may begin only when the one before has ended"
             ));
         }
     }
@@ -210,7 +210,7 @@ fn read_one(now: Duration, slot: &TimeSlot) -> Result<Slot, String> {
             "student has {characters} characters; allowed are 1 to 60 visible ones"
         ));
     }
-    if let Some(group) = slot.group.as_deref().filter(|it| !is_fleet_name(it)) {
+    if let Some(group) = slot.group.as_deref().filter(|group| !is_fleet_name(group)) {
         let group: String = group.chars().take(60).collect();
         return Err(format!(
             "group is {group:?}; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter"
@@ -263,11 +263,11 @@ mod tests {
 
     /// Returns the changes of the slots at these seconds.
     fn turns(slots: &mut Slots, at_s: u64) -> Vec<String> {
-        std::iter::from_fn(|| slots.poll_turn(s(at_s)))
-            .map(|it| match it {
-                Turn::Began { student, lasts } => format!("{student} has {lasts:?}"),
-                Turn::Ending { student, left } => format!("{student} has {left:?} left"),
-                Turn::Ended { student } => format!("{student} is over"),
+        std::iter::from_fn(|| slots.poll_change(s(at_s)))
+            .map(|turn| match turn {
+                SlotChange::Began { student, lasts } => format!("{student} has {lasts:?}"),
+                SlotChange::Ending { student, left } => format!("{student} has {left:?} left"),
+                SlotChange::Ended { student } => format!("{student} is over"),
             })
             .collect()
     }
@@ -306,13 +306,13 @@ mod tests {
             slot("Chen", 150.0, 200.0),
         ];
         slots.set(s(0), &all).unwrap();
-        slots.poll_turn(s(0)).unwrap();
-        let others = slots.others_time("Ben").unwrap();
+        slots.poll_change(s(0)).unwrap();
+        let others = slots.other_slot("Ben").unwrap();
         assert_eq!(
             (others.student, others.left, others.free_in),
             ("Anna", s(60), s(120))
         );
-        assert!(slots.others_time(" ANNA ").is_none());
+        assert!(slots.other_slot(" ANNA ").is_none());
         let view = slots.view().unwrap();
         assert_eq!(view.next.unwrap().student, "Ben");
         assert_eq!(view.free_s, Some(120.0));
@@ -324,13 +324,13 @@ mod tests {
         slots.set(s(0), &[slot("Anna", 0.0, 60.0)]).unwrap();
         let long = "a".repeat(61);
         let many: Vec<_> = (0..201)
-            .map(|it| slot("Anna", f64::from(it), 9e4))
+            .map(|starts_s| slot("Anna", f64::from(starts_s), 9e4))
             .collect();
         let group = TimeSlot {
             group: Some("Room 1".into()),
             ..slot("Anna", 0.0, 9.0)
         };
-        for (bad, told) in [
+        for (bad, expected) in [
             (
                 vec![slot("Anna", f64::NAN, 60.0)],
                 "starts_in_s of Anna is NaN",
@@ -368,7 +368,7 @@ mod tests {
             let refused = slots.set(s(9), &bad).unwrap_err();
             assert_eq!(refused.kind(), "bad-slots");
             let text = refused.to_string();
-            assert!(text.contains(told), "{text}; expected {told}");
+            assert!(text.contains(expected), "{text}; expected {expected}");
         }
         assert_eq!(slots.upcoming(s(9)), [slot("Anna", 0.0, 51.0)]);
     }

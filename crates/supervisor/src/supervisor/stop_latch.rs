@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_api::{FleetWideStop, StopView};
 use serde::{Deserialize, Serialize};
 
-use super::fleet_stops::{Adopted, FleetStops, KeptFleetStop};
+use super::fleet_stops::{Adopted, FleetStops, SavedFleetStop};
 use super::still_moving;
 use crate::refusal::Refusal;
 
@@ -112,15 +112,15 @@ impl StopLatch {
             return None;
         }
         holding.last = last;
-        self.check().err().map(|it| it.to_string())
+        self.check().err().map(|refusal| refusal.to_string())
     }
 
     /// Restores the stops saved before the station started.
-    pub(super) fn handle_kept(
+    pub(super) fn handle_saved(
         &mut self,
         now: Duration,
         own: Option<StoppedBy>,
-        fleet: Vec<KeptFleetStop>,
+        fleet: Vec<SavedFleetStop>,
     ) {
         self.own = own;
         self.fleet = FleetStops::of(fleet);
@@ -130,29 +130,29 @@ impl StopLatch {
 
     /// Handles delivery of the stop packets; returns whether it was outstanding.
     pub(super) fn handle_delivered(&mut self) -> bool {
-        let waits = self.holding.as_mut().filter(|it| !it.delivered);
-        waits.map(|it| it.delivered = true).is_some()
+        let waits = self.holding.as_mut().filter(|holding| !holding.delivered);
+        waits.map(|holding| holding.delivered = true).is_some()
     }
 
     /// Returns when a missing delivery is reported again.
     pub(super) fn wakeup(&self) -> Option<Duration> {
-        let waits = self.holding.as_ref().filter(|it| !it.delivered);
-        waits.map(|it| it.again)
+        let waits = self.holding.as_ref().filter(|holding| !holding.delivered);
+        waits.map(|holding| holding.again)
     }
 
     /// Returns whether a missing delivery is to be reported now.
     pub(super) fn is_due(&mut self, now: Duration) -> bool {
-        let waits = self.holding.as_mut().filter(|it| !it.delivered);
-        let due = waits.filter(|it| it.again <= now);
-        due.map(|it| it.again = now + EVERY).is_some()
+        let waits = self.holding.as_mut().filter(|holding| !holding.delivered);
+        let due = waits.filter(|holding| holding.again <= now);
+        due.map(|holding| holding.again = now + EVERY).is_some()
     }
 
     /// Clears the stop of this arm, whatever its cause; returns whether there was one. The arm must
     /// have been seen at rest.
     pub(super) fn reset(&mut self, now: Duration, is_linked: bool) -> Result<bool, Refusal> {
-        if let Some(stop) = self.holding.as_ref().filter(|it| !it.at_rest) {
+        if let Some(stop) = self.holding.as_ref().filter(|holding| !holding.at_rest) {
             if !is_linked {
-                let why = "whether it rests cannot be seen, so the stop holds";
+                let why = "the arm cannot be seen at rest, so the stop holds";
                 return Err(Refusal::NoLink(why.to_owned()));
             }
             let within = stop.rests_by.saturating_sub(now).max(SOON);
@@ -170,7 +170,7 @@ impl StopLatch {
         let is_over = self.cause().is_none();
         let over = self
             .holding
-            .take_if(|it| is_over && (it.at_rest || !was_met));
+            .take_if(|holding| is_over && (holding.at_rest || !was_met));
         if let (None, Some(cause), Some(holding)) = (&over, self.cause(), &mut self.holding) {
             holding.last = cause;
         }
@@ -198,19 +198,22 @@ impl StopLatch {
 
     /// Handles a status; returns whether the arm has just come to rest.
     pub(super) fn handle_status(&mut self, rests: bool) -> bool {
-        let moving = self.holding.as_mut().filter(|it| !it.at_rest && rests);
-        moving.map(|it| it.at_rest = true).is_some()
+        let moving = self
+            .holding
+            .as_mut()
+            .filter(|holding| !holding.at_rest && rests);
+        moving.map(|holding| holding.at_rest = true).is_some()
     }
 
     pub(super) fn view(&self) -> Option<StopView> {
-        self.holding.as_ref().map(|it| StopView {
-            by: it.last.0.by.clone(),
-            reason: it.last.0.reason.clone(),
-            at_s: it.at.as_secs_f64(),
-            rests_by_s: it.rests_by.as_secs_f64(),
-            at_rest: it.at_rest,
-            delivered: it.delivered,
-            of_fleet: it.last.1,
+        self.holding.as_ref().map(|holding| StopView {
+            by: holding.last.0.by.clone(),
+            reason: holding.last.0.reason.clone(),
+            at_s: holding.at.as_secs_f64(),
+            rests_by_s: holding.rests_by.as_secs_f64(),
+            at_rest: holding.at_rest,
+            delivered: holding.delivered,
+            of_fleet: holding.last.1,
         })
     }
 
@@ -219,7 +222,7 @@ impl StopLatch {
     }
 
     /// Returns the stops to save, if they have changed.
-    pub(super) fn poll_kept(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
+    pub(super) fn poll_saved(&mut self) -> Option<(Option<StoppedBy>, Vec<SavedFleetStop>)> {
         let is_changed = std::mem::take(&mut self.is_changed);
         is_changed.then(|| (self.own.clone(), self.fleet.kept()))
     }
@@ -227,12 +230,12 @@ impl StopLatch {
     /// Returns the cause of the stop, and whether it is the fleet's: a person who clears it must
     /// know about a fleet-wide stop first.
     fn cause(&self) -> Option<(StoppedBy, bool)> {
-        let fleet = self.fleet.holding().map(|it| StoppedBy {
-            by: it.by.clone(),
-            reason: it.reason.clone(),
+        let fleet = self.fleet.holding().map(|stop| StoppedBy {
+            by: stop.by.clone(),
+            reason: stop.reason.clone(),
         });
-        let own = self.own.clone().map(|it| (it, false));
-        fleet.map(|it| (it, true)).or(own)
+        let own = self.own.clone().map(|stop| (stop, false));
+        fleet.map(|stop| (stop, true)).or(own)
     }
 }
 

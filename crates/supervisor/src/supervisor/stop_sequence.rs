@@ -66,7 +66,9 @@ impl Round {
 impl StopSequence {
     /// Returns when the next packet is due, unless it waits for a status.
     pub(super) fn next(&self) -> Option<Duration> {
-        self.round.filter(|it| it.heard).map(|it| it.next)
+        self.round
+            .filter(|round| round.heard)
+            .map(|round| round.next)
     }
 
     /// Ends the sequence, because the arm is to move again.
@@ -79,7 +81,7 @@ impl StopSequence {
     /// restarted.
     pub(super) fn begin(&mut self, arm: &mut Arm) {
         let waits = arm.session().in_flight() > 0;
-        let goes_on = |it: &Round| it.is_dark && (it.rounds == 0 || waits);
+        let goes_on = |round: &Round| round.is_dark && (round.rounds == 0 || waits);
         if self.round.as_ref().is_some_and(goes_on) {
             return;
         }
@@ -115,7 +117,7 @@ impl StopSequence {
     /// one. A repetition waits for a status, so that the arm's queue does not fill up. `unknown` is
     /// the duration of motion that the session does not know of.
     pub(super) fn repeat(&mut self, arm: &mut Arm, is_linked: bool, unknown: Duration) {
-        let due = |it: &Round| it.next <= arm.now() && it.heard;
+        let due = |round: &Round| round.next <= arm.now() && round.heard;
         let Some(round) = self.round.filter(due) else {
             return;
         };
@@ -143,7 +145,7 @@ impl StopSequence {
         if let Some(round) = &mut self.round {
             round.heard = true;
         }
-        self.round = self.round.filter(|it| !rests || it.rounds < 2);
+        self.round = self.round.filter(|round| !rests || round.rounds < 2);
     }
 }
 

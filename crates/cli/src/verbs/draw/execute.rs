@@ -61,7 +61,7 @@ pub(super) async fn execute(
         Ok(job) => {
             let outcome = follow::start_shown(station, job, plan.burns(), bar, see).await;
             if outcome.is_err() {
-                station.forget_unbegun(job).await;
+                station.remove_unstarted(job).await;
             }
             outcome
         }

@@ -11,7 +11,7 @@ use dobot_api::{
 };
 use dobot_controller::{Personality, PowerUp};
 use dobot_geometry::Random;
-use dobot_host::{OfferAnswer, OfferAsk, VirtualStation};
+use dobot_host::{OfferAnswer, OfferRequest, VirtualStation};
 use dobot_safety::Policy;
 use dobot_station::{Members, work_hurdle};
 use dobot_wire::{MoveTo, MovingMode, WriteVector};
@@ -487,17 +487,17 @@ impl Desk {
         let state = self.station.supervisor().state();
         let ask_of = match (ask.what, job) {
             (What::Offer, Some(_)) if work_hurdle(&state, self.takes_work).is_some() => {
-                OfferAsk::Refuse {
+                OfferRequest::Refuse {
                     reason: work_hurdle(&state, self.takes_work).unwrap(),
                     busy: true,
                 }
             }
-            (What::Offer, Some(job)) => OfferAsk::Take {
+            (What::Offer, Some(job)) => OfferRequest::Take {
                 job,
                 made_for: None,
             },
-            (What::Withdraw, _) => OfferAsk::Withdraw { by: "home".into() },
-            _ => OfferAsk::Look,
+            (What::Withdraw, _) => OfferRequest::Withdraw { by: "home".into() },
+            _ => OfferRequest::Look,
         };
         match self.station.offer(&ask.key, ask_of) {
             Ok(OfferAnswer::Taken(job)) => {

@@ -26,7 +26,7 @@ fn ch340(path: &str) -> Port {
 
 fn found_at(port: &Port, baud: u32) -> Search {
     Search {
-        last: Some(WhereFound {
+        last: Some(KnownPort {
             path: port.path.clone(),
             baud,
             usb: port.usb.clone(),
@@ -37,7 +37,7 @@ fn found_at(port: &Port, baud: u32) -> Search {
 
 fn addresses(search: &Search, ports: &[Port]) -> Vec<String> {
     let choice = choose(search, ports);
-    let text = |it: &Candidate| it.address.to_string();
+    let text = |candidate: &Candidate| candidate.address.to_string();
     choice.candidates.iter().map(text).collect()
 }
 
@@ -60,7 +60,7 @@ fn chips_of_arms_come_before_other_usb_chips_and_what_is_not_usb_never() {
         ]
     );
     assert_eq!(choice.passed_over, ["/dev/ttyAMA0", "/dev/ttyS0"]);
-    assert!(choice.candidates.iter().all(|it| !it.sure));
+    assert!(choice.candidates.iter().all(|candidate| !candidate.sure));
 }
 
 #[test]
@@ -142,7 +142,7 @@ fn a_port_that_is_no_usb_port_is_tried_again_where_an_arm_was_found_there() {
 fn what_a_person_names_is_tried_in_that_order_and_nothing_else() {
     let search = Search {
         named: ["serial:/dev/ttyS0", "tcp:localhost:5555"]
-            .map(|it| it.parse().expect("it is an address"))
+            .map(|address| address.parse().expect("it is an address"))
             .into(),
         ..found_at(&ch340("/dev/ttyUSB0"), 9600)
     };
@@ -150,10 +150,10 @@ fn what_a_person_names_is_tried_in_that_order_and_nothing_else() {
     let found: Vec<_> = choice
         .candidates
         .iter()
-        .map(|it| it.address.to_string())
+        .map(|candidate| candidate.address.to_string())
         .collect();
     assert_eq!(found, ["serial:/dev/ttyS0@9600", "tcp:localhost:5555"]);
-    assert!(choice.candidates.iter().all(|it| it.sure));
+    assert!(choice.candidates.iter().all(|candidate| candidate.sure));
     assert!(choice.passed_over.is_empty());
 }
 

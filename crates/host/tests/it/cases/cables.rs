@@ -12,10 +12,10 @@ use super::jobs::Sort;
 use super::scene::{Scene, Wrong};
 use super::spread::Spread;
 
-/// What the job does when the cable is pulled.
+/// The phase of the job when the cable is pulled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum During {
-    /// On the way to where it begins.
+    /// On the way to its start.
     Approach,
     /// Somewhere in it.
     Running,
@@ -25,7 +25,7 @@ pub(crate) enum During {
     Lifting,
     /// It is paused.
     Paused,
-    /// It was just gone on with.
+    /// Just resumed.
     Resuming,
 }
 
@@ -54,7 +54,7 @@ impl fmt::Display for During {
     }
 }
 
-/// What became of the jobs whose cable was pulled.
+/// The outcome of jobs whose cable was pulled.
 #[derive(Debug)]
 pub(crate) struct Cables {
     /// What the job did.
@@ -63,8 +63,8 @@ pub(crate) struct Cables {
     pub pulls: usize,
     /// The job was paused afterwards, with the reason.
     pub paused: usize,
-    /// The arm could as well have been reset meanwhile: what was under way is taken for lost, and a person
-    /// is asked to look.
+    /// The arm could equally have been reset meanwhile: in-flight commands count as lost, and a
+    /// person is asked to look.
     pub looks_reset: usize,
     /// Commands that the arm was never given.
     pub lost: usize,
@@ -72,11 +72,11 @@ pub(crate) struct Cables {
     pub repeated: usize,
     /// From the cable's return to the end of the light, in seconds, where it burnt then.
     pub dark_s: Spread,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// Pulls cables so often for each phase.
+/// Pulls the cable this often in each phase.
 pub(crate) fn run(pulls: u64) -> Vec<Cables> {
     During::ALL.map(|during| of(during, pulls)).into()
 }
@@ -112,7 +112,7 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
     scene.it.run_for(chance.time(Duration::from_secs(6)));
     let (back, burnt) = (scene.it.now(), scene.burns());
     scene.it.plug();
-    let dark = |it: &dobot_host::VirtualStation| !super::scene::burns(it);
+    let dark = |station: &dobot_host::VirtualStation| !super::scene::burns(station);
     if !scene.it.run_until(back + Duration::from_secs(10), dark) {
         return Err(Wrong("the laser burns on".into()));
     }
@@ -122,7 +122,12 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
     figures.pulls += 1;
     figures.paused += usize::from(matches!(scene.settle(job)?, JobState::Paused { .. }));
     scene.finish(job)?;
-    if scene.it.notices().iter().any(|it| it.news == News::Reset) {
+    if scene
+        .it
+        .notices()
+        .iter()
+        .any(|notice| notice.news == News::Reset)
+    {
         figures.looks_reset += 1;
         return Ok(());
     }

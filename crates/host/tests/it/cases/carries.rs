@@ -25,7 +25,7 @@ at_mm = [200, 80]
 mass_g = 12
 color = "red"
 "#;
-/// Where the cube lies at first, and where it is carried to; the cup touches it there.
+/// The first position of the cube, and the other one; the cup touches it there.
 pub(crate) const HERE: [f32; 3] = [200.0, 80.0, -36.0];
 pub(crate) const THERE: [f32; 3] = [240.0, -80.0, -36.0];
 
@@ -47,7 +47,7 @@ fn carry(from: [f32; 3], there: [f32; 3]) -> [Command; 4] {
     [to(from, false), switch(on), to(there, true), switch(off)]
 }
 
-/// There and back, so many times.
+/// Moves the cube there and back this many times.
 pub(crate) fn shuttle(times: Option<u64>) -> NewJob {
     let above = to([220.0, 0.0, 40.0], false);
     let commands = [&[above][..], &carry(HERE, THERE), &carry(THERE, HERE)].concat();
@@ -72,7 +72,7 @@ pub(crate) fn station(
     let power_up = PowerUp::new(personality);
     let faults: Vec<Fault> = faults
         .iter()
-        .map(|it| it.parse().expect("on the twin this works"))
+        .map(|fault| fault.parse().expect("on the twin this works"))
         .collect();
     let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK)
         .with_faults(power_up, &faults, seed)
@@ -87,7 +87,7 @@ pub(crate) fn station(
     (it, anna)
 }
 
-/// Whether the cube lies at a place of the cup.
+/// Returns whether the cube lies at a position of the cup.
 pub(crate) fn cube_is_at(it: &VirtualStation, place: [f32; 3]) -> bool {
     let objects = it
         .arm()
@@ -97,18 +97,18 @@ pub(crate) fn cube_is_at(it: &VirtualStation, place: [f32; 3]) -> bool {
         .objects;
     let cube = objects
         .iter()
-        .find(|it| it.name == "cube")
+        .find(|object| object.name == "cube")
         .expect("on the twin this works");
     let [x, y] = [f64::from(place[0]), f64::from(place[1])];
     (cube.at_mm.x - x).hypot(cube.at_mm.y - y) < 0.5
 }
 
-/// A person looks at the arm, says where it stands, and goes on with the job.
+/// A person looks at the arm, confirms its pose, and resumes the job.
 pub(crate) fn attend(it: &mut VirtualStation, job: u64) {
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease)
         .expect("on the twin this works");
-    // The arm may be on its way yet.
+    // The arm may still be on its way.
     it.run_for(Duration::from_secs(12));
     if it.job(job).expect("on the twin this works").state.is_over() {
         return;
@@ -118,18 +118,18 @@ pub(crate) fn attend(it: &mut VirtualStation, job: u64) {
     it.start(anna, job).expect("on the twin this works");
 }
 
-/// What became of the cube.
+/// The outcome for the cube.
 #[derive(Debug)]
 pub(crate) struct Carries {
     pub(crate) cycles: u64,
     pub(crate) kills: u64,
-    /// How often a command was lost, and sent again.
+    /// How often a command was lost and sent again.
     pub(crate) again: usize,
-    /// Whether the cube lies where it belongs, and was never left on its way.
+    /// Whether the cube is in the right place and was never left on its way.
     pub(crate) is_right: bool,
     /// On the arm's clock.
     pub(crate) took: Duration,
-    /// What the job is in the end.
+    /// The final state of the job.
     pub(crate) state: String,
 }
 
@@ -146,9 +146,9 @@ pub(crate) fn run(cycles: u64) -> Carries {
     {
         let until = (kills + 1) * KILLED_EVERY * 8 + kills % 8;
         let latest = it.now() + Duration::from_secs(10 * 3600);
-        it.run_until(latest, |it| {
-            let progress = it.supervisor().job_progress();
-            progress.is_none_or(|it| it.0 as u64 > until)
+        it.run_until(latest, |station| {
+            let progress = station.supervisor().job_progress();
+            progress.is_none_or(|progress| progress.0 as u64 > until)
         });
         if it.supervisor().job_progress().is_none() {
             it.run_for(Duration::from_secs(1));
@@ -163,7 +163,7 @@ pub(crate) fn run(cycles: u64) -> Carries {
     again += it
         .notices()
         .iter()
-        .filter(|it| it.text.contains("sent again"))
+        .filter(|notice| notice.text.contains("sent again"))
         .count();
     Carries {
         cycles,

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_geometry::Random;
 
-/// What a case leaves to chance; the same seed gives the same.
+/// The random choices of a case; the same seed gives the same choices.
 #[derive(Clone, Debug)]
 pub(crate) struct Chance(Random);
 

@@ -13,10 +13,10 @@ use super::jobs::Sort;
 use super::scene::{LASER_OFF, Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
-/// What became of the arm when its client vanished.
+/// The outcome for the arm when its client disappeared.
 #[derive(Debug, Default)]
 pub(crate) struct Clients {
-    /// How it vanished.
+    /// How it disappeared.
     pub how: &'static str,
     /// So often.
     pub times: usize,
@@ -24,11 +24,11 @@ pub(crate) struct Clients {
     pub packet_s: Spread,
     /// From there to the rest of the arm, or the end of the light, in seconds.
     pub over_s: Spread,
-    /// How far the tool went from there, in millimetres; nothing where that does not matter.
+    /// The distance moved by the tool from there, in millimetres; empty if irrelevant.
     pub went_mm: Spread,
     /// Control was not free afterwards, though the connection was gone.
     pub not_free: usize,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
@@ -36,7 +36,7 @@ const SILENT: &str = "silent while it jogs, still connected";
 const GONE: &str = "gone while it jogs";
 const BURNING: &str = "gone while its job burns";
 
-/// Lets so many clients vanish in each way.
+/// Lets this many clients disappear in each way.
 pub(crate) fn run(times: u64) -> Vec<Clients> {
     [SILENT, GONE, BURNING].map(|how| of(how, times)).into()
 }
@@ -71,7 +71,7 @@ fn jog(figures: &mut Clients, personality: Personality, seed: u64) -> Result<(),
     }
     let there = place(&scene);
     scene.it.run_for(Duration::from_secs(5));
-    let first = scene.it.packets().get(before).map(|it| it.0);
+    let first = scene.it.packets().get(before).map(|packet| packet.0);
     let first = first.ok_or_else(|| Wrong("nothing was sent".into()))?;
     figures.packet_s.add_time(at, first);
     figures
@@ -108,9 +108,9 @@ fn burn(figures: &mut Clients, personality: Personality, seed: u64) -> Result<()
             .as_secs_f64(),
     );
     let mut lit = if scene.burns() { scene.it.now() } else { at };
-    let note = |it: &VirtualStation| {
-        if burns(it) {
-            lit = it.now();
+    let note = |station: &VirtualStation| {
+        if burns(station) {
+            lit = station.now();
         }
         false
     };
@@ -121,7 +121,7 @@ fn burn(figures: &mut Clients, personality: Personality, seed: u64) -> Result<()
     Ok(())
 }
 
-/// Where the tool really is.
+/// Returns the true position of the tool.
 fn place(scene: &Scene) -> Position {
     let joints = scene.it.arm().mechanics().joints_at(scene.it.now());
     forward(&joints, Tool::SuctionCup).position

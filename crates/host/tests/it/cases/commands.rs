@@ -3,7 +3,7 @@
 use dobot_arm::Tool;
 use dobot_wire::{Command, Configuration, MoveTo, WriteVector};
 
-/// What a drawing begins with: its tool, and how fast it accelerates.
+/// The settings at the start of a drawing: tool and acceleration.
 pub(crate) fn settings(burns: bool) -> [Command; 2] {
     let tool = if burns { Tool::Laser } else { Tool::SuctionCup };
     let acceleration_mm_s2 = 100.0;

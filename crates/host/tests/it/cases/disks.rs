@@ -14,7 +14,7 @@ use super::jobs::Sort;
 use super::scene::{Scene, Wrong, burns, cases};
 use super::spread::Spread;
 
-/// What became of the jobs whose journal could not be written.
+/// The outcome of jobs whose journal could not be written.
 #[derive(Debug, Default)]
 pub(crate) struct Disks {
     /// So many jobs.
@@ -29,11 +29,11 @@ pub(crate) struct Disks {
     pub repeated: usize,
     /// From the pause to the end of the light, in seconds, where it burnt.
     pub dark_s: Spread,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// Fills the disk in so many jobs.
+/// Fills the disk in this many jobs.
 pub(crate) fn run(jobs: u64) -> Disks {
     let mut figures = Disks::default();
     for (personality, sort, seed) in cases(jobs) {
@@ -77,12 +77,17 @@ fn one(figures: &mut Disks, personality: Personality, sort: Sort, seed: u64) -> 
 /// Until the job works no more, and a bit: is it dark then?
 fn wait(figures: &mut Disks, scene: &mut Scene) {
     let latest = scene.it.now() + Duration::from_secs(60);
-    let works = |it: &VirtualStation| it.supervisor().job().is_some_and(|it| it.reason.is_none());
-    scene.it.run_until(latest, |it| !works(it));
+    let works = |station: &VirtualStation| {
+        station
+            .supervisor()
+            .job()
+            .is_some_and(|job| job.reason.is_none())
+    };
+    scene.it.run_until(latest, |station| !works(station));
     let (paused, burnt) = (scene.it.now(), scene.burns());
     scene
         .it
-        .run_until(paused + Duration::from_secs(20), |it| !burns(it));
+        .run_until(paused + Duration::from_secs(20), |station| !burns(station));
     if burnt {
         figures.dark_s.add_time(paused, scene.it.now());
     }
@@ -101,7 +106,7 @@ struct Platter {
 
 impl Disk {
     fn fill(&self, full: bool) {
-        self.with(|it| it.full = full);
+        self.with(|disk| disk.full = full);
     }
 
     fn with<T>(&self, what: impl FnOnce(&mut Platter) -> T) -> T {
@@ -110,11 +115,11 @@ impl Disk {
 
     fn change(&self, end: u64, what: impl FnOnce(&mut Vec<u8>, usize)) -> io::Result<()> {
         let end = usize::try_from(end).map_err(io::Error::other)?;
-        self.with(|it| {
-            if it.full {
+        self.with(|disk| {
+            if disk.full {
                 return Err(ErrorKind::StorageFull.into());
             }
-            what(&mut it.bytes, end);
+            what(&mut disk.bytes, end);
             Ok(())
         })
     }
@@ -122,13 +127,13 @@ impl Disk {
 
 impl StorageBackend for Disk {
     fn len(&self) -> io::Result<u64> {
-        Ok(self.with(|it| it.bytes.len() as u64))
+        Ok(self.with(|disk| disk.bytes.len() as u64))
     }
 
     fn read(&self, offset: u64, out: &mut [u8]) -> io::Result<()> {
         let offset = usize::try_from(offset).map_err(io::Error::other)?;
-        self.with(|it| {
-            let found = it.bytes.get(offset..offset + out.len());
+        self.with(|disk| {
+            let found = disk.bytes.get(offset..offset + out.len());
             out.copy_from_slice(found.ok_or(ErrorKind::UnexpectedEof)?);
             Ok(())
         })

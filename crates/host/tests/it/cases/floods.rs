@@ -11,10 +11,10 @@ use super::chance::Chance;
 use super::jobs::Sort;
 use super::scene::{Scene, Wrong, each_seed};
 
-/// What became of the arm and the others when somebody sent too much.
+/// The outcome for the arm and other clients when one client sent too much.
 #[derive(Debug, Default)]
 pub(crate) struct Floods {
-    /// Who sent what.
+    /// The sender and what it sent.
     pub who: &'static str,
     /// So many times.
     pub times: usize,
@@ -28,7 +28,7 @@ pub(crate) struct Floods {
     pub most_waiting: usize,
     /// A job of another client did not come to its end, or a stop did not hold.
     pub not_served: usize,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
@@ -39,7 +39,7 @@ const STRANGER: &str = "requests of another client, while a job runs";
 const STRANGER_RAW: &str = "raw packets of another client, while a job runs";
 const STOPS: &str = "consecutive stops";
 
-/// Floods so often in each way, with so many requests for each moment.
+/// Floods this often in each way, with this many requests per moment.
 pub(crate) fn run(floods: u64) -> Vec<Floods> {
     [HOLDER, NONSENSE, RAW, STRANGER, STRANGER_RAW, STOPS]
         .map(|who| of(who, floods))
@@ -100,7 +100,7 @@ fn one(figures: &mut Floods, personality: Personality, seed: u64) -> Result<(), 
         .supervisor()
         .state()
         .stop
-        .is_some_and(|it| it.at_rest);
+        .is_some_and(|stop| stop.at_rest);
     figures.not_served += usize::from(!holds);
     figures.times += 1;
     Ok(())
@@ -119,7 +119,7 @@ fn flood(figures: &mut Floods, scene: &mut Scene, stranger: ClientId, chance: &m
         HOLDER | NONSENSE | STOPS => scene.anna,
         _ => stranger,
     };
-    // What becomes of each does not matter here: most are refused.
+    // The individual answers do not matter here: most are refusals.
     match figures.who {
         RAW | STRANGER_RAW => drop(scene.it.send_raw(who, &raw(scene, command, chance))),
         STOPS => drop(scene.it.ask(who, Request::Stop { reason: None })),
@@ -131,7 +131,7 @@ fn target([x_mm, y_mm, z_mm]: [f32; 3], mode: MovingMode) -> Command {
     MoveTo::to(x_mm, y_mm, z_mm).with_mode(mode).into()
 }
 
-/// A target, or a button pressed and let go, as fast as that can be said.
+/// A target, or a button pressed and released as fast as it can be sent.
 fn raw(scene: &Scene, command: Command, chance: &mut Chance) -> Packet {
     let axis = chance.one(&[
         LinearJogAxis::YPlus,
@@ -150,7 +150,7 @@ fn raw(scene: &Scene, command: Command, chance: &mut Chance) -> Packet {
 fn overruns(figures: &mut Floods, it: &mut VirtualStation, was_stopped: bool) {
     while let Some(refused) = it.arm_mut().poll_refused() {
         let lost = match refused {
-            // The first packet of a stop does not wait for the line; it is said again.
+            // The first packet of a stop does not wait for the line; it is repeated.
             Refused::TooLong => !was_stopped,
             _ => matches!(refused, Refused::QueueFull | Refused::BadTail),
         };

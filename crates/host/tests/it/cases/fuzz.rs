@@ -19,10 +19,10 @@ use self::asking::{Asking, FuzzStep};
 use self::judge::Judge;
 use super::chance::Chance;
 
-/// What became of an arm of whom anything was asked.
+/// The outcome for an arm that got random requests.
 #[derive(Debug, Default)]
 pub(crate) struct Fuzz {
-    /// Cases: an arm that was just switched on, and so many requests.
+    /// The cases: an arm that was just switched on, and this many requests.
     pub cases: u64,
     /// Requests and packets in all.
     pub requests: u64,
@@ -32,15 +32,15 @@ pub(crate) struct Fuzz {
     pub packets: usize,
     /// Control ticks that were judged.
     pub ticks: u64,
-    /// How much virtual time passed, in seconds.
+    /// The virtual time that passed, in seconds.
     pub virtual_s: f64,
     /// Cases in which the arm was lost, by what went wrong.
     pub lost: BTreeMap<&'static str, u64>,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// What must not be, in the order of the report.
+/// The kinds of violations, in the order of the report.
 pub(crate) const LOSSES: [&str; 5] = [
     judge::HANGS,
     judge::NAN,
@@ -70,7 +70,7 @@ impl Fuzz {
     }
 }
 
-/// Runs so many cases, from a seed on.
+/// Runs this many cases, starting with a seed.
 pub(crate) fn run(first: u64, cases: u64) -> Fuzz {
     let mut figures = Fuzz::default();
     for seed in first..first + cases {
@@ -125,7 +125,10 @@ impl Case {
             _ => Vec::new(),
         };
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
-        let parsed: Vec<Fault> = faults.iter().filter_map(|it| it.parse().ok()).collect();
+        let parsed: Vec<Fault> = faults
+            .iter()
+            .filter_map(|fault| fault.parse().ok())
+            .collect();
         let arm = if parsed.is_empty() {
             arm
         } else {
@@ -137,8 +140,8 @@ impl Case {
         let burns = chance.below(4) == 0;
         let resets = faults
             .iter()
-            .any(|it| it.contains("reset") || it.contains("power"));
-        let jogs = !faults.iter().any(|it| it.contains("close"));
+            .any(|fault| fault.contains("reset") || fault.contains("power"));
+        let jogs = !faults.iter().any(|fault| fault.contains("close"));
         let people = ["Anna", "Ben", "a raw program"].map(|name| it.client(name));
         let watcher = it.client_as("the class", Role::Watch);
         Self {
@@ -235,30 +238,30 @@ impl Case {
     fn pass(&mut self, time: Duration) {
         let latest = self.it.now() + time;
         let judge = &mut self.judge;
-        self.it.run_until(latest, |it| {
-            judge.look(it);
+        self.it.run_until(latest, |station| {
+            judge.look(station);
             judge.lost.is_some()
         });
         self.judge.hear(&mut self.it);
     }
 
-    /// What was asked and sent last, a line each; what came again and again stands there once.
+    /// Returns the last requests and packets, one per line; repetitions are shown once.
     fn lately(&self) -> String {
         let dialect = self.personality.dialect();
         let packets = self.it.packets().iter().map(|(at, bytes)| {
             let packet = Packet::from_bytes(bytes);
-            let command = packet.map(|it| Command::parse(&it, &dialect));
+            let command = packet.map(|packet| Command::parse(&packet, &dialect));
             (*at, format!("sent {command:?}"))
         });
         let mut lines: Vec<(Duration, String)> = self.log.iter().cloned().chain(packets).collect();
-        lines.sort_by_key(|it| it.0);
+        lines.sort_by_key(|line| line.0);
         lines.dedup_by(|next, it| next.1 == it.1);
         let last = lines.iter().rev().take(LATELY).rev();
         let last = last.map(|(at, text)| format!("  {:.3} s {text}\n", at.as_secs_f64()));
         last.collect()
     }
 
-    /// Everybody lets go: the arm comes to rest and tells where it is.
+    /// All clients release everything: the arm comes to rest and reports where it is.
     fn part(&mut self) {
         for who in self.asking.people {
             self.it.leave(who);
@@ -267,8 +270,8 @@ impl Case {
     }
 }
 
-/// Nothing that loses packets on the way to the arm: it has no acknowledgements, and who cannot know
-/// where it is cannot promise anything. Slackness and pulses that get lost are of that kind, too.
+/// No faults that lose packets on the way to the arm: it has no acknowledgements, and an unknown
+/// position allows no promises. The same applies to backlash and lost pulses.
 const FAULTS: [&str; 12] = [
     "drop=1%:from",
     "flip=1%:from",
@@ -290,6 +293,6 @@ const POLICIES: [&str; 3] = [
 ];
 /// Of each case, and a few more where the last of them was a row.
 pub(crate) const REQUESTS: u64 = 400;
-/// So much of what came before is told.
+/// The number of lines shown.
 const LATELY: usize = 30;
 const PANIC: &str = "the station panicked";

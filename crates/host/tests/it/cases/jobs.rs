@@ -8,12 +8,12 @@ use dobot_wire::{Command, MoveTo, MovingMode};
 use super::chance::Chance;
 use super::commands::{settings, target, vector};
 
-/// What a job is made of.
+/// The kind of a job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sort {
     /// A pen drawing: closed loops, some of them of tiny vectors.
     Pen,
-    /// The same, burnt.
+    /// A burnt drawing.
     Burn,
     /// Targets with pauses and suction.
     Program,
@@ -51,8 +51,8 @@ impl fmt::Display for Sort {
     }
 }
 
-/// Whether a command leaves something on the paper, or moves things: none of these may be lost or
-/// repeated. The station's own lifts go straight up and its own ways do not pause.
+/// Returns whether a command leaves a mark on the paper or moves things: none of these may be lost
+/// or repeated. The station's own lifts are vertical and its own moves do not pause.
 pub(crate) fn counts(command: &Command) -> bool {
     match command {
         Command::WriteVector(it) => it.x_mm != 0.0 || it.y_mm != 0.0,
@@ -61,7 +61,7 @@ pub(crate) fn counts(command: &Command) -> bool {
     }
 }
 
-/// Where the pen draws.
+/// The drawing height of the pen.
 pub(crate) const DOWN_MM: f32 = -30.0;
 const UP_MM: f32 = -22.0;
 
@@ -85,7 +85,7 @@ fn loops(chance: &mut Chance, burns: bool) -> Vec<Command> {
     commands
 }
 
-/// A closed way of six vectors: a cell of a honeycomb, or a bow tie that passes one point twice.
+/// A closed path of six vectors: a honeycomb cell, or a bow tie that passes one point twice.
 fn loop_of(a_mm: f32, crosses: bool) -> [[f32; 2]; 6] {
     if crosses {
         let half = a_mm / 2.0;

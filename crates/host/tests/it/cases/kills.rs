@@ -12,7 +12,7 @@ use super::jobs::Sort;
 use super::scene::{LASER_OFF, Scene, Wrong, burns, cases};
 use super::spread::Spread;
 
-/// What became of the jobs whose station was killed.
+/// The outcome of jobs whose station was killed.
 #[derive(Debug, Default)]
 pub(crate) struct Kills {
     /// So often the station was killed.
@@ -27,7 +27,7 @@ pub(crate) struct Kills {
     pub lost: usize,
     /// Commands that it was given again.
     pub repeated: usize,
-    /// After that a person had to tell how far the arm had come.
+    /// Afterwards a person had to determine the progress of the arm.
     pub unclear: usize,
     /// The first packet after the start was not laser off.
     pub not_off_first: usize,
@@ -35,7 +35,7 @@ pub(crate) struct Kills {
     pub burnt_at_rest: usize,
     /// From the start of the station to the end of the light, in seconds, where it burnt then.
     pub off_after_s: Spread,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
@@ -91,11 +91,11 @@ fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(
     figures.at_work += usize::from(scene.it.supervisor().job().is_some());
     let (began, burnt) = (scene.it.now(), scene.burns());
     let mut last = began;
-    let rests = |it: &VirtualStation| {
-        if burns(it) {
-            last = it.now();
+    let rests = |station: &VirtualStation| {
+        if burns(station) {
+            last = station.now();
         }
-        it.supervisor().is_at_rest() && it.now() > began + Duration::from_secs(1)
+        station.supervisor().is_at_rest() && station.now() > began + Duration::from_secs(1)
     };
     if !scene.it.run_until(began + Duration::from_secs(60), rests) {
         return Err(Wrong("the arm did not come to rest".into()));

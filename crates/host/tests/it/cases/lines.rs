@@ -8,10 +8,10 @@ use super::jobs::Sort;
 use super::paper::{ASIDE_MM, Paper};
 use super::scene::{Scene, Wrong, each_seed};
 
-/// What became of pen drawings on a bad line, with nobody who goes on with one that is paused.
+/// The outcome of pen drawings on a bad line, without a person to resume a paused one.
 #[derive(Debug, Default)]
 pub(crate) struct Lines {
-    /// What is wrong with the line.
+    /// The fault of the line.
     pub fault: &'static str,
     /// So many drawings were started.
     pub drawings: usize,
@@ -29,12 +29,12 @@ pub(crate) struct Lines {
     pub example: Option<String>,
     /// A reason of a pause.
     pub reason: Option<String>,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// What is wrong with the lines. A packet has 42 bytes: where one byte of a thousand is lost, so is
-/// one packet of 24.
+/// The faults of the lines. A packet has 42 bytes: if one byte in a thousand is lost, so is one
+/// packet in 24.
 pub(crate) const FAULTS: [&str; 9] = [
     "drop=0.1%:from",
     "drop=1%:from",
@@ -47,7 +47,7 @@ pub(crate) const FAULTS: [&str; 9] = [
     "flip=0.1%:to",
 ];
 
-/// Draws so many drawings with each fault.
+/// Draws this many drawings with each fault.
 pub(crate) fn run(drawings: u64) -> Vec<Lines> {
     FAULTS.map(|fault| of(fault, drawings)).into()
 }
@@ -65,7 +65,7 @@ fn of(fault: &'static str, drawings: u64) -> Lines {
 
 fn one(figures: &mut Lines, personality: Personality, seed: u64) -> Result<(), Wrong> {
     let mut chance = Chance::new(seed);
-    // What was begun before the line is bad is no part of this.
+    // The start, before the line becomes bad, does not count.
     let fault = format!("{}@2s", figures.fault);
     let mut scene = Scene::faulty(personality, &[&fault], seed)?;
     let drawing = Sort::Pen.job(&mut chance);

@@ -45,7 +45,7 @@ impl fmt::Display for LineEnd {
     }
 }
 
-/// What became of the lines in one material.
+/// The outcome of the lines in one material.
 #[derive(Debug)]
 pub(crate) struct LongLines {
     /// The material, or the pen.
@@ -54,13 +54,13 @@ pub(crate) struct LongLines {
     pub burns: bool,
     /// For each end, the time from then to the end of the light, or of a pen's motion along the line, in seconds.
     pub ends: [(LineEnd, Spread); 4],
-    /// How many of these were longer than they may be.
+    /// The number of these that were longer than allowed.
     pub late: usize,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// A line in each material, ended so often in each way.
+/// A line in each material, ended this often in each way.
 pub(crate) fn run(times: u64) -> Vec<LongLines> {
     let materials = Materials::built_in();
     materials
@@ -93,17 +93,23 @@ fn of(name: &str, material: &Material, times: u64) -> LongLines {
     }
 }
 
-/// How long the light, or a pen's motion along the line, goes on, in seconds.
+/// Returns how long the laser stays on, or a pen moves along the line, in seconds.
 fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> Result<f64, Wrong> {
     let mut chance = Chance::new(seed);
     let mut scene = Scene::new(personality)?;
     scene.begin(&line(tool, personality)?)?;
     let latest = scene.it.now() + Duration::from_secs(60);
-    let draws = |it: &VirtualStation| {
-        let last = it.arm().samples().last().map(|it| it.position);
-        last.is_some_and(|it| it.z.0 < f64::from(DOWN_MM) + 0.1 && it.y.0 > BEGIN_MM + 1.0)
+    let draws = |station: &VirtualStation| {
+        let last = station.arm().samples().last().map(|sample| sample.position);
+        last.is_some_and(|last| last.z.0 < f64::from(DOWN_MM) + 0.1 && last.y.0 > BEGIN_MM + 1.0)
     };
-    let begun = |it: &VirtualStation| if tool.burns() { burns(it) } else { draws(it) };
+    let begun = |station: &VirtualStation| {
+        if tool.burns() {
+            burns(station)
+        } else {
+            draws(station)
+        }
+    };
     if !scene.it.run_until(latest, begun) {
         return Err(Wrong("the line does not begin".into()));
     }
@@ -125,14 +131,14 @@ fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> 
     };
     scene.it.ask(scene.anna, request)?;
     let (mut over, mut last_mm) = (at, y_mm(&scene.it));
-    let note = |it: &VirtualStation| {
+    let note = |station: &VirtualStation| {
         let goes_on = if tool.burns() {
-            burns(it)
+            burns(station)
         } else {
-            (y_mm(it) - last_mm).abs() > 1e-3
+            (y_mm(station) - last_mm).abs() > 1e-3
         };
         if goes_on {
-            (over, last_mm) = (it.now(), y_mm(it));
+            (over, last_mm) = (station.now(), y_mm(station));
         }
         false
     };
@@ -159,7 +165,7 @@ fn line(tool: DrawingTool, personality: Personality) -> Result<NewJob, Wrong> {
 
 fn y_mm(it: &VirtualStation) -> f64 {
     let last = it.arm().samples().last();
-    last.map_or(0.0, |it| it.position.y.0)
+    last.map_or(0.0, |last| last.position.y.0)
 }
 
 const BEGIN_MM: f64 = -48.0;

@@ -1,4 +1,4 @@
-//! What can go wrong, in virtual time: each case gives its figures.
+//! Failure cases in virtual time, each with its figures.
 
 pub(crate) mod cables;
 #[allow(

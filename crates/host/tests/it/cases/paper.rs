@@ -1,4 +1,4 @@
-//! What a pen drawing has left on the paper, as the machine has it.
+//! The ink of a pen drawing, as recorded by the machine.
 
 use dobot_api::NewJob;
 use dobot_arm::{Millimeters, Position};
@@ -7,14 +7,14 @@ use dobot_wire::Command;
 
 use super::jobs::DOWN_MM;
 
-/// How far the ink is from the lines that were wanted.
+/// The deviation of the ink from the planned lines.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Paper {
     /// The greatest distance of the ink from the lines that were wanted.
     pub aside_mm: f64,
     /// The length of all the ink, less what was wanted.
     pub longer_mm: f64,
-    /// How many lines were wanted.
+    /// The number of planned lines.
     pub lines: u16,
 }
 
@@ -25,7 +25,7 @@ impl Paper {
         let ink: Vec<[Position; 2]> = samples
             .windows(2)
             .map(|pair| [pair[0].position, pair[1].position])
-            .filter(|pair| pair.iter().all(|it| is_down(*it)))
+            .filter(|pair| pair.iter().all(|sample| is_down(*sample)))
             .map(|pair| pair.map(flat))
             .collect();
         let off = |at: Position| {
@@ -41,7 +41,7 @@ impl Paper {
         }
     }
 
-    /// Whether it is the drawing that was wanted. The steps of the motors make each line a bit
+    /// Returns whether the drawing is right. The steps of the motors make each line slightly
     /// longer.
     pub(crate) fn is_right(&self) -> bool {
         let teeth_mm = 0.1 * f64::from(self.lines);
@@ -86,7 +86,7 @@ fn flat(at: Position) -> Position {
 /// Ink that is nearer than this to its line is where it was wanted.
 pub(crate) const ASIDE_MM: f64 = 0.3;
 
-/// How far a point is from a line between two others.
+/// Returns the distance from a point to the line between two others.
 fn distance_mm(point: Position, [from, to]: [Position; 2]) -> f64 {
     let (dx, dy) = (to.x.0 - from.x.0, to.y.0 - from.y.0);
     let length2 = dx * dx + dy * dy;

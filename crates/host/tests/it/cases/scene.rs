@@ -28,7 +28,7 @@ pub(crate) struct Scene {
     since: usize,
 }
 
-/// What should not be, in one line.
+/// A violation, in one line.
 #[derive(Debug)]
 pub(crate) struct Wrong(pub String);
 
@@ -50,7 +50,7 @@ impl From<JournalError> for Wrong {
     }
 }
 
-/// How often the commands of a job were given to the arm.
+/// How often the commands of a job were sent to the arm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct GivenCounts {
     /// Never.
@@ -65,7 +65,7 @@ impl Scene {
         Self::faulty(personality, &[], 0)
     }
 
-    /// The same with faults.
+    /// A scene with faults.
     pub(crate) fn faulty(
         personality: Personality,
         faults: &[&str],
@@ -75,7 +75,7 @@ impl Scene {
         Self::with_journal(personality, faults, seed, journal)
     }
 
-    /// The same with a journal of one's own.
+    /// A scene with the given journal.
     pub(crate) fn with_journal(
         personality: Personality,
         faults: &[&str],
@@ -85,7 +85,7 @@ impl Scene {
         let power_up = PowerUp::new(personality);
         let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         if !faults.is_empty() {
-            let parsed: Result<Vec<Fault>, _> = faults.iter().map(|it| it.parse()).collect();
+            let parsed: Result<Vec<Fault>, _> = faults.iter().map(|fault| fault.parse()).collect();
             let parsed = parsed.map_err(|error| Wrong(error.to_string()))?;
             arm = arm.with_faults(power_up, &parsed, seed);
         }
@@ -110,7 +110,7 @@ impl Scene {
         Ok(number)
     }
 
-    /// Starts a job or goes on with it, as a person does who has looked: the laser is armed.
+    /// Starts or resumes a job as a person does after looking: the laser is armed.
     pub(crate) fn start(&mut self, job: u64) -> Result<(), Wrong> {
         self.it.ask(self.anna, Request::ConfirmPose)?;
         self.it.ask(self.anna, Request::ArmLaser { for_s: 600.0 })?;
@@ -125,27 +125,28 @@ impl Scene {
         Ok(())
     }
 
-    /// How long a job takes.
+    /// Returns the planned duration of a job.
     pub(crate) fn planned(&self) -> Duration {
-        let planned_s = self.it.supervisor().job().and_then(|it| it.planned_s);
+        let planned_s = self.it.supervisor().job().and_then(|job| job.planned_s);
         Duration::try_from_secs_f64(planned_s.unwrap_or(0.0)).unwrap_or_default()
     }
 
     /// Waits until a job can be started or is over, and the arm rests.
     pub(crate) fn settle(&mut self, job: u64) -> Result<JobState, Wrong> {
         let latest = self.it.now() + PATIENCE;
-        let works = |it: &VirtualStation| {
-            it.supervisor()
+        let works = |station: &VirtualStation| {
+            station
+                .supervisor()
                 .job()
-                .is_some_and(|it| it.phase == JobPhase::Running)
+                .is_some_and(|job| job.phase == JobPhase::Running)
         };
-        let settled = |it: &VirtualStation| {
-            let kept = match state(it, job) {
+        let settled = |station: &VirtualStation| {
+            let kept = match state(station, job) {
                 None | Some(JobState::Running) => false,
-                Some(JobState::Queued) => it.supervisor().job().is_none(),
+                Some(JobState::Queued) => station.supervisor().job().is_none(),
                 Some(_) => true,
             };
-            it.supervisor().is_at_rest() && kept && !works(it)
+            station.supervisor().is_at_rest() && kept && !works(station)
         };
         if self.it.run_until(latest, settled) {
             return state(&self.it, job).ok_or_else(|| Wrong("the job is gone".into()));
@@ -169,7 +170,7 @@ impl Scene {
         Err(Wrong("the job is paused again and again".into()))
     }
 
-    /// What the arm was given of a job.
+    /// Returns how often the commands of a job were sent.
     pub(crate) fn given(&self, job: &NewJob) -> GivenCounts {
         let wanted: Vec<Command> = job.commands.iter().copied().filter(counts).collect();
         let mut given: Vec<_> = self.sent(self.since).into_iter().filter(counts).collect();
@@ -199,7 +200,9 @@ impl Scene {
     fn given_once(&self) -> Vec<Command> {
         let times = self.it.packets()[self.since..].iter().map(|(at, _)| *at);
         let sent: Vec<_> = times.zip(self.sent(self.since)).collect();
-        let cut_short = sent.windows(2).map(|it| it[1].0 < it[0].0 + LINE_TIME);
+        let cut_short = sent
+            .windows(2)
+            .map(|pair| pair[1].0 < pair[0].0 + LINE_TIME);
         let cut_short = cut_short.chain([false]);
         let counted = sent.iter().zip(cut_short).filter(|((_, it), _)| counts(it));
         let counted: Vec<_> = counted.collect();
@@ -214,7 +217,7 @@ impl Scene {
             .collect()
     }
 
-    /// Whether all of a job was given once, and is on the paper.
+    /// Checks that all of a job was sent once and is on the paper.
     pub(crate) fn check(&self, job: &NewJob) -> Result<(), Wrong> {
         let (given, paper) = (self.given(job), Paper::of(self.it.arm().samples(), job));
         if given == GivenCounts::default() && paper.is_right() {
@@ -233,12 +236,12 @@ impl Scene {
             .collect()
     }
 
-    /// Whether the laser burns.
+    /// Returns whether the laser burns.
     pub(crate) fn burns(&self) -> bool {
         burns(&self.it)
     }
 
-    /// When the arm came to rest last, as the machine has it, in seconds.
+    /// Returns when the arm last came to rest, according to the machine, in seconds.
     pub(crate) fn rested_s(&self) -> f64 {
         let samples = self.it.arm().samples();
         let Some(last) = samples.last() else {
@@ -247,11 +250,11 @@ impl Scene {
         let moving = samples
             .iter()
             .rev()
-            .position(|it| it.position != last.position);
+            .position(|sample| sample.position != last.position);
         let first_at_rest = samples.len() - moving.unwrap_or(samples.len());
         samples
             .get(first_at_rest)
-            .map_or(0.0, |it| it.at.as_secs_f64())
+            .map_or(0.0, |sample| sample.at.as_secs_f64())
     }
 
     /// The personality of the arm.
@@ -260,13 +263,13 @@ impl Scene {
     }
 }
 
-/// Whether the laser burns.
+/// Returns whether the laser burns.
 pub(crate) fn burns(it: &VirtualStation) -> bool {
     it.arm().controller().outputs().laser
 }
 
 fn state(it: &VirtualStation, job: u64) -> Option<JobState> {
-    it.job(job).ok().map(|it| it.state)
+    it.job(job).ok().map(|job| job.state)
 }
 
 /// A figure for both personalities and all sorts of jobs.
@@ -292,6 +295,6 @@ pub(crate) fn each_seed(
     wrong.collect()
 }
 
-/// What switches the laser off.
+/// The command that switches the laser off.
 pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
 const PATIENCE: Duration = Duration::from_secs(120);

@@ -16,7 +16,7 @@ use super::spread::Spread;
 use super::stops::{jog, targets, watch, work};
 use super::watchdogs::told;
 
-/// What goes wrong.
+/// An incident.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Incident {
     /// Somebody who may only watch stops the arm: here, or all arms of the fleet.
@@ -25,7 +25,7 @@ enum Incident {
     Freeze,
     /// The station is killed; its watchdog speaks for it, and the station is started again.
     Kill,
-    /// The cable is pulled for a while; perhaps somebody stops the arm meanwhile.
+    /// The cable is pulled for a while; a client may stop the arm meanwhile.
     Cable,
     /// The token of the person who has control is removed.
     Removal,
@@ -53,12 +53,12 @@ impl fmt::Display for Incident {
     }
 }
 
-/// What became of the arms.
+/// The outcome for the arms.
 #[derive(Debug, Default)]
 pub(crate) struct Sessions {
     /// So many sessions.
     pub times: usize,
-    /// What went wrong in them, in all.
+    /// The number of incidents.
     pub incidents: usize,
     /// Jobs that were done in the end, and right.
     pub jobs: usize,
@@ -68,11 +68,11 @@ pub(crate) struct Sessions {
     pub rest_s: Spread,
     /// From the last stop to the end of the light, in seconds, where it burnt.
     pub dark_s: Spread,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// Runs so many sessions.
+/// Runs this many sessions.
 pub(crate) fn run(sessions: u64) -> Sessions {
     let mut figures = Sessions::default();
     figures.wrong = each_seed(sessions, "a session", |personality, seed| {
@@ -106,9 +106,9 @@ const JOG: u64 = 4;
 struct Begun {
     id: u64,
     wanted: NewJob,
-    /// What of the machine's way was before it.
+    /// The number of machine samples before it.
     samples: usize,
-    /// The pen was on the paper: what it draws on its way to the start is not the job's.
+    /// The pen was on the paper: what it draws on its way to the start does not belong to the job.
     began_down: bool,
 }
 
@@ -118,15 +118,15 @@ fn begin(scene: &mut Scene, motion: u64, chance: &mut Chance) -> Result<Option<B
         0..=2 => {
             let sort = Sort::ALL[usize::try_from(motion).unwrap_or_default()];
             let samples = scene.it.arm().samples();
-            let last = samples.last().map_or(0.0, |it| it.position.z.0);
+            let last = samples.last().map_or(0.0, |sample| sample.position.z.0);
             let began_down = (last - f64::from(DOWN_MM)).abs() < 0.2;
             let samples = samples.len();
             let mut wanted = sort.job(chance);
             begin_elsewhere(&scene.it, &mut wanted);
             work(scene, &wanted, chance)?;
             let job = scene.it.supervisor().job();
-            Ok(job.map(|it| Begun {
-                id: it.job,
+            Ok(job.map(|job| Begun {
+                id: job.job,
                 wanted,
                 samples,
                 began_down,
@@ -139,7 +139,7 @@ fn begin(scene: &mut Scene, motion: u64, chance: &mut Chance) -> Result<Option<B
 
 /// A program may not begin with a straight line to where the arm stands; a person writes another mode then.
 fn begin_elsewhere(it: &VirtualStation, wanted: &mut NewJob) {
-    let here = it.supervisor().state().arm.map(|it| it.status);
+    let here = it.supervisor().state().arm.map(|arm| arm.status);
     if let (Some(Command::MoveTo(first)), Some(here)) = (wanted.commands.first_mut(), here)
         && [
             first.x_mm - here.x_mm,
@@ -147,7 +147,7 @@ fn begin_elsewhere(it: &VirtualStation, wanted: &mut NewJob) {
             first.z_mm - here.z_mm,
         ]
         .iter()
-        .all(|it| it.abs() < 1.0)
+        .all(|off| off.abs() < 1.0)
     {
         first.mode = MovingMode::Jump;
     }
@@ -178,7 +178,7 @@ fn befall(
             scene.anna = scene.it.client("Anna");
             Ok(())
         }
-        // Without its cable nobody lets go of a button: the arm goes on to the end of its axis.
+        // Without its cable a button is not released: the arm moves to the end of its axis.
         Incident::Cable if motion == JOG => stop(scene, true),
         Incident::Cable => {
             scene.it.unplug();
@@ -208,17 +208,23 @@ fn befall(
     }
 }
 
-/// Whether the arm jogs, by its packets.
+/// Returns whether the arm jogs, by its packets.
 fn is_held(scene: &Scene) -> bool {
-    let last = scene.sent(0).into_iter().rev().find_map(|it| match it {
-        Command::LinearJog(it) => Some(it.axis != LinearJogAxis::Released),
-        Command::JointJog(it) if (it.axis as u8) <= 8 => Some(it.axis != JointJogAxis::Released),
-        _ => None,
-    });
+    let last = scene
+        .sent(0)
+        .into_iter()
+        .rev()
+        .find_map(|command| match command {
+            Command::LinearJog(it) => Some(it.axis != LinearJogAxis::Released),
+            Command::JointJog(it) if (it.axis as u8) <= 8 => {
+                Some(it.axis != JointJogAxis::Released)
+            }
+            _ => None,
+        });
     last.unwrap_or_default()
 }
 
-/// Whether a packet lets go of a button.
+/// Returns whether a packet releases a button.
 fn lets_go(command: &Command) -> bool {
     match command {
         Command::LinearJog(it) => it.axis == LinearJogAxis::Released,
@@ -227,7 +233,7 @@ fn lets_go(command: &Command) -> bool {
     }
 }
 
-/// Somebody who may only watch stops the arm; what is said of it must be true.
+/// A client that may only watch stops the arm; the answer must be true.
 fn stop(scene: &mut Scene, plugged: bool) -> Result<(), Wrong> {
     let before = scene.it.packets().len();
     let watcher = scene.it.client_as("the fleet", Role::Watch);
@@ -249,14 +255,16 @@ fn stop(scene: &mut Scene, plugged: bool) -> Result<(), Wrong> {
 
 fn is_off_first(scene: &mut Scene, before: usize) -> Result<(), Wrong> {
     let latest = scene.it.now() + Duration::from_millis(500);
-    scene.it.run_until(latest, |it| it.packets().len() > before);
+    scene
+        .it
+        .run_until(latest, |station| station.packets().len() > before);
     match scene.sent(before).first() {
         Some(first) if *first == LASER_OFF => Ok(()),
         first => Err(Wrong(format!("laser off comes first, not {first:?}"))),
     }
 }
 
-/// A person looks, and ends the job or goes on with it. The arm rests behind that, and is dark.
+/// A person looks, and ends or resumes the job. Afterwards the arm is at rest and its laser off.
 fn recover(
     figures: &mut Sessions,
     scene: &mut Scene,
@@ -269,11 +277,11 @@ fn recover(
         scene.it.ask(anna, Request::PauseJob)?;
     }
     let latest = scene.it.now() + Duration::from_secs(60);
-    let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && !works(it);
+    let rests = |station: &VirtualStation| station.supervisor().is_at_rest() && !works(station);
     if !scene.it.run_until(latest, rests) {
         return Err(Wrong("it does not come to rest".into()));
     }
-    // What the watchdog or a new station says again.
+    // What the watchdog or a new station repeats.
     scene.it.run_for(Duration::from_millis(500));
     if scene.burns() {
         return Err(Wrong("the arm rests, and its laser is on".into()));
@@ -316,7 +324,7 @@ fn recover(
 
 fn works(it: &VirtualStation) -> bool {
     let job = it.supervisor().job();
-    job.is_some_and(|it| it.phase == JobPhase::Running)
+    job.is_some_and(|job| job.phase == JobPhase::Running)
 }
 
 /// Stops the arm for the last time, and watches it.

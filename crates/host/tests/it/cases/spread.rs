@@ -1,9 +1,9 @@
-//! How measured times are spread.
+//! The distribution of measured values.
 
 use std::fmt;
 use std::time::Duration;
 
-/// Measured values, to be told by their least, middle and greatest.
+/// Measured values, summarized by minimum, median and maximum.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spread(Vec<f64>);
 
@@ -23,12 +23,12 @@ impl Spread {
         self.0.iter().copied().fold(0.0, f64::max)
     }
 
-    /// How many values are above this one.
+    /// Returns the number of values above this one.
     pub(crate) fn above(&self, most: f64) -> usize {
-        self.0.iter().filter(|it| **it > most).count()
+        self.0.iter().filter(|value| **value > most).count()
     }
 
-    /// The value that so many of a hundred are not above.
+    /// Returns a percentile.
     pub(crate) fn percent(&self, percent: usize) -> f64 {
         let mut sorted = self.0.clone();
         sorted.sort_by(f64::total_cmp);
@@ -40,7 +40,7 @@ impl Spread {
 /// As cells of a table: least, middle, 99 of 100, most.
 impl fmt::Display for Spread {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [least, middle, nearly, most] = [0, 50, 99, 100].map(|it| self.percent(it));
+        let [least, middle, nearly, most] = [0, 50, 99, 100].map(|percent| self.percent(percent));
         write!(f, "{least:.2} | {middle:.2} | {nearly:.2} | {most:.2}")
     }
 }

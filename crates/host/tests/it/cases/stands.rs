@@ -1,4 +1,4 @@
-//! How long the laser burns on the spot, whoever sent what burns.
+//! How long the laser burns in one place, whatever the sender.
 
 use std::fmt;
 use std::time::Duration;
@@ -16,7 +16,7 @@ use super::light::longest_stand_s;
 use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
-/// Who sends what burns.
+/// The sender of the burning commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sender {
     /// A client, command by command.
@@ -37,28 +37,28 @@ impl fmt::Display for Sender {
     }
 }
 
-/// What the standing light was like.
+/// The figures of the standing laser.
 #[derive(Debug)]
 pub(crate) struct Stands {
-    /// Who sent what burns.
+    /// The sender of the burning commands.
     pub sender: Sender,
-    /// What is wrong with the link.
+    /// The fault of the link.
     pub link: &'static str,
     /// So many programs, each with up to 25 commands.
     pub programs: usize,
-    /// How long the light stood in each of them at the most, in seconds.
+    /// The longest time that it burned in one place in each of them, in seconds.
     pub stood_s: Spread,
     /// For longer than [`MOST_S`].
     pub late: usize,
     /// How often the station switched it off for that.
     pub switched_off: usize,
-    /// Jobs that failed because the arm lost a packet of a heap, and said so.
+    /// Jobs that failed because the arm lost a packet of a batch, and reported it.
     pub displaced: usize,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// Lets so many programs burn, for each sender on each link.
+/// Lets this many programs burn, for each sender on each link.
 pub(crate) fn run(programs: u64) -> Vec<Stands> {
     let senders = [Sender::Requests, Sender::Packets, Sender::Job];
     let on_links = |sender| LINKS.map(|link| of(sender, link, programs));
@@ -96,13 +96,13 @@ fn one(figures: &mut Stands, personality: Personality, seed: u64) -> Result<(), 
     if burns(&scene.it) {
         return Err(Wrong("the laser is still on".into()));
     }
-    // What stands is recorded by the motion behind it.
+    // A stand is recorded by the motion after it.
     scene.it.ask(scene.anna, Request::SeizeLease)?;
     scene.it.ask(scene.anna, Request::ConfirmPose)?;
     let command = vector([0.0, 0.0, 2.0], false);
     scene.it.ask(scene.anna, Request::Command { command })?;
     scene.it.run_for(Duration::from_secs(3));
-    let off = |it: &&dobot_api::Notice| it.news == News::LaserOff;
+    let off = |notice: &&dobot_api::Notice| notice.news == News::LaserOff;
     figures.switched_off += scene.it.notices().iter().filter(off).count();
     figures.programs += 1;
     let stood_s = longest_stand_s(scene.it.arm().samples(), STANDS_MM);
@@ -151,13 +151,13 @@ fn send(scene: &mut Scene, program: ClientId, sender: Sender, command: Command) 
     }
 }
 
-/// Whether the job is done; it may fail only where a late line made the arm lose a packet.
+/// Returns whether the job is done; it may fail only if a late line made the arm lose a packet.
 fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
     let job = scene.begin(&Sort::Burn.job(chance))?;
     for _ in 0..chance.below(3) {
         scene.it.run_for(chance.time(Duration::from_secs(8)));
-        let runs = |it: &VirtualStation| {
-            let phase = it.supervisor().job().map(|it| it.phase);
+        let runs = |station: &VirtualStation| {
+            let phase = station.supervisor().job().map(|job| job.phase);
             phase == Some(JobPhase::Running)
         };
         if runs(&scene.it) {
@@ -166,7 +166,7 @@ fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
     }
     let finished = scene.finish(job);
     let arm = scene.it.arm_mut();
-    let lost = std::iter::from_fn(|| arm.poll_refused()).any(|it| it == Refused::TooLong);
+    let lost = std::iter::from_fn(|| arm.poll_refused()).any(|refused| refused == Refused::TooLong);
     match finished {
         Err(_) if lost && failed(&scene.it, job) => Ok(false),
         finished => finished.map(|()| true),
@@ -175,7 +175,7 @@ fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
 
 fn failed(it: &VirtualStation, job: u64) -> bool {
     it.job(job)
-        .is_ok_and(|it| matches!(it.state, JobState::Failed { .. }))
+        .is_ok_and(|job| matches!(job.state, JobState::Failed { .. }))
 }
 
 /// A laser at rest is off within that, in seconds.

@@ -13,7 +13,7 @@ use super::jobs::Sort;
 use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
-/// What the arm does when it is stopped.
+/// The motion of the arm when it is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StoppedMotion {
     /// A job, from its start to its end.
@@ -22,9 +22,9 @@ pub(crate) enum StoppedMotion {
     Targets,
     /// A button that is held, of a joint or an axis.
     Jog,
-    /// A job that is being paused, or that goes on.
+    /// A job that is being paused, or that continues.
     Pausing,
-    /// What it had got when the station was killed.
+    /// The in-flight commands when the station was killed.
     Killed,
 }
 
@@ -53,10 +53,10 @@ impl fmt::Display for StoppedMotion {
     }
 }
 
-/// What the stops of one doing were like.
+/// The figures of the stops of one motion.
 #[derive(Debug)]
 pub(crate) struct Stops {
-    /// What the arm did.
+    /// The motion.
     pub doing: StoppedMotion,
     /// So often it was stopped.
     pub times: usize,
@@ -64,17 +64,17 @@ pub(crate) struct Stops {
     pub late: usize,
     /// The laser was on later than that.
     pub burnt: usize,
-    /// What was promised, in seconds.
+    /// The promised times, in seconds.
     pub promised_s: Spread,
-    /// What it took, in seconds.
+    /// The actual times, in seconds.
     pub took_s: Spread,
     /// From the stop to the end of the light, in seconds, where it burnt.
     pub dark_s: Spread,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
-/// Stops the arm so often for each doing.
+/// Stops the arm this often in each motion.
 pub(crate) fn run(stops: u64) -> Vec<Stops> {
     StoppedMotion::ALL.map(|doing| of(doing, stops)).into()
 }
@@ -137,13 +137,13 @@ fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
     late
 }
 
-/// What became of an arm that was stopped.
+/// The outcome for a stopped arm.
 pub(super) struct Stopped {
     at: Duration,
     promised: Duration,
     /// How long it took to come to rest, in seconds.
     pub(super) took_s: f64,
-    /// When the laser was seen on last; the time of the stop where it was not.
+    /// When the laser was last seen on; the time of the stop if it was not.
     pub(super) lit: Duration,
 }
 
@@ -153,9 +153,9 @@ pub(super) fn watch(scene: &mut Scene, at: Duration) -> Result<Stopped, Wrong> {
     let stop = stop.ok_or_else(|| Wrong("no stop holds the arm".into()))?;
     let promised = Duration::try_from_secs_f64(stop.rests_by_s - stop.at_s).unwrap_or_default();
     let mut lit = at;
-    let note = |it: &VirtualStation| {
-        if burns(it) {
-            lit = it.now();
+    let note = |station: &VirtualStation| {
+        if burns(station) {
+            lit = station.now();
         }
         false
     };
@@ -172,13 +172,14 @@ pub(super) fn watch(scene: &mut Scene, at: Duration) -> Result<Stopped, Wrong> {
 }
 
 impl Stopped {
-    /// Whether the laser was on for longer than promised. The last packets are repeated, and need not have arrived at first.
+    /// Returns whether the laser was on for longer than promised. The last packets are repeated,
+    /// and may not have arrived at first.
     pub(super) fn burns_too_long(&self) -> bool {
         let dark_by = self.promised.max(Duration::from_millis(200));
         self.lit.saturating_sub(self.at) > dark_by
     }
 
-    /// Whether the arm came to rest as soon as promised.
+    /// Checks that the arm came to rest as promised.
     pub(super) fn check_rest(&self) -> Result<(), Wrong> {
         let Self {
             promised, took_s, ..

@@ -16,7 +16,7 @@ use super::jobs::Sort;
 use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
 
-/// What became of the station.
+/// The fate of the station.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fate {
     /// Killed.
@@ -27,7 +27,7 @@ pub(crate) enum Fate {
     Panicked,
 }
 
-/// What the arm was at.
+/// The motion of the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GuardedMotion {
     Joint(JointJogAxis),
@@ -36,7 +36,7 @@ pub(crate) enum GuardedMotion {
     Moving,
 }
 
-/// What became of arm and laser.
+/// The outcome for arm and laser.
 #[derive(Debug)]
 pub(crate) struct Guarded {
     pub fate: Fate,
@@ -46,19 +46,19 @@ pub(crate) struct Guarded {
     pub packet_s: Spread,
     /// From the station's end to the arm's rest, in seconds.
     pub rest_s: Spread,
-    /// How far the tool went from there, in millimetres.
+    /// The distance moved by the tool from there, in millimetres.
     pub went_mm: Spread,
-    /// How far the joint of a joint jog went from there, in degrees.
+    /// The distance moved by the joint of a joint jog from there, in degrees.
     pub went_deg: Spread,
     /// From the station's end to the end of the light, in seconds.
     pub lit_s: Spread,
-    /// How long the light was on and the arm stood, in seconds.
+    /// How long the laser was on while the arm stood still, in seconds.
     pub stood_s: Spread,
     /// Motion that no button asked for.
     pub unasked: usize,
     /// The laser was on in the end.
     pub burnt: usize,
-    /// What should not be.
+    /// Violations.
     pub wrong: Vec<String>,
 }
 
@@ -67,10 +67,14 @@ impl Fate {
 }
 
 impl GuardedMotion {
-    /// Each button of both kinds that moves the arm, a burn, a way.
+    /// Each button of both kinds that moves the arm, a burn, and a move.
     pub(crate) fn all() -> Vec<Self> {
-        let joints = JointJogAxis::ALL[1..=8].iter().map(|it| Self::Joint(*it));
-        let lines = LinearJogAxis::ALL[1..=8].iter().map(|it| Self::Linear(*it));
+        let joints = JointJogAxis::ALL[1..=8]
+            .iter()
+            .map(|axis| Self::Joint(*axis));
+        let lines = LinearJogAxis::ALL[1..=8]
+            .iter()
+            .map(|axis| Self::Linear(*axis));
         joints
             .chain(lines)
             .chain([Self::Burning, Self::Moving])
@@ -99,7 +103,7 @@ impl fmt::Display for GuardedMotion {
     }
 }
 
-/// Each fate in each motion, so often.
+/// Each fate in each motion, this often.
 pub(crate) fn run(times: u64) -> Vec<Guarded> {
     let of_fate = |fate| {
         GuardedMotion::all()
@@ -166,8 +170,8 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
     Ok(())
 }
 
-/// The arm with its watchdog for fifteen seconds after the end of the station; when that told last that it lives, and the joints at
-/// its end.
+/// The arm with its watchdog for fifteen seconds after the end of the station; the time of the last
+/// heartbeat, and the joints at the station's end.
 pub(super) fn left_alone(
     scene: Scene,
     fate: Fate,
@@ -238,7 +242,7 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
     scene.it.run_for(Duration::from_millis(500));
     if !scene
         .it
-        .run_until(latest, |it| it.supervisor().is_at_rest())
+        .run_until(latest, |station| station.supervisor().is_at_rest())
     {
         return Err(Wrong("it does not come to rest".into()));
     }
@@ -250,7 +254,7 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// What the watchdog knows: of every packet before it leaves.
+/// The watchdog's knowledge: every packet before it is sent.
 pub(super) fn told(scene: &Scene) -> Hazards {
     let dialect = scene.personality().dialect();
     let packets = scene.it.packets().iter();
@@ -259,12 +263,12 @@ pub(super) fn told(scene: &Scene) -> Hazards {
         .fold(Hazards::default(), |told, it| told.after(&it, &dialect))
 }
 
-/// What the station itself says in its last moment, and when.
+/// The packets of the station in its last moment, with their times.
 fn own_packets(fate: Fate, at: Duration, told: Hazards) -> Vec<(Duration, Packet)> {
     if fate != Fate::Panicked {
         return Vec::new();
     }
-    let gaps = (0..).map(|it| at + Duration::from_millis(60) * it);
+    let gaps = (0..).map(|n| at + Duration::from_millis(60) * n);
     gaps.zip(told.stop_packets()).collect()
 }
 
@@ -273,13 +277,13 @@ pub(super) struct After {
     arm: VirtualArm,
     now: Duration,
     watchdog: Watchdog,
-    /// When the first packet left.
+    /// When the first packet was sent.
     first: Option<Duration>,
-    /// When the laser was seen on last.
+    /// When the laser was last seen on.
     pub lit: Duration,
-    /// How long it was on while the arm stood.
+    /// How long it was on while the arm stood still.
     stood: Duration,
-    /// When the arm was seen moving last.
+    /// When the arm was last seen moving.
     pub rests: Duration,
     joints: Joints,
 }
@@ -288,7 +292,7 @@ impl After {
     fn run_until(&mut self, latest: Duration, own: &mut Vec<(Duration, Packet)>) {
         while self.now < latest {
             self.carry(own);
-            let next = own.first().map_or(Duration::MAX, |it| it.0);
+            let next = own.first().map_or(Duration::MAX, |own| own.0);
             let next = next.min(self.watchdog.poll_wakeup());
             let soon = self.now + Duration::from_millis(1);
             let before = self.now;
@@ -307,7 +311,7 @@ impl After {
             self.watchdog.handle_heard(self.now);
         }
         self.watchdog.handle_time(self.now);
-        while own.first().is_some_and(|it| it.0 <= self.now) {
+        while own.first().is_some_and(|own| own.0 <= self.now) {
             let (_, packet) = own.remove(0);
             self.send(&packet);
         }
@@ -344,9 +348,9 @@ fn parts<const N: usize>(from: [f64; N], to: [f64; N]) -> Vec<f64> {
 
 /// Motion that no button asked for, in words.
 fn unasked(doing: GuardedMotion, from: &Joints, to: &Joints) -> Option<String> {
-    let joints = |it: &Joints| [it.base.0, it.rear.0, it.fore.0, it.servo.0];
-    let point = |it: &Joints| {
-        let place = place(it);
+    let joints = |joints: &Joints| [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0];
+    let point = |joints: &Joints| {
+        let place = place(joints);
         [place.x.0, place.y.0, place.z.0]
     };
     let turned = || parts(joints(from), joints(to));
@@ -390,7 +394,7 @@ fn turned(doing: GuardedMotion, from: &Joints, to: &Joints) -> f64 {
     }
 }
 
-/// Where the tool really is.
+/// Returns the true position of the tool.
 fn place(joints: &Joints) -> Position {
     forward(joints, Tool::SuctionCup).position
 }
@@ -402,5 +406,5 @@ fn name(axis: &impl serde::Serialize) -> String {
 
 /// From one beat to the next.
 const HEARTBEAT: Duration = Duration::from_millis(80);
-/// The arm is looked at so often.
+/// The interval of observations.
 const LOOK: Duration = Duration::from_millis(5);

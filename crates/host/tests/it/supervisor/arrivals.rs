@@ -1,4 +1,4 @@
-//! What clients are told of commands that end in a pause.
+//! Notices to clients about commands that end in a pause.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use dobot_wire::{Command, Configuration, MoveTo};
 use super::drawing::virtual_station;
 use crate::cases::commands::target;
 
-/// What the vendor's client says first: a default pause of 100 s (note N10).
+/// The first packet of the vendor's client: a default pause of 100 s (note N10).
 const VENDORS: Command = Command::Configuration(Configuration::Playback {
     joint_speed_deg_s: 200.0,
     joint_acceleration_deg_s2: 200.0,
@@ -22,13 +22,13 @@ const VENDORS: Command = Command::Configuration(Configuration::Playback {
     jump_height_mm: 20.0,
 });
 
-/// When a notice came, and what it said.
+/// Returns the time and text of a notice.
 fn told(it: &VirtualStation, which: impl Fn(&News) -> bool) -> Option<(f64, String)> {
-    let notice = it.notices().iter().find(|it| which(&it.news))?;
+    let notice = it.notices().iter().find(|notice| which(&notice.news))?;
     Some((notice.at_s, notice.text.clone()))
 }
 
-/// Sends a target behind the vendor's first words, lets two minutes pass, and returns its number.
+/// Sends a target after the vendor's first packets, lets two minutes pass, and returns its number.
 fn sent(it: &mut VirtualStation, target: MoveTo) -> u64 {
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -49,13 +49,13 @@ fn sent(it: &mut VirtualStation, target: MoveTo) -> u64 {
 fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_it_is_over() {
     let mut it = virtual_station(Personality::Specification);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
-    let pauses = |it: &News| matches!(it, News::Pausing { lasts_s: 100.0, .. });
+    let pauses = |news: &News| matches!(news, News::Pausing { lasts_s: 100.0, .. });
     let (began_s, text) = told(&it, pauses).expect("it is told");
     assert_eq!(
         text,
         "the arm waits 100 s here: its default pause (state 9, mode 1)"
     );
-    let done = |it: &News| *it == News::CommandDone { command: number };
+    let done = |news: &News| *news == News::CommandDone { command: number };
     let (done_s, _) = told(&it, done).expect("it is told");
     assert!(began_s < 7.0, "{began_s}");
     assert!((99.0..101.0).contains(&(done_s - began_s)), "{done_s}");
@@ -65,8 +65,8 @@ fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_
 fn an_arm_that_ignores_the_default_pause_is_not_said_to_pause() {
     let mut it = virtual_station(Personality::Firmware11);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
-    assert_eq!(told(&it, |it| matches!(it, News::Pausing { .. })), None);
-    let done = |it: &News| *it == News::CommandDone { command: number };
+    assert_eq!(told(&it, |news| matches!(news, News::Pausing { .. })), None);
+    let done = |news: &News| *news == News::CommandDone { command: number };
     let (done_s, _) = told(&it, done).expect("it is told");
     assert!(done_s < 6.0, "{done_s}");
 }
@@ -80,7 +80,7 @@ fn a_pause_of_its_own_is_told_as_the_commands() {
             ..target([220.0, 40.0, 20.0])
         };
         let number = sent(&mut it, pausing);
-        let (_, text) = told(&it, |it| matches!(it, News::Pausing { .. })).expect("it is told");
+        let (_, text) = told(&it, |news| matches!(news, News::Pausing { .. })).expect("it is told");
         let expected = format!("the arm waits 7.5 s here: the pause of command {number}");
         assert_eq!(text, expected, "{personality}");
     }

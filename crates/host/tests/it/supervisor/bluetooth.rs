@@ -33,11 +33,11 @@ fn done(it: &mut VirtualStation, client: ClientId, command: Command) -> Duration
         panic!("it was not taken");
     };
     let begun = it.now();
-    let is_done = |it: &VirtualStation| {
-        let mut news = it.notices().iter().map(|it| &it.news);
-        assert!(!news.any(|it| matches!(it, News::CommandFailed { .. })));
-        let mut news = it.notices().iter().map(|it| &it.news);
-        news.any(|it| *it == News::CommandDone { command })
+    let is_done = |station: &VirtualStation| {
+        let mut news = station.notices().iter().map(|notice| &notice.news);
+        assert!(!news.any(|event| matches!(event, News::CommandFailed { .. })));
+        let mut news = station.notices().iter().map(|notice| &notice.news);
+        news.any(|event| *event == News::CommandDone { command })
     };
     assert!(it.run_until(begun + Duration::from_secs(20), is_done));
     it.now().saturating_sub(begun)
@@ -98,14 +98,17 @@ fn a_button_that_is_pressed_with_the_first_status_moves_its_own_joint() {
             ..PowerUp::new(Personality::Firmware11)
         };
         let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
-        // The station comes when the arm has told for a while: any of its statuses may be the first.
+        // The station connects when the arm has been sending for a while: any of its statuses may
+        // be the first.
         arm.handle_time(Duration::from_millis(2000 + after_ms));
         let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
         let jog = joint(JointJogAxis::BasePlus);
         let by = it.now() + Duration::from_secs(5);
-        assert!(it.run_until(by, |it| it.supervisor().session().status().is_some()));
+        assert!(it.run_until(by, |station| {
+            station.supervisor().session().status().is_some()
+        }));
         // The supervisor's own laser-off has the first permit.
         while it.ask(anna, Request::Jog { jog }).is_err() {
             it.run_for(Duration::from_millis(20));
@@ -132,7 +135,7 @@ fn the_policy_sees_the_joint_that_moves() {
     assert!(joints.base.0.abs() < 0.02, "{joints:?}");
     assert!((60.0..=80.0).contains(&joints.rear.0), "{joints:?}");
     let refused = |news: &News| matches!(news, News::Refused { kind, .. } if kind == "policy");
-    assert!(it.notices().iter().any(|it| refused(&it.news)));
+    assert!(it.notices().iter().any(|notice| refused(&notice.news)));
 }
 
 #[test]
@@ -236,8 +239,8 @@ fn a_joint_jog_says_which_joint_and_not_which_axis() {
     it.ask(anna, Request::Release).unwrap();
     let sent = it.packets()[from..].iter().map(|(_, bytes)| frame(bytes));
     let axes: Vec<f32> = sent
-        .filter(|it| it.float(1) == 2.0)
-        .map(|it| it.float(2))
+        .filter(|frame| frame.float(1) == 2.0)
+        .map(|frame| frame.float(2))
         .collect();
     assert!(axes.contains(&6.0) && !axes.contains(&5.0), "{axes:?}");
 }

@@ -57,7 +57,8 @@ fn burned(it: &VirtualStation) -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut burns = false;
     for pair in samples.windows(2) {
-        let [from, to] = [pair[0].position, pair[1].position].map(|it| Point::new(it.x.0, it.y.0));
+        let [from, to] = [pair[0].position, pair[1].position]
+            .map(|position| Point::new(position.x.0, position.y.0));
         if pair[1].laser && !burns {
             strokes.push(Stroke::open(vec![from]));
         }
@@ -88,7 +89,10 @@ fn a_laser_drawing_is_burned_once_and_its_travels_are_not() {
         finish(&mut it, job);
         assert_burned_once(&it, &personality.to_string());
         // Nothing came between two of its vectors that switches the laser off.
-        let off = it.notices().iter().any(|it| it.news == News::LaserOff);
+        let off = it
+            .notices()
+            .iter()
+            .any(|notice| notice.news == News::LaserOff);
         assert!(!off, "{personality}");
     }
 }
@@ -124,9 +128,9 @@ fn a_laser_drawing_takes_another_speed_and_keeps_its_height_where_it_burns() {
             .unwrap();
         finish(&mut it, job);
         assert_burned_once(&it, &personality.to_string());
-        let heights = it.arm().samples().windows(2).filter(|it| it[1].laser);
+        let heights = it.arm().samples().windows(2).filter(|pair| pair[1].laser);
         let steepest_mm = heights
-            .map(|it| (it[1].position.z.0 - it[0].position.z.0).abs())
+            .map(|pair| (pair[1].position.z.0 - pair[0].position.z.0).abs())
             .fold(0.0, f64::max);
         assert!(steepest_mm < 0.01, "{personality}: {steepest_mm} mm");
         let last_mm = it.arm().samples().last().unwrap().position.z.0;

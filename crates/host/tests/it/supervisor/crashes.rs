@@ -10,15 +10,15 @@ use proptest::prelude::*;
 
 use super::drawing::{drawn_mm, spiral, virtual_station, wanted_mm};
 
-/// Whether the arm rests, and the job can be started or gone on with: one that was killed in its
-/// first moments has not begun.
+/// Returns whether the arm is at rest and the job can be started or resumed: one killed in its
+/// first moments has not started.
 fn rests(it: &VirtualStation, job: u64) -> bool {
     let state = it.job(job).unwrap().state;
     it.supervisor().is_at_rest() && matches!(state, JobState::Queued | JobState::Paused { .. })
 }
 
-/// Draws a spiral and kills the station so many milliseconds after the start, and again after each
-/// going on.
+/// Draws a spiral and kills the station this many milliseconds after the start and after each
+/// resume.
 fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
     let mut it = virtual_station(personality);
     let drawing = spiral(12);
@@ -35,7 +35,7 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
         let was_running = it.supervisor().job().is_some();
         let minute = it.now() + Duration::from_secs(60);
         assert!(
-            it.run_until(minute, |it| rests(it, job)),
+            it.run_until(minute, |station| rests(station, job)),
             "it is paused, not lost"
         );
         let anna = it.client("Anna");
@@ -44,7 +44,7 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
             // The person looks at the arm first.
             let refused = it.start(anna, job).unwrap_err();
             assert!(
-                refused.hint().is_some_and(|it| it.contains("confirm")),
+                refused.hint().is_some_and(|hint| hint.contains("confirm")),
                 "{refused}"
             );
         }
@@ -52,7 +52,7 @@ fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
         it.start(anna, job).unwrap();
     }
     let minutes = it.now() + Duration::from_secs(180);
-    assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
+    assert!(it.run_until(minutes, |station| station.job(job).unwrap().state.is_over()));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
     let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
     assert!(

@@ -13,15 +13,16 @@ const BOTH: [Personality; 2] = [Personality::Specification, Personality::Firmwar
 
 /// Neither the supervisor nor the journal has it at work: the arm rests.
 fn rests(it: &VirtualStation, job: u64) -> bool {
-    let works = |it| matches!(it, JobPhase::Queued | JobPhase::Running);
-    let current = it.supervisor().job().filter(|it| it.job == job);
-    !works(it.job(job).unwrap().state.phase()) && !current.is_some_and(|it| works(it.phase))
+    let works = |phase| matches!(phase, JobPhase::Queued | JobPhase::Running);
+    let current = it.supervisor().job().filter(|view| view.job == job);
+    !works(it.job(job).unwrap().state.phase())
+        && !current.is_some_and(|current| works(current.phase))
 }
 
 fn run_until_rest(it: &mut VirtualStation, job: u64, hours: u64) {
     let latest = it.now() + Duration::from_secs(hours * 3600);
     assert!(
-        it.run_until(latest, |it| rests(it, job)),
+        it.run_until(latest, |station| rests(station, job)),
         "{:?}",
         it.supervisor().job()
     );
@@ -41,7 +42,7 @@ fn a_cycle_is_done_as_often_as_it_was_told() {
         let carried = it
             .notices()
             .iter()
-            .filter(|it| it.text.contains("sent again"));
+            .filter(|notice| notice.text.contains("sent again"));
         assert_eq!(carried.count(), 0);
     }
 }
@@ -139,7 +140,7 @@ fn no_object_is_lost_or_misplaced_by_damaged_packets() {
         let again = it
             .notices()
             .iter()
-            .filter(|it| it.text.contains("sent again"))
+            .filter(|notice| notice.text.contains("sent again"))
             .count();
         assert!(again > 0, "nothing was lost: the faults are too few");
         assert!(cube_is_at(&it, HERE));
@@ -189,7 +190,7 @@ fn a_program_is_done_faster_and_slower_while_it_runs() {
         });
         mean_s.rotate_right(1);
         assert!(mean_s.is_sorted(), "{mean_s:?}");
-        // An arm is at 50 % unless it was told otherwise, so twice as fast is all that it can.
+        // The default of an arm is 50 %, so twice as fast is the maximum.
         let refused = it
             .ask(anna, Request::SetJobSpeed { percent: 201.0 })
             .unwrap_err();
@@ -205,8 +206,8 @@ fn a_cycle_takes_as_long_as_was_predicted_to_the_tick() {
         let job = it.submit(&shuttle(Some(20))).unwrap();
         it.start(anna, job).unwrap();
         let latest = it.now() + Duration::from_secs(3600);
-        let nineteen = |it: &VirtualStation| {
-            let program = it.supervisor().job().unwrap().program.unwrap();
+        let nineteen = |station: &VirtualStation| {
+            let program = station.supervisor().job().unwrap().program.unwrap();
             program.cycles_done == 19
         };
         assert!(it.run_until(latest, nineteen));

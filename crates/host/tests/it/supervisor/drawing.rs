@@ -12,7 +12,7 @@ use dobot_wire::Command;
 
 use crate::cases::commands::{settings, target, vector};
 
-/// Where the pen draws.
+/// The drawing height of the pen.
 pub(crate) const DOWN_MM: f32 = -30.0;
 const UP_MM: f32 = -20.0;
 
@@ -28,7 +28,7 @@ pub(crate) fn spiral(lines: u16) -> NewJob {
     job("a spiral", &spiral_vectors(lines), false)
 }
 
-/// The same, burnt.
+/// A burnt spiral.
 pub(crate) fn burnt_spiral(lines: u16) -> NewJob {
     job("a burnt spiral", &spiral_vectors(lines), true)
 }
@@ -61,7 +61,7 @@ fn job(title: &str, vectors: &[[f32; 2]], burns: bool) -> NewJob {
     }
 }
 
-/// How long a line was drawn on the paper, every stroke over another one counted again.
+/// Returns the length of the line drawn on the paper; overlapping strokes count again.
 pub(crate) fn drawn_mm(virtual_station: &VirtualStation) -> f64 {
     let samples = virtual_station.arm().samples();
     let down = |at: Position| (at.z.0 - f64::from(DOWN_MM)).abs() < 0.2;
@@ -76,16 +76,18 @@ pub(crate) fn drawn_mm(virtual_station: &VirtualStation) -> f64 {
         .sum()
 }
 
-/// How long a line a job is to draw.
+/// Returns the planned length of a job's line.
 pub(crate) fn wanted_mm(job: &NewJob) -> f64 {
-    let flat = |it: &Command| match it {
-        Command::WriteVector(it) if it.z_mm == 0.0 => f64::from(it.x_mm.hypot(it.y_mm)),
+    let flat = |command: &Command| match command {
+        Command::WriteVector(vector) if vector.z_mm == 0.0 => {
+            f64::from(vector.x_mm.hypot(vector.y_mm))
+        }
         _ => 0.0,
     };
     job.commands.iter().map(flat).sum()
 }
 
-/// Whether nothing more will come of a job.
+/// Returns whether a job is over.
 pub(crate) fn is_over(it: &VirtualStation, job: u64) -> bool {
     it.job(job).unwrap().state.is_over()
 }

@@ -30,8 +30,8 @@ fn hold(it: &mut VirtualStation, client: ClientId, jog: Jog, time: Duration) {
     }
 }
 
-/// What the arm was told of buttons, from a packet on: the axis that moves and its share, or none for a
-/// release.
+/// Returns the button packets sent to the arm, from a packet on: the axis that moves and its share,
+/// or `None` for a release.
 fn pressed(it: &VirtualStation, from: usize) -> Vec<(Duration, Option<(JogAxis, f64)>)> {
     let dialect = *it.supervisor().session().dialect().expect("it is known");
     let packets = it.packets()[from..].iter();
@@ -58,7 +58,10 @@ fn y_mm(it: &VirtualStation) -> f32 {
 
 fn refusals(it: &VirtualStation) -> usize {
     let refused = |news: &News| matches!(news, News::Refused { .. });
-    it.notices().iter().filter(|it| refused(&it.news)).count()
+    it.notices()
+        .iter()
+        .filter(|notice| refused(&notice.news))
+        .count()
 }
 
 #[test]
@@ -81,10 +84,13 @@ fn a_press_while_the_arm_runs_down_acts_when_it_rests_if_it_is_still_held() {
     }
 }
 
-/// The notices of presses of which the arm was never told.
+/// The notices of presses that were never sent to the arm.
 fn lost_presses(it: &VirtualStation) -> usize {
-    let is_lost = |text: &str| text.contains("before the arm could be told, so nothing moved");
-    it.notices().iter().filter(|it| is_lost(&it.text)).count()
+    let is_lost = |text: &str| text.contains("before the press was sent, so nothing moved");
+    it.notices()
+        .iter()
+        .filter(|notice| is_lost(&notice.text))
+        .count()
 }
 
 #[test]
@@ -166,7 +172,7 @@ fn a_reversal_is_no_error_with_a_release_between_and_without() {
             it.run_for(Duration::from_secs(2));
             assert!(y_mm(&it) < far - 10.0, "{personality}: {} mm", y_mm(&it));
             assert_eq!(refusals(&it), 0, "{personality}");
-            // From plus to minus only through a release, by its own kind: see `releases`.
+            // From plus to minus only through a release of the same kind: see `releases`.
             let told = pressed(&it, before);
             let acts = told.iter().position(|(_, it)| it.is_some()).unwrap();
             assert!(
@@ -278,29 +284,30 @@ fn a_raw_programs_press_while_the_arm_runs_down_acts_too() {
         it.leave(anna);
         let program = it.client("a raw program");
         let dialect = personality.dialect();
-        let say =
-            |it: &mut VirtualStation, jog: Jog| it.send_raw(program, &jog.command().emit(&dialect));
+        let say = |station: &mut VirtualStation, jog: Jog| {
+            station.send_raw(program, &jog.command().emit(&dialect))
+        };
         let release = linear(LinearJogAxis::Released);
         say(&mut it, linear(PLUS)).unwrap();
         it.run_for(Duration::from_millis(500));
         say(&mut it, release).unwrap();
         it.run_for(Duration::from_millis(100));
-        // As the vendor's client does it: said at once, and again after half a second.
+        // Like the vendor's client: sent immediately, and again after half a second.
         say(&mut it, joint(JointJogAxis::RearPlus)).unwrap();
         let before = it.packets().len();
         it.run_for(Duration::from_millis(500));
         say(&mut it, joint(JointJogAxis::RearPlus)).unwrap();
         it.run_for(Duration::from_millis(500));
         let told = pressed(&it, before);
-        let acts = |it: &(Duration, Option<(JogAxis, f64)>)| {
-            it.1.is_some_and(|(axis, _)| axis == JogAxis::Rear)
+        let acts = |button: &(Duration, Option<(JogAxis, f64)>)| {
+            button.1.is_some_and(|(axis, _)| axis == JogAxis::Rear)
         };
         assert!(told.iter().any(acts), "{personality}: {told:?}");
         assert_eq!(refusals(&it), 0, "{personality}");
     }
 }
 
-/// What a person does next, and for how long.
+/// A person's next action and its duration.
 #[derive(Clone, Copy, Debug)]
 enum Hand {
     Holds(Jog),

@@ -15,11 +15,12 @@ use super::strokes::{
     spiral, started, view, wait_until_paused,
 };
 
-/// How far above the plan the pen is on the paper, at the highest and lowest of the last moments.
+/// Returns the highest and lowest height above the plan of the pen on the paper in the last
+/// moments.
 fn heights_mm(it: &VirtualStation, from: Duration) -> (f64, f64) {
-    let samples = it.arm().samples().iter().filter(|it| it.at >= from);
-    let heights = samples.map(|it| it.position.z.0 - DOWN_MM);
-    let drawing = heights.filter(|it| *it < 2.0);
+    let samples = it.arm().samples().iter().filter(|sample| sample.at >= from);
+    let heights = samples.map(|sample| sample.position.z.0 - DOWN_MM);
+    let drawing = heights.filter(|height| *height < 2.0);
     drawing.fold((f64::MAX, f64::MIN), |(low, high), it| {
         (low.min(it), high.max(it))
     })
@@ -50,8 +51,8 @@ fn another_height_comes_gently_and_stays() {
             .arm()
             .samples()
             .windows(2)
-            .map(|it| [it[0].position, it[1].position])
-            .filter(|it| it.iter().all(|at| (at.z.0 - DOWN_MM).abs() < 0.39))
+            .map(|pair| [pair[0].position, pair[1].position])
+            .filter(|ends| ends.iter().all(|at| (at.z.0 - DOWN_MM).abs() < 0.39))
             .map(|[a, b]| [(b.x.0 - a.x.0).hypot(b.y.0 - a.y.0), (b.z.0 - a.z.0).abs()])
             .filter(|[aside, _]| *aside > 0.1)
             .map(|[aside, up]| up / aside)
@@ -171,7 +172,7 @@ fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
     let (mut it, mut anna, job) = started(personality, &planned);
     for &(ms, percent, offset_mm, pauses) in steps {
         it.run_for(Duration::from_millis(ms));
-        // Where it is done or comes to rest already that is refused.
+        // If it is done or coming to rest already, that is refused.
         let _ = it.ask(anna, Request::SetJobSpeed { percent });
         let _ = it.ask(anna, Request::SetJobHeight { offset_mm });
         it.run_for(Duration::from_millis(ms / 3));
@@ -184,7 +185,8 @@ fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
         }
         it.crash(Duration::from_millis(400)).unwrap();
         let minute = it.now() + Duration::from_secs(120);
-        let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && is_paused(it, job);
+        let rests =
+            |station: &VirtualStation| station.supervisor().is_at_rest() && is_paused(station, job);
         assert!(it.run_until(minute, rests), "{:?}", it.job(job));
         anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
@@ -221,7 +223,8 @@ fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
         run_to(&mut it, 8);
         it.crash(Duration::from_millis(400)).unwrap();
         let minute = it.now() + Duration::from_secs(60);
-        let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && is_paused(it, job);
+        let rests =
+            |station: &VirtualStation| station.supervisor().is_at_rest() && is_paused(station, job);
         assert!(it.run_until(minute, rests), "{:?}", it.job(job));
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
@@ -234,9 +237,11 @@ fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
 
 /// Whatever the height, each vector that draws was sent once, in its turn.
 fn assert_sent_once(it: &VirtualStation, personality: Personality, planned: &NewJob) {
-    let drawing = |it: Command| match it {
-        // What rounding leaves of a lift draws nothing.
-        Command::WriteVector(it) if it.x_mm.hypot(it.y_mm) > 0.001 => Some([it.x_mm, it.y_mm]),
+    let drawing = |command: Command| match command {
+        // The rounding error of a lift draws nothing.
+        Command::WriteVector(vector) if vector.x_mm.hypot(vector.y_mm) > 0.001 => {
+            Some([vector.x_mm, vector.y_mm])
+        }
         _ => None,
     };
     let read = |bytes: &[u8; 42]| {
@@ -271,7 +276,8 @@ proptest! {
 
 #[test]
 fn a_drawing_that_is_slowed_down_and_paused_while_it_does_that_comes_to_rest_soon() {
-    // The last vector before the rest would have begun at 0.004 mm/s, and gone on so for 400 s.
+    // The last vector before the rest would have begun at 0.004 mm/s, and continued like that for
+    // 400 s.
     let slower = (2486, 15.419_662_467_478_036, 0.0, true);
     draw_and_kill(Personality::Firmware11, &[slower]);
 }

@@ -29,7 +29,11 @@ fn a_job_is_drawn_once_and_done() {
         it.start(anna, job).unwrap();
         let planned_s = it.supervisor().job().unwrap().planned_s.unwrap();
         let began = it.now();
-        assert!(it.run_until(began + Duration::from_mins(2), |it| is_over(it, job)));
+        assert!(
+            it.run_until(began + Duration::from_mins(2), |station| is_over(
+                station, job
+            ))
+        );
         let took_s = it.now().saturating_sub(began).as_secs_f64();
         assert!(
             (took_s / planned_s - 1.0).abs() < 0.25,
@@ -53,8 +57,14 @@ fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
             it.run_for(Duration::from_millis(2_500));
             it.ask(anna, Request::PauseJob).unwrap();
             let minute = it.now() + Duration::from_mins(1);
-            let rests =
-                |it: &VirtualStation| it.job(job).unwrap().state.to_string().starts_with("paused");
+            let rests = |station: &VirtualStation| {
+                station
+                    .job(job)
+                    .unwrap()
+                    .state
+                    .to_string()
+                    .starts_with("paused")
+            };
             assert!(it.run_until(minute, rests), "{personality}");
             it.run_for(Duration::from_secs(2));
             let z_mm = it.supervisor().state().arm.unwrap().status.z_mm;
@@ -64,7 +74,7 @@ fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
         }
         let minutes = it.now() + Duration::from_mins(3);
         assert!(
-            it.run_until(minutes, |it| is_over(it, job)),
+            it.run_until(minutes, |station| is_over(station, job)),
             "{personality}"
         );
         close(drawn_mm(&it), wanted_mm(&drawing), &personality.to_string());
@@ -115,7 +125,7 @@ fn number(it: &mut VirtualStation, who: ClientId, request: Request) -> u64 {
 
 fn listed(it: &mut VirtualStation) -> Vec<(u64, JobPhase)> {
     let jobs = it.jobs().unwrap();
-    jobs.iter().map(|it| (it.job, it.phase)).collect()
+    jobs.iter().map(|job| (job.job, job.phase)).collect()
 }
 
 #[test]
@@ -127,7 +137,7 @@ fn what_a_job_did_is_queued_and_drawn_again() {
     let first = it.submit(&drawing).unwrap();
     it.start(anna, first).unwrap();
     let minute = Duration::from_mins(1);
-    assert!(it.run_until(it.now() + minute, |it| is_over(it, first)));
+    assert!(it.run_until(it.now() + minute, |station| is_over(station, first)));
     let once_mm = drawn_mm(&it);
     let again = number(
         &mut it,
@@ -139,7 +149,7 @@ fn what_a_job_did_is_queued_and_drawn_again() {
     );
     assert_ne!(again, first);
     it.start(anna, again).unwrap();
-    assert!(it.run_until(it.now() + minute, |it| is_over(it, again)));
+    assert!(it.run_until(it.now() + minute, |station| is_over(station, again)));
     close(drawn_mm(&it), 2.0 * once_mm, "twice");
     assert_eq!(it.jobs().unwrap()[1].title, drawing.title);
 }
@@ -173,7 +183,7 @@ fn queued_jobs_are_moved_and_others_are_not() {
     );
     assert_eq!(
         refused.unwrap_err().to_string(),
-        format!("job {two} is stopped; this takes one that is queued")
+        format!("job {two} is stopped; allowed are jobs that are queued")
     );
 }
 
@@ -188,11 +198,15 @@ fn a_job_that_is_over_or_has_not_begun_is_forgotten_and_one_under_way_is_not() {
     let refused = it.ask(anna, Request::ForgetJob { job }).unwrap_err();
     assert_eq!(
         refused.to_string(),
-        format!("job {job} is running; this takes one that is queued, stopped, done or failed")
+        format!("job {job} is running; allowed are jobs that are queued, stopped, done or failed")
     );
     it.ask(anna, Request::ForgetJob { job: other }).unwrap();
     assert_eq!(listed(&mut it), [(job, JobPhase::Running)]);
-    assert!(it.run_until(it.now() + Duration::from_mins(1), |it| is_over(it, job)));
+    assert!(
+        it.run_until(it.now() + Duration::from_mins(1), |station| is_over(
+            station, job
+        ))
+    );
     it.ask(anna, Request::ForgetJob { job }).unwrap();
     assert_eq!(listed(&mut it), []);
     let gone = it

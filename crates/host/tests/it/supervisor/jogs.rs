@@ -75,7 +75,11 @@ fn a_client_that_falls_silent_lets_go_of_its_button_after_150_ms() {
             after <= Duration::from_millis(151),
             "{personality}: {after:?}"
         );
-        assert!(it.notices().iter().any(|it| it.news == News::DeadMan));
+        assert!(
+            it.notices()
+                .iter()
+                .any(|notice| notice.news == News::DeadMan)
+        );
         assert!(rests(&mut it), "{personality}");
     }
 }
@@ -106,7 +110,7 @@ fn a_jog_ends_before_the_policy_ends_and_says_which_rule_it_was() {
         }
         assert!(!held, "{personality}: it was refused in the end");
         let refused = |news: &News| matches!(news, News::Refused { kind, .. } if kind == "policy");
-        assert!(it.notices().iter().any(|it| refused(&it.news)));
+        assert!(it.notices().iter().any(|notice| refused(&notice.news)));
     }
 }
 

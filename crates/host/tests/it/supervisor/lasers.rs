@@ -67,8 +67,14 @@ fn the_laser_is_off_soon_after_the_one_who_armed_it_is_gone() {
         it.run_for(SOON);
         assert!(!burns(&it), "{personality}");
         let left = it.now() + Duration::from_secs(30);
-        let paused =
-            |it: &VirtualStation| it.job(job).unwrap().state.to_string().starts_with("paused");
+        let paused = |station: &VirtualStation| {
+            station
+                .job(job)
+                .unwrap()
+                .state
+                .to_string()
+                .starts_with("paused")
+        };
         assert!(it.run_until(left, paused), "{personality}");
     }
 }
@@ -138,7 +144,7 @@ fn stop_as_promised(it: &mut VirtualStation, anna: ClientId) {
 
 #[test]
 fn a_stop_keeps_its_time_on_an_arm_that_a_detection_left_slow() {
-    // Each of them ends the detection behind another of its packets.
+    // Each of them ends the detection after a different packet.
     for (personality, tenths) in PERSONALITIES.into_iter().zip([1, 3]) {
         let after = Duration::from_millis(100 * tenths);
         let (mut it, anna) = detection_ended(personality, after);
@@ -163,7 +169,7 @@ fn a_stop_keeps_its_time_on_an_arm_that_a_detection_left_slow() {
             it.ask(anna, Request::Command { command }).unwrap();
         }
         let minute = it.now() + Duration::from_secs(60);
-        let has_all = |it: &VirtualStation| it.supervisor().session().waiting() == 0;
+        let has_all = |station: &VirtualStation| station.supervisor().session().waiting() == 0;
         assert!(it.run_until(minute, has_all), "{personality}");
         assert!(it.run_until(minute, burns), "{personality}");
         stop_as_promised(&mut it, anna);

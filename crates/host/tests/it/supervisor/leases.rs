@@ -17,7 +17,11 @@ const UP: Request = Request::Jog {
 };
 
 fn holder(virtual_station: &VirtualStation) -> Option<String> {
-    virtual_station.supervisor().state().lease.map(|it| it.name)
+    virtual_station
+        .supervisor()
+        .state()
+        .lease
+        .map(|lease| lease.name)
 }
 
 #[test]
@@ -122,7 +126,7 @@ fn a_locked_arm_is_the_administrators_and_says_so_to_everyone_else() {
     let before = it.packets().len();
     assert!(it.send_raw(ben, &packet(40.0)).is_err());
     assert_eq!(it.packets().len(), before, "nothing was sent");
-    // The teacher has the arm, and gives it to nobody while it is locked.
+    // The teacher has control, and grants it to no client while the arm is locked.
     it.ask(teacher, Request::TakeLease).unwrap();
     it.ask(teacher, UP).unwrap();
     it.ask(anna, Request::Stop { reason: None }).unwrap();
@@ -152,11 +156,12 @@ fn a_lock_lets_go_of_what_is_held_and_brings_a_drawing_to_rest() {
     it.run_for(Duration::from_secs(2));
     it.ask(teacher, Request::Lock { message: None }).unwrap();
     let minute = it.now() + Duration::from_mins(1);
-    let paused = |it: &VirtualStation| {
-        it.supervisor()
+    let paused = |station: &VirtualStation| {
+        station
+            .supervisor()
             .state()
             .job
-            .is_some_and(|it| it.phase == JobPhase::Paused)
+            .is_some_and(|job| job.phase == JobPhase::Paused)
     };
     assert!(it.run_until(minute, paused));
     it.run_for(Duration::from_secs(5));
@@ -164,7 +169,7 @@ fn a_lock_lets_go_of_what_is_held_and_brings_a_drawing_to_rest() {
     it.ask(teacher, Request::TakeLease).unwrap();
     it.start(teacher, job).unwrap();
     let minute = it.now() + Duration::from_mins(1);
-    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.run_until(minute, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 
@@ -177,7 +182,7 @@ fn a_message_reaches_all_who_watch_and_takes_no_control() {
     let told = it
         .notices()
         .iter()
-        .any(|it| it.text == "Ms Weber: five more minutes");
+        .any(|notice| notice.text == "Ms Weber: five more minutes");
     assert!(told, "{:?}", it.notices());
 }
 
@@ -191,13 +196,13 @@ fn a_drawing_with_a_pen_goes_on_when_the_one_who_started_it_leaves() {
     it.run_for(Duration::from_secs(2));
     it.leave(anna);
     let minute = it.now() + Duration::from_mins(1);
-    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.run_until(minute, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 
 const RELEASED: JointJog = JointJog::new(JointJogAxis::Released, 0.0);
 
-/// A packet that moves the arm by so many millimetres.
+/// A packet that moves the arm by this many millimetres.
 fn packet(y_mm: f32) -> Packet {
     vector([0.0, y_mm, 0.0], false).emit(&Dialect::SPECIFICATION)
 }
@@ -218,9 +223,9 @@ fn a_person_at_this_machine_takes_control_from_a_raw_program_which_cannot_be_ask
     let told = it
         .notices()
         .iter()
-        .any(|it| it.text.contains("Anna took it"));
+        .any(|notice| notice.text.contains("Anna took it"));
     assert!(told, "{:?}", it.notices());
-    // What waited is forgotten, and the program does not get control back by going on.
+    // Waiting packets are dropped, and the program does not get control back by sending more.
     assert_eq!(it.supervisor().session().waiting(), 0);
     for _ in 0..20 {
         let refused = it.send_raw(program, &packet(5.0)).unwrap_err();
@@ -248,7 +253,7 @@ fn a_button_that_a_raw_program_holds_is_released_when_a_person_takes_control() {
         let sent = it.packets()[before..].iter();
         let commands: Vec<Command> = sent
             .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
-            .map(|it| Command::parse(&it, &personality.dialect()).unwrap())
+            .map(|packet| Command::parse(&packet, &personality.dialect()).unwrap())
             .collect();
         assert!(
             commands.contains(&RELEASED.into()),

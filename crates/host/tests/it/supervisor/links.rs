@@ -38,14 +38,15 @@ proptest! {
         it.unplug();
         it.run_for(Duration::from_millis(away_ms));
         it.plug();
-        let is_over = |it: &VirtualStation| it.job(job).unwrap().state.is_over();
+        let is_over = |station: &VirtualStation| station.job(job).unwrap().state.is_over();
         for _ in 0..3 {
             let minutes = it.now() + Duration::from_mins(3);
-            prop_assert!(it.run_until(minutes, |it| paused(it, job) || is_over(it)));
+            prop_assert!(it.run_until(minutes, |station| paused(station, job) || is_over(station)));
             if is_over(&it) {
                 break;
             }
-            // An arm that comes back with its base at 0 may have been reset meanwhile: somebody looks.
+            // An arm that comes back with its base at 0 may have been reset meanwhile: a person
+            // looks.
             it.ask(anna, Request::ConfirmPose).unwrap();
             it.start(anna, job).unwrap();
             // The journal writes that down.
@@ -61,7 +62,10 @@ proptest! {
 fn faulty(fault: &str) -> VirtualStation {
     let power_up = PowerUp::new(Personality::Firmware11);
     let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
-    let faults: Vec<Fault> = fault.split(' ').map(|it| it.parse().unwrap()).collect();
+    let faults: Vec<Fault> = fault
+        .split(' ')
+        .map(|fault| fault.parse().unwrap())
+        .collect();
     let mut arm = arm.with_faults(power_up, &faults, 7);
     arm.record(RECORDING_PERIOD);
     let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
@@ -82,7 +86,7 @@ fn after_a_reset_nobody_moves_the_arm_until_its_pose_is_confirmed() {
     assert!(paused(&it, job));
     let refused = it.start(anna, job).unwrap_err();
     assert!(
-        refused.hint().is_some_and(|it| it.contains("confirm")),
+        refused.hint().is_some_and(|hint| hint.contains("confirm")),
         "{refused}"
     );
     it.ask(anna, Request::ConfirmPose).unwrap();
@@ -95,7 +99,10 @@ fn an_arm_that_falls_silent_is_told_as_lost_and_found_again() {
     it.run_for(Duration::from_secs(7));
     let link = it.supervisor().state().link;
     assert_eq!(link.phase, LinkPhase::Lost);
-    assert!(link.problem.is_some_and(|it| it.contains("cable")));
+    assert!(
+        link.problem
+            .is_some_and(|problem| problem.contains("cable"))
+    );
     it.run_for(Duration::from_secs(10));
     assert_eq!(it.supervisor().state().link.phase, LinkPhase::Up);
 }
@@ -109,7 +116,7 @@ fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
     let job = it.submit(&drawing).unwrap();
     it.start(anna, job).unwrap();
     let minutes = it.now() + Duration::from_mins(5);
-    assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
+    assert!(it.run_until(minutes, |station| station.job(job).unwrap().state.is_over()));
     let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
     assert!(
         (found_mm - wanted_mm).abs() < 0.3,
@@ -131,11 +138,11 @@ fn burning_until(fault: &str) -> (VirtualStation, ClientId, u64) {
 
 fn assert_armed_anew(it: &mut VirtualStation, anna: ClientId, job: u64, what: &str) {
     assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0, "{what}");
-    let disarmed = |it: &&dobot_api::Notice| it.news == News::LaserDisarmed;
+    let disarmed = |notice: &&dobot_api::Notice| notice.news == News::LaserDisarmed;
     assert_eq!(it.notices().iter().filter(disarmed).count(), 1, "{what}");
     let latest = it.now() + Duration::from_secs(20);
-    let up = |it: &VirtualStation| {
-        it.supervisor().state().link.phase == LinkPhase::Up && paused(it, job)
+    let up = |station: &VirtualStation| {
+        station.supervisor().state().link.phase == LinkPhase::Up && paused(station, job)
     };
     assert!(it.run_until(latest, up), "{what}");
     it.run_for(Duration::from_secs(3));
@@ -154,13 +161,14 @@ fn a_reset_and_a_power_cut_and_silence_disarm_the_laser_until_a_person_arms_it_a
         "close@8s..10s",
     ] {
         let (mut it, anna, job) = burning_until(fault);
-        let disarmed = |it: &VirtualStation| it.supervisor().state().laser.armed_for_s == 0.0;
+        let disarmed =
+            |station: &VirtualStation| station.supervisor().state().laser.armed_for_s == 0.0;
         let latest = it.now() + Duration::from_secs(14);
         assert!(it.run_until(latest, disarmed), "{fault}");
         assert!(
             !it.supervisor()
                 .job()
-                .is_some_and(|it| it.phase == JobPhase::Running)
+                .is_some_and(|job| job.phase == JobPhase::Running)
         );
         assert_armed_anew(&mut it, anna, job, fault);
     }
@@ -176,7 +184,7 @@ fn a_cable_that_is_pulled_disarms_the_laser() {
     it.plug();
     assert_armed_anew(&mut it, anna, job, "cable");
 }
-/// What an arm tells.
+/// A status of an arm.
 fn status() -> [u8; 42] {
     let power_up = PowerUp::new(Personality::Firmware11);
     let mut controller = Controller::power_up(power_up);
@@ -239,9 +247,10 @@ fn which_arm_a_port_is_taken_to_have_is_told() {
     };
     let known = Calibrations::default().replaced_by(Some(file));
     supervisor.handle_known_calibration("serial:/dev/ttyUSB0@9600", &known);
-    let told = iter::from_fn(|| supervisor.poll_notice()).any(|it| {
-        it.text
-            .contains("the arm at serial:/dev/ttyUSB0@9600 is taken to be desk 3")
+    let told = iter::from_fn(|| supervisor.poll_notice()).any(|notice| {
+        notice
+            .text
+            .contains("the arm at serial:/dev/ttyUSB0@9600 is assumed to be desk 3")
     });
     assert!(told);
 }

@@ -27,13 +27,13 @@ fn paused(it: &VirtualStation, job: u64) -> bool {
 
 fn wait_until_paused(it: &mut VirtualStation, job: u64) {
     let minute = it.now() + Duration::from_secs(60);
-    assert!(it.run_until(minute, |it| paused(it, job)));
+    assert!(it.run_until(minute, |station| paused(station, job)));
 }
 
 fn finish(it: &mut VirtualStation, anna: ClientId, job: u64, drawing: &NewJob) {
     it.start(anna, job).unwrap();
     let minutes = it.now() + Duration::from_secs(180);
-    assert!(it.run_until(minutes, |it| is_over(it, job)));
+    assert!(it.run_until(minutes, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
     let (found_mm, wanted_mm) = (drawn_mm(it), wanted_mm(drawing));
     assert!(
@@ -42,11 +42,11 @@ fn finish(it: &mut VirtualStation, anna: ClientId, job: u64, drawing: &NewJob) {
     );
 }
 
-/// How often the tool was lifted by the station, which does that slowly.
+/// Returns how often the station lifted the tool, which it does slowly.
 fn lifts(it: &VirtualStation) -> usize {
     let dialect = Personality::Firmware11.dialect();
     let command = |bytes: &[u8; 42]| Command::parse(&Packet::from_bytes(bytes).unwrap(), &dialect);
-    let lifts = |it: &Command| match it {
+    let lifts = |command: &Command| match command {
         Command::WriteVector(WriteVector {
             z_mm,
             max_speed_mm_s,
@@ -118,7 +118,7 @@ fn a_job_that_was_ended_is_not_paused_afterwards() {
     it.ask(anna, Request::CancelJob { job }).unwrap();
     it.ask(anna, Request::PauseJob).unwrap();
     let minute = it.now() + Duration::from_secs(60);
-    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.run_until(minute, |station| is_over(station, job)));
     assert!(it.supervisor().job().is_none());
 }
 
@@ -142,7 +142,7 @@ fn a_pause_while_the_station_finds_out_where_the_arm_rests_repeats_nothing() {
         it.run_for(Duration::from_millis(pause_ms));
         let anna = it.client("Anna");
         it.ask(anna, Request::TakeLease).unwrap();
-        // Where it is found out already, nothing is at work any more.
+        // If it is known already, the job is no longer running.
         let _ = it.ask(anna, Request::PauseJob);
         wait_until_paused(&mut it, job);
         it.ask(anna, Request::ConfirmPose).unwrap();
@@ -162,7 +162,7 @@ fn a_paused_job_blocks_nothing_and_another_one_may_be_done_first() {
     let other = it.submit(&between).unwrap();
     it.start(anna, other).unwrap();
     let minute = it.now() + Duration::from_secs(60);
-    assert!(it.run_until(minute, |it| is_over(it, other)));
+    assert!(it.run_until(minute, |station| is_over(station, other)));
     assert!(paused(&it, job));
     finish(&mut it, anna, job, &drawing);
 }
@@ -172,7 +172,7 @@ fn a_laser_whose_time_is_over_does_not_disturb_a_pen() {
     let (mut it, anna, job, drawing) = drawing();
     it.ask(anna, Request::ArmLaser { for_s: 2.0 }).unwrap();
     let minutes = it.now() + Duration::from_secs(180);
-    assert!(it.run_until(minutes, |it| is_over(it, job)));
+    assert!(it.run_until(minutes, |station| is_over(station, job)));
     let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
     assert!(
         (found_mm - wanted_mm).abs() < 0.3,
@@ -188,7 +188,7 @@ fn the_time_that_is_left_gets_less_to_the_end() {
         if let Some(view) = it
             .supervisor()
             .job()
-            .filter(|it| it.phase == JobPhase::Running)
+            .filter(|job| job.phase == JobPhase::Running)
         {
             let left_s = view.left_s.unwrap();
             assert!(
@@ -274,11 +274,14 @@ fn a_program_that_is_paused_where_its_first_line_ends_goes_on_from_there() {
     let job = it.submit(&program).unwrap();
     it.start(anna, job).unwrap();
     let second = it.now() + Duration::from_secs(1);
-    assert!(it.run_until(second, |it| it.supervisor().session().in_flight() == 1));
+    assert!(
+        it.run_until(second, |station| station.supervisor().session().in_flight()
+            == 1)
+    );
     it.ask(anna, Request::PauseJob).unwrap();
     wait_until_paused(&mut it, job);
     assert_eq!(it.supervisor().job().unwrap().completed, 1);
     it.start(anna, job).unwrap();
     let minute = it.now() + Duration::from_secs(60);
-    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.run_until(minute, |station| is_over(station, job)));
 }

@@ -38,7 +38,11 @@ fn a_job_waits_for_the_person_once_and_goes_on() {
             z_mm > DOWN_MM + 4.9,
             "{personality}: the pen is at {z_mm} mm"
         );
-        assert!(it.notices().iter().any(|it| it.text.contains(MESSAGE)));
+        assert!(
+            it.notices()
+                .iter()
+                .any(|notice| notice.text.contains(MESSAGE))
+        );
         it.run_for(Duration::from_mins(1));
         assert_eq!(view(&it).phase, JobPhase::Paused);
         let sent = it.packets().len();
@@ -52,8 +56,9 @@ fn a_job_waits_for_the_person_once_and_goes_on() {
         it.ask(anna, Request::ConfirmJob { job }).unwrap();
         it.ask(anna, Request::StartJob { job }).unwrap();
         finish(&mut it, job);
-        let waited =
-            |it: &&Notice| matches!(it.news, News::Job { .. }) && it.text.contains(MESSAGE);
+        let waited = |notice: &&Notice| {
+            matches!(notice.news, News::Job { .. }) && notice.text.contains(MESSAGE)
+        };
         assert_eq!(it.notices().iter().filter(waited).count(), 1);
         assert_drawn_once(&it, &lines(), 0.1, &personality.to_string());
     }
@@ -83,7 +88,7 @@ fn a_station_that_is_killed_before_the_person_was_told_waits_all_the_same() {
             let (mut it, _, job) = started(personality, &planned);
             run_to(&mut it, planned.pauses[0].before - 1);
             it.run_for(Duration::from_millis(before_ms));
-            let told = it.job(job).unwrap().behind.pauses == 1;
+            let told = it.job(job).unwrap().history.pauses == 1;
             it.crash(Duration::from_secs(1)).unwrap();
             wait_until_paused(&mut it, job);
             let anna = it.client("Anna");
@@ -134,11 +139,11 @@ fn a_pause_that_makes_no_sense_is_refused() {
     for (pauses, text) in [
         (
             vec![pause(len, "x")],
-            format!("a pause stands before command {len}; allowed are 0 to"),
+            format!("a pause is before command {len}; allowed are 0 to"),
         ),
         (
             vec![pause(3, "x"), pause(3, "x")],
-            "a pause stands before command 3; allowed are 4 to".into(),
+            "a pause is before command 3; allowed are 4 to".into(),
         ),
         (
             vec![pause(3, "")],

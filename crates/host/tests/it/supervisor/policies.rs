@@ -25,8 +25,13 @@ fn a_command_is_judged_by_the_policy_that_holds_when_it_is_given() {
     for personality in PERSONALITIES {
         let (mut it, anna) = over(personality, 0);
         it.set_policy(anna, low()).unwrap();
-        assert!(it.notices().iter().any(|it| it.news == News::PolicyChanged));
-        let place = |it: &VirtualStation| it.supervisor().state().arm.unwrap().status.z_mm;
+        assert!(
+            it.notices()
+                .iter()
+                .any(|notice| notice.news == News::PolicyChanged)
+        );
+        let place =
+            |station: &VirtualStation| station.supervisor().state().arm.unwrap().status.z_mm;
         let z_mm = place(&it);
         let refused = it.ask(anna, down()).unwrap_err();
         assert!(refused.to_string().contains("workspace"), "{refused}");
@@ -113,7 +118,7 @@ fn a_slow_straight_line_is_sent_in_pieces_where_the_policy_wants_that_and_a_stop
             let rested = it
                 .notices()
                 .iter()
-                .find(|it| it.news == News::AtRest)
+                .find(|notice| notice.news == News::AtRest)
                 .unwrap();
             assert!(
                 rested.at_s <= stop.rests_by_s + 0.3,
@@ -141,12 +146,12 @@ fn a_line_in_pieces_ends_where_the_whole_one_does_and_is_done_once() {
         let sent = it.packets()[before..].len();
         assert!((4..=12).contains(&sent), "{personality}: {sent}");
         let done = it.notices()[first_notice..].iter();
-        let done = done.filter(|it| matches!(it.news, News::CommandDone { .. }));
+        let done = done.filter(|done| matches!(done.news, News::CommandDone { .. }));
         assert_eq!(done.count(), 1, "{personality}");
         let status = it.supervisor().state().arm.unwrap().status;
         let off = [status.x_mm - 200.0, status.y_mm - 90.0, status.z_mm - 20.0];
         assert!(
-            off.iter().all(|it| it.abs() < 0.1),
+            off.iter().all(|off| off.abs() < 0.1),
             "{personality}: {off:?}"
         );
     }

@@ -20,7 +20,7 @@ fn packet(floats: &[f32]) -> Frame {
     floats.fold(Frame::ZERO, |frame, (n, value)| frame.with(n, *value))
 }
 
-/// What the arm got of what a program sends, one packet for each status.
+/// Returns what the arm got of a program's packets, one packet for each status.
 fn got(it: &mut VirtualStation, program: ClientId, packets: &[&[f32]]) -> Vec<Frame> {
     let before = it.packets().len();
     for floats in packets {
@@ -47,7 +47,7 @@ fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_tol
     assert_eq!(sent[0].float(10), 50.0, "the height of a JUMP");
     assert_eq!(sent[0].float(3), 200.0);
     assert_eq!(sent[1].float(5), 100.0, "what is in force");
-    // What comes of both is the policy's ceiling.
+    // The result of both is the policy's ceiling.
     let policy = it.supervisor().policy();
     let line_mm_s = f64::from(sent[0].float(7)) * f64::from(sent[1].float(3)) / 100.0;
     assert!(
@@ -55,12 +55,20 @@ fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_tol
         "{line_mm_s}"
     );
     let amended = |news: &News| matches!(news, News::Amended { .. });
-    let told = it.notices().iter().filter(|it| amended(&it.news)).count();
+    let told = it
+        .notices()
+        .iter()
+        .filter(|notice| amended(&notice.news))
+        .count();
     assert_eq!(told, 2);
-    // The same again is not told again.
+    // A repetition is not reported again.
     got(&mut it, program, &start[1..]);
     got(&mut it, program, &start[1..]);
-    let told = it.notices().iter().filter(|it| amended(&it.news)).count();
+    let told = it
+        .notices()
+        .iter()
+        .filter(|notice| amended(&notice.news))
+        .count();
     assert_eq!(told, 2);
 }
 
@@ -76,7 +84,7 @@ fn a_setting_above_its_ceiling_is_sent_as_the_ceiling_and_the_rest_as_it_is() {
             panic!("{sent:?}");
         };
         assert!((50.0..1e5).contains(&sent.float(n)), "{n}: {sent:?}");
-        let others = (1..=10).filter(|it| *it != n);
+        let others = (1..=10).filter(|other| *other != n);
         for other in others {
             assert_eq!(sent.float(other), floats[other - 1], "{n}");
         }
@@ -115,13 +123,13 @@ fn the_default_pause_of_the_vendors_client_is_told_when_it_begins() {
     got(&mut it, program, &[&start, &point]);
     it.run_for(Duration::from_secs(5));
     let pauses = |news: &News| matches!(news, News::Pausing { lasts_s: 100.0, .. });
-    let told = it.notices().iter().find(|it| pauses(&it.news));
+    let told = it.notices().iter().find(|notice| pauses(&notice.news));
     let text = "the arm waits 100 s here: its default pause (state 9, mode 1)";
-    assert_eq!(told.map(|it| it.text.as_str()), Some(text));
+    assert_eq!(told.map(|notice| notice.text.as_str()), Some(text));
 }
 
-/// Plays a program at a bare arm and at a station: they come to rest at the same places, with the same
-/// tools, but for what was refused; and all that was refused or changed was told.
+/// Plays a program on a bare arm and at a station: they come to rest at the same positions with the
+/// same tools, apart from refused packets; and every refusal and change was reported.
 fn check(name: &str) {
     let program = program(name);
     let what = format!("{}: {}", program.name, program.does);
@@ -146,7 +154,8 @@ fn check(name: &str) {
     );
 }
 
-/// Looks that each packet was taken, changed or refused as the data says, and that nothing else was told.
+/// Checks that each packet was accepted, changed or refused as the data states, and that nothing
+/// else was reported.
 fn check_told(what: &str, program: &Program, served: &Served) {
     assert_eq!(served.told.len(), program.packets.len(), "{what}");
     for (packet, (is_refused, texts)) in program.packets.iter().zip(&served.told) {
@@ -160,10 +169,10 @@ fn check_told(what: &str, program: &Program, served: &Served) {
         match reason {
             None => assert!(texts.is_empty(), "{what}: {packet:?}: {texts:?}"),
             Some(reason) => {
-                // Whoever says the same again is not told again.
+                // A repetition is not reported again.
                 let mut told = served.troubles.iter();
                 assert!(
-                    told.any(|it| it.contains(reason)),
+                    told.any(|text| text.contains(reason)),
                     "{what}: {packet:?}: {texts:?}"
                 );
             }
@@ -182,15 +191,15 @@ fn check_told(what: &str, program: &Program, served: &Served) {
     for text in served
         .troubles
         .iter()
-        .filter(|it| it.starts_with("refused"))
+        .filter(|trouble| trouble.starts_with("refused"))
     {
         let says = |remedy: &&str| text.contains(*remedy);
         assert!(REMEDIES.iter().any(says), "{what}: {text}");
     }
 }
 
-/// Looks that the arm got what the data says, in order. A held button that is said again, a release that
-/// is said again or of the other kind, and laser off are the station's own affair.
+/// Checks that the arm got what the data states, in order. A repeated held button, a repeated
+/// release or one of the other kind, and laser off are up to the station.
 fn check_packets(what: &str, program: &Program, got: &[Frame]) {
     let dialect = Dialect::FIRMWARE_1_1;
     let read = |frame: &Frame| Command::parse(&(*frame).into(), &dialect).unwrap();
@@ -198,7 +207,7 @@ fn check_packets(what: &str, program: &Program, got: &[Frame]) {
         .packets
         .iter()
         .filter_map(recorded::RecordedPacket::sent);
-    let wanted: Vec<Command> = wanted.map(|it| read(&it)).collect();
+    let wanted: Vec<Command> = wanted.map(|command| read(&command)).collect();
     let got: Vec<Command> = got.iter().map(read).collect();
     assert_eq!(
         bare_of_the_stations_own(&got),
@@ -229,8 +238,8 @@ fn bare_of_the_stations_own(commands: &[Command]) -> Vec<Command> {
     kept
 }
 
-/// What a refusal says that is to be done.
-const REMEDIES: [&str; 3] = ["; send what is allowed", "; a JUMP goes there", "`dobot "];
+/// The remedies in refusals.
+const REMEDIES: [&str; 3] = ["; send an allowed packet", "; use a JUMP", "`dobot "];
 
 #[test]
 fn every_program_that_is_retold_is_played() {

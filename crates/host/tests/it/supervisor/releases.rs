@@ -1,4 +1,4 @@
-//! A button is released by its own kind of jog and by nothing else: no axis moves that nobody asked for.
+//! A button is released by its own kind of jog and by nothing else: no other axis moves.
 
 use std::time::Duration;
 
@@ -18,8 +18,8 @@ const PERCENT: f32 = 50.0;
 
 /// The 16 buttons that move something, and those of the linear jog that do what a joint jog does.
 pub(crate) fn buttons() -> Vec<Jog> {
-    let joints = JointJogAxis::ALL.into_iter().filter(|it| it.moves());
-    let lines = LinearJogAxis::ALL.into_iter().filter(|it| it.moves());
+    let joints = JointJogAxis::ALL.into_iter().filter(|axis| axis.moves());
+    let lines = LinearJogAxis::ALL.into_iter().filter(|axis| axis.moves());
     joints.map(joint).chain(lines.map(linear)).collect()
 }
 
@@ -31,7 +31,7 @@ pub(crate) fn linear(axis: LinearJogAxis) -> Jog {
     Jog::Linear(LinearJog::new(axis, PERCENT))
 }
 
-/// A link whose bytes come up to so much late, either way.
+/// A link whose bytes are late by up to this much, in both directions.
 pub(crate) fn over(personality: Personality, delay_ms: u32) -> (VirtualStation, ClientId) {
     let power_up = PowerUp::new(personality);
     let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
@@ -46,7 +46,7 @@ pub(crate) fn over(personality: Personality, delay_ms: u32) -> (VirtualStation, 
     (it, anna)
 }
 
-/// A button held for so long; whoever refuses it before has let it go.
+/// A button held for this long; a refusal before that releases it.
 pub(crate) fn hold(it: &mut VirtualStation, client: ClientId, jog: Jog, ms: u64) {
     for _ in 0..=ms / 50 {
         if it.ask(client, Request::Jog { jog }).is_err() {
@@ -56,7 +56,7 @@ pub(crate) fn hold(it: &mut VirtualStation, client: ClientId, jog: Jog, ms: u64)
     }
 }
 
-/// Where everything is: the joints as the machine has them, x, y and z, and the gripper.
+/// The positions of everything: the joints as the machine has them, x, y and z, and the gripper.
 pub(crate) fn places(it: &mut VirtualStation) -> ([f64; 4], [f64; 3], f64) {
     it.run_for(Duration::from_secs(4));
     let arm = it.arm();
@@ -79,8 +79,8 @@ pub(crate) fn places(it: &mut VirtualStation) -> ([f64; 4], [f64; 3], f64) {
 pub(crate) fn released(it: &VirtualStation, from: usize) -> Vec<f32> {
     let frames = it.packets()[from..].iter().map(|(_, bytes)| frame(bytes));
     frames
-        .filter(|it| matches!(it.float(1), 2.0 | 7.0) && it.float(2) == 0.0)
-        .map(|it| it.float(1))
+        .filter(|frame| matches!(frame.float(1), 2.0 | 7.0) && frame.float(2) == 0.0)
+        .map(|frame| frame.float(1))
         .collect()
 }
 
@@ -146,7 +146,7 @@ fn check_ended(delay_ms: u32, load_ms: u64, end: impl Fn(&mut VirtualStation, Cl
             let found = released(&it, from);
             assert!(!found.is_empty(), "{what}: it was released");
             assert!(
-                found.iter().all(|it| *it == state(jog)),
+                found.iter().all(|found| *found == state(jog)),
                 "{what}: {found:?}"
             );
         }
@@ -247,7 +247,7 @@ fn a_button_that_never_left_moves_nothing_and_the_one_before_is_released() {
             let found = released(&it, from);
             assert!(!found.is_empty(), "{what}");
             assert!(
-                found.iter().all(|it| *it == state(first)),
+                found.iter().all(|found| *found == state(first)),
                 "{what}: {found:?}"
             );
         }
@@ -282,7 +282,10 @@ fn a_long_run_down_is_not_taken_for_a_reset() {
             let state = it.supervisor().state();
             assert!(state.trust.trusted, "{personality}: {:?}", state.trust);
             assert!(it.supervisor().is_at_rest(), "{personality}");
-            let reset = it.notices().iter().find(|it| it.news == News::Reset);
+            let reset = it
+                .notices()
+                .iter()
+                .find(|notice| notice.news == News::Reset);
             assert_eq!(reset, None, "{personality}");
         }
     }

@@ -1,4 +1,4 @@
-//! A program that was interrupted goes on where the arm is, and says truly how far it got.
+//! An interrupted program resumes where the arm is, and reports its progress truthfully.
 
 use std::time::Duration;
 
@@ -24,7 +24,10 @@ fn program(targets: &[MoveTo]) -> NewJob {
     NewJob {
         title: "a program".into(),
         kind: JobKind::Program,
-        commands: targets.iter().map(|it| Command::from(*it)).collect(),
+        commands: targets
+            .iter()
+            .map(|target| Command::from(*target))
+            .collect(),
         lift_mm: 0.0,
         pauses: Vec::new(),
         program: JobProgram::default(),
@@ -43,9 +46,9 @@ fn begin(it: &mut VirtualStation, job: &NewJob) -> (ClientId, u64) {
 /// Waits until the job is paused in the journal.
 fn paused(it: &mut VirtualStation, job: u64) {
     let latest = it.now() + Duration::from_secs(60);
-    let is_paused = |it: &VirtualStation| {
-        let state = it.job(job).unwrap().state;
-        matches!(state, JobState::Paused { .. }) && it.supervisor().is_at_rest()
+    let is_paused = |station: &VirtualStation| {
+        let state = station.job(job).unwrap().state;
+        matches!(state, JobState::Paused { .. }) && station.supervisor().is_at_rest()
     };
     assert!(
         it.run_until(latest, is_paused),
@@ -54,14 +57,14 @@ fn paused(it: &mut VirtualStation, job: u64) {
     );
 }
 
-/// Goes on to the end; each target that pauses was sent so often.
+/// Resumes to the end; each target with a pause was sent this often.
 fn finish(it: &mut VirtualStation, job: u64, wanted: &NewJob) -> Vec<usize> {
     let anna = it.client("Anna");
     it.ask(anna, Request::SeizeLease).unwrap();
     it.ask(anna, Request::ConfirmPose).unwrap();
     it.start(anna, job).unwrap();
     let latest = it.now() + Duration::from_secs(60);
-    let is_done = |it: &VirtualStation| it.job(job).unwrap().state == JobState::Done;
+    let is_done = |station: &VirtualStation| station.job(job).unwrap().state == JobState::Done;
     assert!(
         it.run_until(latest, is_done),
         "{:?}",
@@ -72,9 +75,9 @@ fn finish(it: &mut VirtualStation, job: u64, wanted: &NewJob) -> Vec<usize> {
         .packets()
         .iter()
         .map(|(_, bytes)| Packet::from_bytes(bytes).unwrap())
-        .filter_map(|it| Command::parse(&it, &dialect).ok())
+        .filter_map(|packet| Command::parse(&packet, &dialect).ok())
         .collect();
-    let times = |command: &Command| sent.iter().filter(|it| *it == command).count();
+    let times = |command: &Command| sent.iter().filter(|other| *other == command).count();
     wanted.commands.iter().map(times).collect()
 }
 
@@ -131,8 +134,9 @@ fn a_station_that_stood_still_while_the_arm_went_on_sends_nothing_twice() {
             let trust = it.supervisor().state().trust;
             assert!(trust.trusted, "{personality}, {stalled_ms} ms: {trust:?}");
             let over = it.now() + Duration::from_secs(20);
-            let rests = |it: &VirtualStation| {
-                it.supervisor().is_at_rest() && it.job(job).unwrap().state != JobState::Running
+            let rests = |station: &VirtualStation| {
+                station.supervisor().is_at_rest()
+                    && station.job(job).unwrap().state != JobState::Running
             };
             assert!(it.run_until(over, rests), "{personality}, {stalled_ms} ms");
             let times = if it.job(job).unwrap().state == JobState::Done {
@@ -163,8 +167,8 @@ fn a_program_whose_arm_was_reset_is_paused_and_sends_nothing_before_a_person_has
         it.stall(Duration::from_secs(3));
         let before = it.packets().len();
         paused(&mut it, job);
-        let told = it.notices().iter().map(|it| &*it.text);
-        let lies: Vec<_> = told.filter(|it| it.contains("sent again")).collect();
+        let told = it.notices().iter().map(|notice| &*notice.text);
+        let lies: Vec<_> = told.filter(|text| text.contains("sent again")).collect();
         assert!(lies.is_empty(), "{personality}: {lies:?}");
         let moves = it.packets()[before..]
             .iter()

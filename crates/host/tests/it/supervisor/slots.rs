@@ -1,4 +1,4 @@
-//! Time slots: whose time it is has control, and nobody else but administrators.
+//! Time slots: only the student of the current slot and administrators have control.
 
 use std::time::Duration;
 
@@ -33,11 +33,14 @@ fn set(slots: &[TimeSlot]) -> Request {
 }
 
 fn holder(it: &VirtualStation) -> Option<String> {
-    it.supervisor().state().lease.map(|it| it.name)
+    it.supervisor().state().lease.map(|lease| lease.name)
 }
 
 fn told(it: &VirtualStation, news: &News) -> usize {
-    it.notices().iter().filter(|it| it.news == *news).count()
+    it.notices()
+        .iter()
+        .filter(|notice| notice.news == *news)
+        .count()
 }
 
 /// A class at an arm: the teacher, Anna and Ben.
@@ -64,7 +67,7 @@ fn in_a_slot_only_its_student_and_administrators_get_control() {
         assert_eq!(refused.kind(), "slot");
         assert_eq!(
             refused.to_string(),
-            "it is the time of anna, for another 10 min; the arm is free in 20 min"
+            "the arm is reserved for anna for another 10 min; it is free in 20 min"
         );
     }
     assert_eq!(it.send_raw(program, &packet()).unwrap_err().kind(), "slot");
@@ -72,7 +75,7 @@ fn in_a_slot_only_its_student_and_administrators_get_control() {
     it.ask(anna, Request::TakeLease).unwrap();
     assert_eq!(it.ask(ben, Request::AskLease).unwrap_err().kind(), "slot");
     it.ask(ben, Request::Stop { reason: None }).unwrap();
-    // The teacher has it in everybody's time, and gives it to nobody but the student.
+    // The teacher has control in every slot, and grants it only to the student.
     it.ask(teacher, Request::SeizeLease).unwrap();
     it.ask(anna, Request::AskLease).unwrap();
     it.ask(teacher, Request::GrantLease { to: anna }).unwrap();
@@ -131,9 +134,9 @@ fn a_burning_laser_goes_off_when_the_slot_ends_and_the_arm_comes_to_rest() {
         assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0);
         assert_eq!(holder(&it), None);
         let minute = it.now() + Duration::from_mins(1);
-        let paused = |it: &VirtualStation| {
-            let job = it.supervisor().state().job;
-            job.is_some_and(|it| it.phase == JobPhase::Paused)
+        let paused = |station: &VirtualStation| {
+            let job = station.supervisor().state().job;
+            job.is_some_and(|job| job.phase == JobPhase::Paused)
         };
         assert!(it.run_until(minute, paused), "{personality}");
         assert_eq!(it.start(anna, job).unwrap_err().kind(), "slot");
@@ -143,7 +146,7 @@ fn a_burning_laser_goes_off_when_the_slot_ends_and_the_arm_comes_to_rest() {
         let over = it
             .notices()
             .iter()
-            .any(|it| it.text.contains("it is the time of Ben"));
+            .any(|notice| notice.text.contains("the time slot of Ben"));
         assert!(over, "{:?}", it.notices());
     }
 }
@@ -173,7 +176,7 @@ fn an_administrator_keeps_control_and_his_job_in_the_time_of_a_student() {
     it.start(teacher, job).unwrap();
     it.ask(teacher, set(&[slot("Anna", 1.0, 3.0)])).unwrap();
     let minute = it.now() + Duration::from_mins(1);
-    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.run_until(minute, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
     assert_eq!(holder(&it).as_deref(), Some("Ms Weber"));
 }
@@ -187,7 +190,7 @@ fn nothing_is_interrupted_between_two_slots_of_one_student() {
     let job = it.submit(&spiral(8)).unwrap();
     it.start(anna, job).unwrap();
     let minute = it.now() + Duration::from_mins(1);
-    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.run_until(minute, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
     assert_eq!(holder(&it).as_deref(), Some("Anna"));
 }
@@ -199,17 +202,17 @@ fn a_list_by_which_the_time_of_a_student_goes_on_interrupts_nothing() {
     it.ask(anna, Request::TakeLease).unwrap();
     let job = it.submit(&spiral(8)).unwrap();
     it.start(anna, job).unwrap();
-    // Her job goes on without her, as it does in her time.
+    // Her job continues without her, as in her slot.
     it.leave(anna);
     it.run_for(Duration::from_secs(1));
     it.ask(teacher, set(&[slot("anna", 0.0, 900.0)])).unwrap();
     let minute = it.now() + Duration::from_mins(1);
-    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.run_until(minute, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
     let began = it
         .notices()
         .iter()
-        .filter(|it| matches!(it.news, News::SlotBegan { .. }));
+        .filter(|notice| matches!(notice.news, News::SlotBegan { .. }));
     assert_eq!(began.count(), 1);
 }
 
@@ -226,7 +229,7 @@ fn a_student_is_told_a_minute_before_and_the_arm_is_free_behind_the_last_slot() 
     it.run_for(Duration::from_secs(2));
     assert_eq!(told(&it, &ending), 1);
     let view = it.supervisor().state().slots.unwrap();
-    assert_eq!(view.now.map(|it| it.student).as_deref(), Some("Anna"));
+    assert_eq!(view.now.map(|now| now.student).as_deref(), Some("Anna"));
     it.run_for(Duration::from_secs(60));
     assert_eq!((holder(&it), told(&it, &ending)), (None, 1));
     assert_eq!(it.supervisor().state().slots, None);
@@ -245,7 +248,7 @@ fn cleared_slots_leave_control_where_it_is() {
     it.ask(ben, Request::TakeLease).unwrap();
 }
 
-/// What people do at an arm with time slots.
+/// Actions of people at an arm with time slots.
 #[derive(Clone, Debug)]
 enum Deed {
     Ask(usize, Request),
@@ -294,13 +297,13 @@ proptest! {
     fn in_the_slot_of_one_student_no_other_one_ever_has_control(deeds in prop::collection::vec(deed(), 1..60)) {
         let mut it = virtual_station(Personality::Specification);
         let names = ["Anna", "Ben", "Chen", "an old program", "Ms Weber"];
-        let come = |it: &mut VirtualStation, who: usize| {
+        let come = |station: &mut VirtualStation, who: usize| {
             let role = if who == 4 { Role::Admin } else { Role::Control };
-            it.client_as(names[who], role)
+            station.client_as(names[who], role)
         };
         let mut people: Vec<_> = (0..5).map(|who| come(&mut it, who)).collect();
         for deed in deeds {
-            // What is refused is refused: here counts who has control.
+            // Refusals are fine: only control counts here.
             match deed {
                 Deed::Ask(who, request) => drop(it.ask(people[who], request)),
                 Deed::Grant(from, to) => drop(it.ask(people[from], Request::GrantLease { to: people[to] })),
@@ -313,7 +316,7 @@ proptest! {
                 Deed::Set(slots) => drop(it.ask(people[4], set(&slots)).unwrap()),
             }
             let state = it.supervisor().state();
-            let now = state.slots.and_then(|it| it.now);
+            let now = state.slots.and_then(|slots| slots.now);
             if let (Some(now), Some(lease)) = (now, state.lease) {
                 let may = lease.client == people[4] || is_same_person(&lease.name, &now.student);
                 prop_assert!(may, "{} has control in the time of {}", lease.name, now.student);

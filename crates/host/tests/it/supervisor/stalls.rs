@@ -42,16 +42,17 @@ fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_s
         it.run_for(Duration::from_secs(3));
         let said = sent(&it, before, personality);
         assert!(is_laser_off(&said[0]), "{personality}: {said:?}");
-        let release = |it: &Command| matches!(it, Command::LinearJog(it) if it.axis == LinearJogAxis::Released);
+        let release = |command: &Command| matches!(command, Command::LinearJog(jog) if jog.axis == LinearJogAxis::Released);
         assert!(said.iter().any(release), "{personality}: {said:?}");
         assert!(
-            said.iter().all(|it| release(it) || is_laser_off(it)),
+            said.iter()
+                .all(|command| release(command) || is_laser_off(command)),
             "{personality}: {said:?}"
         );
         let state = it.supervisor().state();
         assert!(state.laser.armed_for_s == 0.0, "{personality}");
         assert!(it.supervisor().is_at_rest(), "{personality}");
-        let told = |it: &dobot_api::Notice| it.text.contains("stood still for 2.3 s");
+        let told = |notice: &dobot_api::Notice| notice.text.contains("hung for 2.3 s");
         assert!(it.notices().iter().any(told), "{personality}");
     }
 }
@@ -61,7 +62,7 @@ fn a_burning_job_of_a_station_that_stood_still_is_paused() {
     for personality in Personality::ALL {
         let (mut it, _, _) = armed(personality);
         let latest = it.now() + Duration::from_secs(20);
-        assert!(it.run_until(latest, |it| it.arm().controller().outputs().laser));
+        assert!(it.run_until(latest, |station| station.arm().controller().outputs().laser));
         let before = it.packets().len();
         it.stall(Duration::from_millis(400));
         it.run_for(Duration::from_secs(5));
@@ -70,7 +71,7 @@ fn a_burning_job_of_a_station_that_stood_still_is_paused() {
             "{personality}"
         );
         assert!(!it.arm().controller().outputs().laser, "{personality}");
-        let phase = it.supervisor().job().map(|it| it.phase);
+        let phase = it.supervisor().job().map(|job| job.phase);
         assert_eq!(phase, Some(JobPhase::Paused), "{personality}");
     }
 }
@@ -89,8 +90,7 @@ fn without_a_watchdog_nothing_is_jogged_and_nothing_burns_until_there_is_another
         let before = it.packets().len();
         it.set_watchdog(Some("no process is left"));
         it.run_for(Duration::from_secs(2));
-        let released =
-            |it: &Command| matches!(it, Command::JointJog(it) if it.axis == JointJogAxis::Released);
+        let released = |command: &Command| matches!(command, Command::JointJog(jog) if jog.axis == JointJogAxis::Released);
         let sent_then = sent(&it, before, personality);
         assert!(released(&sent_then[0]), "{personality}: {sent_then:?}");
         assert!(it.supervisor().is_at_rest(), "{personality}");
@@ -116,11 +116,11 @@ fn a_burning_job_whose_watchdog_is_gone_is_paused_and_dark() {
     for personality in Personality::ALL {
         let (mut it, _, _) = armed(personality);
         let latest = it.now() + Duration::from_secs(20);
-        assert!(it.run_until(latest, |it| it.arm().controller().outputs().laser));
+        assert!(it.run_until(latest, |station| station.arm().controller().outputs().laser));
         it.set_watchdog(Some("no process is left"));
         it.run_for(Duration::from_secs(5));
         assert!(!it.arm().controller().outputs().laser, "{personality}");
-        let phase = it.supervisor().job().map(|it| it.phase);
+        let phase = it.supervisor().job().map(|job| job.phase);
         assert_eq!(phase, Some(JobPhase::Paused), "{personality}");
     }
 }

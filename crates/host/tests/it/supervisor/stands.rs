@@ -1,4 +1,4 @@
-//! The laser never burns while the arm stands, whoever sent what burns.
+//! The laser never burns while the arm stands still, whatever the sender.
 
 use std::time::Duration;
 
@@ -13,7 +13,7 @@ use super::drawing::virtual_station;
 use crate::cases::commands::vector;
 use crate::cases::light::longest_stand_s;
 
-/// What the laser may stand at the most.
+/// The longest time that the laser may burn in one place.
 const MOST_S: f64 = 0.3;
 
 /// Control, and a laser that is armed.
@@ -47,7 +47,10 @@ fn a_single_vector_that_burns_does_not_leave_the_laser_on() {
         assert!(it.run_until(soon, burns), "{personality}: it burns");
         assert!(it.supervisor().state().laser.on, "{personality}");
         let later = it.now() + Duration::from_secs(2);
-        assert!(it.run_until(later, |it| !burns(it)), "{personality}");
+        assert!(
+            it.run_until(later, |station| !burns(station)),
+            "{personality}"
+        );
         it.run_for(Duration::from_millis(500));
         assert!(!it.supervisor().state().laser.on, "{personality}");
         assert!(
@@ -92,7 +95,10 @@ fn whoever_watches_is_told_that_the_laser_was_switched_off() {
     let command = vector([10.0, 0.0, 0.0], true);
     it.ask(anna, Request::Command { command }).unwrap();
     it.run_for(Duration::from_secs(5));
-    let told = it.notices().iter().filter(|it| it.news == News::LaserOff);
+    let told = it
+        .notices()
+        .iter()
+        .filter(|notice| notice.news == News::LaserOff);
     assert_eq!(told.count(), 1, "{:?}", it.notices());
 }
 
@@ -110,11 +116,11 @@ fn vectors_that_follow_one_another_burn_without_a_packet_between_them() {
         let sent: Vec<Command> = it.packets()[before..]
             .iter()
             .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
-            .map(|it| Command::parse(&it, &personality.dialect()).unwrap())
+            .map(|packet| Command::parse(&packet, &personality.dialect()).unwrap())
             .collect();
-        let burning = |it: &Command| matches!(it, Command::WriteVector(_));
+        let burning = |command: &Command| matches!(command, Command::WriteVector(_));
         assert!(sent.iter().take(4).all(burning), "{personality}: {sent:?}");
-        assert_eq!(sent.iter().filter(|it| burning(it)).count(), 4);
+        assert_eq!(sent.iter().filter(|command| burning(command)).count(), 4);
     }
 }
 

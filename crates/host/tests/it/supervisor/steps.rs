@@ -64,7 +64,7 @@ fn pump_and_gripper_stay_as_they_are_when_an_arm_moves_by_a_step() {
         };
         let command = holds.into();
         it.ask(anna, Request::Command { command }).unwrap();
-        // Also while the command that switched it on is under way.
+        // Also while the command that switched it on is in flight.
         step(&mut it, anna, LEFT, 10.0).unwrap();
         let mut status = rested(&mut it);
         for button in [LEFT, Button::Joint(JointJogAxis::BaseMinus)] {

@@ -18,7 +18,7 @@ fn target(y_mm: f32) -> Request {
     }
 }
 
-/// What was put on the wire since then.
+/// Returns the commands put on the wire since then.
 fn sent_since(it: &VirtualStation, since: usize) -> Vec<Command> {
     let packets = it.packets()[since..].iter();
     let frame = |bytes: &[u8; 42]| Packet::from_bytes(bytes).expect("the station sends packets");
@@ -42,10 +42,10 @@ fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment()
         it.ask(ben, STOP).unwrap();
         assert_eq!(sent_since(&it, before)[0], LASER_OFF);
         assert_eq!(it.packets()[before].0, at, "after {stop_ms} ms");
-        // A packet that left just before may have spoilt it: it is said again.
+        // A packet sent just before may have corrupted it: it is repeated.
         it.run_for(Duration::from_secs(10));
         let said = sent_since(&it, before);
-        assert!(said.iter().filter(|it| **it == LASER_OFF).count() >= 2);
+        assert!(said.iter().filter(|command| **command == LASER_OFF).count() >= 2);
     }
 }
 
@@ -78,7 +78,7 @@ fn a_stop_right_behind_the_release_of_a_button_switches_the_laser_off_too() {
             );
             // The release, which the laser's packet may have damaged on the line, is repeated.
             it.run_for(Duration::from_secs(2));
-            let again = |it: &Command| matches!(it, Command::JointJog(it) if it.axis == JointJogAxis::Released);
+            let again = |command: &Command| matches!(command, Command::JointJog(jog) if jog.axis == JointJogAxis::Released);
             assert!(
                 sent_since(&it, before).iter().any(again),
                 "{personality}, {later_ms} ms"
@@ -115,8 +115,9 @@ fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
         "still-moving"
     );
     let minute = it.now() + Duration::from_mins(1);
-    let at_rest = |it: &VirtualStation| {
-        it.supervisor()
+    let at_rest = |station: &VirtualStation| {
+        station
+            .supervisor()
             .state()
             .stop
             .is_some_and(|stop| stop.at_rest)
@@ -139,10 +140,10 @@ fn what_waits_is_never_sent_after_a_stop() {
     it.run_for(Duration::from_mins(1));
     let moved = sent_since(&it, before)
         .into_iter()
-        .filter(|it| matches!(it, Command::MoveTo(_)))
+        .filter(|command| matches!(command, Command::MoveTo(_)))
         .count();
     assert_eq!(moved, 0);
-    let failed = |it: &&dobot_api::Notice| matches!(it.news, News::CommandFailed { .. });
+    let failed = |notice: &&dobot_api::Notice| matches!(notice.news, News::CommandFailed { .. });
     assert!(it.notices().iter().filter(failed).count() >= 3);
 }
 
@@ -166,7 +167,7 @@ fn the_arm_rests_as_soon_as_was_promised_whenever_it_is_stopped() {
     }
 }
 
-/// A station whose cable is pulled while somebody holds a button.
+/// A station whose cable is pulled while a button is held.
 fn unplugged_in_a_jog(personality: Personality) -> (VirtualStation, ClientId) {
     let mut it = virtual_station(personality);
     let anna = it.client("Anna");
@@ -182,7 +183,7 @@ fn unplugged_in_a_jog(personality: Personality) -> (VirtualStation, ClientId) {
 }
 
 fn notices_with(it: &VirtualStation, text: &str) -> usize {
-    let has = |it: &&Notice| it.text.contains(text);
+    let has = |notice: &&Notice| notice.text.contains(text);
     it.notices().iter().filter(has).count()
 }
 
@@ -213,7 +214,7 @@ fn a_stop_without_a_link_says_that_it_was_not_delivered_until_it_is() {
         it.run_for(Duration::from_secs(1));
         assert_eq!(sent_since(&it, before)[0], LASER_OFF, "{personality}");
         assert!(it.supervisor().state().stop.unwrap().delivered);
-        assert_eq!(notices_with(&it, "the stop is delivered now"), 1);
+        assert_eq!(notices_with(&it, "the stop has been delivered"), 1);
         it.run_for(Duration::from_secs(5));
         it.ask(anna, Request::ResetStop).unwrap();
     }
@@ -267,7 +268,7 @@ fn two_stations() -> (VirtualStation, VirtualStation, ClientId) {
 fn moved_since(it: &VirtualStation, since: usize) -> bool {
     let sent = sent_since(it, since);
     sent.iter().any(
-        |it| !matches!(it, Command::JointJog(jog) if jog.speed_percent == 0.0 || *it == LASER_OFF),
+        |command| !matches!(command, Command::JointJog(jog) if jog.speed_percent == 0.0 || *command == LASER_OFF),
     )
 }
 
@@ -335,7 +336,9 @@ fn an_arm_that_still_moves_is_let_go_by_a_reset_of_the_fleet_when_it_rests() {
     other.adopt_fleet_stops(&one.reset_fleet("Ms Weber"));
     assert_eq!(other.ask(ben, target(0.0)).unwrap_err().kind(), "stopped");
     let minute = other.now() + Duration::from_mins(1);
-    assert!(other.run_until(minute, |it| it.supervisor().state().stop.is_none()));
+    assert!(other.run_until(minute, |station| {
+        station.supervisor().state().stop.is_none()
+    }));
     assert!(other.supervisor().is_at_rest());
 }
 
@@ -367,7 +370,7 @@ fn an_arm_that_a_person_lets_go_moves_while_the_others_stay_stopped_and_the_same
     other.run_for(Duration::from_secs(10));
     other.ask(ben, Request::ResetStop).unwrap();
     other.ask(ben, target(20.0)).unwrap();
-    // The others tell it again, also after a restart.
+    // The others send it again, also after a restart.
     other.run_for(Duration::from_secs(10));
     other.crash(Duration::from_secs(2)).unwrap();
     other.run_for(Duration::from_secs(1));

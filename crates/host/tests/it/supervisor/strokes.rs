@@ -32,7 +32,7 @@ pub(crate) fn pen_job(personality: Personality, passes: &[(Stroke, Option<&str>)
     pen_job_at(Pen::default().draw_speed_mm_s, personality, passes)
 }
 
-/// The same, drawn at this speed, in mm/s.
+/// A pen job at this speed, in mm/s.
 pub(crate) fn pen_job_at(
     draw_speed_mm_s: f64,
     personality: Personality,
@@ -67,7 +67,7 @@ pub(crate) fn arm_limits(personality: Personality) -> ArmLimits {
     ArmLimits::of(personality.dialect())
 }
 
-/// A station, a client that has control, and a job that is under way.
+/// A station, a client that has control, and a running job.
 pub(crate) fn started(personality: Personality, job: &NewJob) -> (VirtualStation, ClientId, u64) {
     let mut it = virtual_station(personality);
     let anna = it.client("Anna");
@@ -90,7 +90,7 @@ pub(crate) fn wait_until_paused(it: &mut VirtualStation, job: u64) {
     it.run_for(Duration::from_millis(10));
     let minute = it.now() + Duration::from_secs(60);
     assert!(
-        it.run_until(minute, |it| is_paused(it, job)),
+        it.run_until(minute, |station| is_paused(station, job)),
         "{:?}",
         it.job(job).map(|j| j.state)
     );
@@ -99,29 +99,30 @@ pub(crate) fn wait_until_paused(it: &mut VirtualStation, job: u64) {
 pub(crate) fn finish(it: &mut VirtualStation, job: u64) {
     let minutes = it.now() + Duration::from_secs(600);
     assert!(
-        it.run_until(minutes, |it| is_over(it, job)),
+        it.run_until(minutes, |station| is_over(station, job)),
         "{:?}",
         it.supervisor().job()
     );
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 
-/// Lets the job go on until so many of its commands are over.
+/// Runs the job until this many of its commands are over.
 pub(crate) fn run_to(it: &mut VirtualStation, command: usize) {
     let minutes = it.now() + Duration::from_secs(600);
-    let there = |it: &VirtualStation| {
-        it.supervisor()
+    let there = |station: &VirtualStation| {
+        station
+            .supervisor()
             .job()
-            .is_some_and(|it| it.completed >= command)
+            .is_some_and(|job| job.completed >= command)
     };
     assert!(it.run_until(minutes, there), "{:?}", it.supervisor().job());
 }
 
-/// What the pen left on the paper.
+/// Returns the ink of the pen on the paper.
 pub(crate) fn drawn(it: &VirtualStation) -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut was_down = false;
-    for at in it.arm().samples().iter().map(|it| it.position) {
+    for at in it.arm().samples().iter().map(|sample| sample.position) {
         let is_down = at.z.0 <= DOWN_MM + 0.05;
         if is_down && !was_down {
             strokes.push(Stroke::default());
@@ -136,7 +137,7 @@ pub(crate) fn drawn(it: &VirtualStation) -> Vec<Stroke> {
 
 pub(crate) fn length_mm(strokes: &[Stroke]) -> f64 {
     let step = |pair: &[Point]| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
-    let length = |it: &Stroke| it.points.windows(2).map(step).sum::<f64>();
+    let length = |stroke: &Stroke| stroke.points.windows(2).map(step).sum::<f64>();
     strokes.iter().map(length).sum()
 }
 
@@ -172,8 +173,8 @@ fn roughest_mm_s(samples: &[Sample]) -> f64 {
     };
     samples
         .windows(3)
-        .filter(|it| it.iter().all(|it| down(it.position)))
-        .map(|it| (speed_mm_s(&it[1..]) - speed_mm_s(&it[..2])).abs())
+        .filter(|samples| samples.iter().all(|sample| down(sample.position)))
+        .map(|samples| (speed_mm_s(&samples[1..]) - speed_mm_s(&samples[..2])).abs())
         .fold(0.0, f64::max)
 }
 
@@ -213,7 +214,7 @@ fn a_long_drawing_ends_where_it_should_for_all_the_rounding_of_a_stock_arm() {
     };
     let (mut it, _, job) = started(personality, &planned);
     let hours = it.now() + Duration::from_secs(7200);
-    assert!(it.run_until(hours, |it| is_over(it, job)));
+    assert!(it.run_until(hours, |station| is_over(station, job)));
     assert_eq!(it.job(job).unwrap().state.to_string(), "done");
 }
 
@@ -257,7 +258,7 @@ fn a_pen_does_not_stand_on_the_paper_where_a_job_is_paused() {
     }
 }
 
-/// How long the pen stood on one place of the paper at the most, in seconds.
+/// Returns the longest time that the pen stood in one place on the paper, in seconds.
 fn longest_stand_s(samples: &[Sample]) -> f64 {
     let mut longest_s: f64 = 0.0;
     let mut since = samples[0];
@@ -300,10 +301,14 @@ fn a_job_at_half_the_speed_takes_twice_as_long_and_draws_the_same() {
     }
 }
 
-/// How long the pen is on the paper, in seconds.
+/// Returns how long the pen is on the paper, in seconds.
 fn drawing_s(samples: &[Sample]) -> f64 {
-    let down = |it: &&[Sample]| it.iter().all(|it| it.position.z.0 < DOWN_MM + 0.02);
-    let takes_s = |it: &[Sample]| it[1].at.saturating_sub(it[0].at).as_secs_f64();
+    let down = |samples: &&[Sample]| {
+        samples
+            .iter()
+            .all(|sample| sample.position.z.0 < DOWN_MM + 0.02)
+    };
+    let takes_s = |sample: &[Sample]| sample[1].at.saturating_sub(sample[0].at).as_secs_f64();
     samples.windows(2).filter(down).map(takes_s).sum()
 }
 
@@ -415,7 +420,7 @@ fn a_job_that_is_done_tells_how_long_it_took_without_its_pauses() {
             }
             finish(&mut it, job);
             let job = it.job(job).unwrap();
-            (job.behind.ran_s.unwrap(), job.planned_s.unwrap())
+            (job.history.ran_s.unwrap(), job.planned_s.unwrap())
         };
         let (took, planned_s) = took_s(false);
         assert!(

@@ -1,4 +1,4 @@
-//! What hangs a stock arm, or makes it lose its pose, is never sent (note N51).
+//! Packets that make a stock arm hang or lose its pose are never sent (note N51).
 
 use std::time::Duration;
 
@@ -16,7 +16,7 @@ use crate::cases::commands::target;
 
 const STOCK: Dialect = Dialect::FIRMWARE_1_1;
 
-/// How a command comes.
+/// The way a command is sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum By {
     Api,
@@ -49,7 +49,7 @@ const fn line(place: [f32; 3]) -> MoveTo {
     }
 }
 
-/// The arm hangs in none of its commands, knows where it is, and goes where it is told.
+/// The arm hangs in none of its commands, knows where it is, and goes where it is sent.
 fn is_well(it: &mut VirtualStation, client: ClientId, what: &str) {
     it.run_for(Duration::from_secs(3));
     while let Some(refused) = it.arm_mut().poll_refused() {
@@ -104,7 +104,10 @@ fn mouse_and_hand_never_hang_an_arm_at_its_lower_stop_whatever_the_gap_between_t
         [210.0, 0.0, -29.0],
         [230.0, -20.0, -28.0],
     ];
-    for (row, start) in rows.into_iter().flat_map(|row| starts.map(|it| (row, it))) {
+    for (row, start) in rows
+        .into_iter()
+        .flat_map(|row| starts.map(|start| (row, start)))
+    {
         for gap_ms in gaps_ms {
             let by = if gap_ms % 20 == 0 { By::Api } else { By::Raw };
             let (mut it, anna) = stock();
@@ -126,7 +129,7 @@ fn a_mouse_that_goes_to_and_fro_is_followed_and_never_hangs_the_arm() {
         let (mut it, anna) = stock();
         let mut taken = 0;
         for round in 0..80_u8 {
-            // Whole units, as a mouse tells them: their averages often come to nothing.
+            // Whole units, as a mouse sends them: their averages are often 0.
             let y = [6.0, 2.0, -4.0, -4.0, 0.0, 3.0, -3.0][usize::from(round % 7)];
             taken += u32::from(say(&mut it, anna, by, mouse([y, 0.0, 0.0])).is_ok());
             it.run_for(Duration::from_millis(100));
@@ -138,7 +141,7 @@ fn a_mouse_that_goes_to_and_fro_is_followed_and_never_hangs_the_arm() {
 
 #[test]
 fn a_gesture_behind_mouse_packets_is_averaged_with_what_they_left() {
-    // The recording p47: the arm is told to be there when the second gesture is over.
+    // The recording p47: the arm is expected to be there when the second gesture is over.
     let (mut it, anna) = stock();
     for (by, wait_ms) in [
         (mouse([4.0, 6.0, -5.0]), 200),
@@ -257,7 +260,7 @@ fn no_packet_that_is_a_trap_by_itself_leaves_the_raw_port() {
     let (base, rear, fore) = (status.base_deg, status.rear_deg, status.fore_deg);
     let angles = frame(&[(1, 6.0), (3, base), (4, rear), (5, fore), (8, 2.0)]);
     assert!(it.send_raw(anna, &here).is_err() && it.send_raw(anna, &angles).is_err());
-    // What was refused switched the laser off, and nothing else was sent.
+    // The refusal switched the laser off, and nothing else was sent.
     let off = [0x60, 0x41];
     for (_, packet) in &it.packets()[sent..] {
         assert_eq!(

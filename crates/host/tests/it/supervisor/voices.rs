@@ -1,4 +1,4 @@
-//! What is said to an arm that does not hear it is carried out all the same (note N50).
+//! Voice orders to an arm without voice recognition are carried out anyway (note N50).
 
 use std::time::Duration;
 
@@ -84,7 +84,7 @@ fn a_stock_arm_gets_no_voice_packet_over_usb_and_the_pump_stays_on_the_way() {
     assert!(it.arm().controller().suction());
     let is_voice = |bytes: &[u8; 42]| matches!(Packet::from_bytes(bytes), Some(Packet::Voice(_)));
     assert!(!it.packets().iter().any(|(_, bytes)| is_voice(bytes)));
-    let done = |it: &&dobot_api::Notice| matches!(it.news, News::CommandDone { .. });
+    let done = |notice: &&dobot_api::Notice| matches!(notice.news, News::CommandDone { .. });
     assert_eq!(it.notices().iter().filter(done).count(), 3);
 }
 

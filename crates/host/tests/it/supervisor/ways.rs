@@ -1,4 +1,4 @@
-//! Where a command would lead, for those who ask before they send it.
+//! Previews of the path of a command before it is sent.
 
 use std::time::Duration;
 
@@ -75,13 +75,13 @@ fn place(it: &VirtualStation) -> [f64; 3] {
     [status.x_mm, status.y_mm, status.z_mm].map(f64::from)
 }
 
-/// How far a place is from the straight line between two others.
+/// Returns the distance from a point to the straight line between two others.
 fn off_mm(at: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
-    let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|it| a[it] - b[it]);
+    let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] - b[i]);
     let times = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let (way, here) = (minus(to, from), minus(at, from));
     let share = (times(here, way) / times(way, way)).clamp(0.0, 1.0);
-    let off = minus(here, way.map(|it| it * share));
+    let off = minus(here, way.map(|mm| mm * share));
     times(off, off).sqrt()
 }
 
@@ -132,7 +132,7 @@ fn what_a_place_is_near_to_is_told_before_the_arm_goes_there_and_with_its_state_
             let off = (reported.closeness - told.closeness).abs();
             assert!(off < 0.025, "{there:?}, {near:?}");
         }
-        // Beyond the limit it is as near as can be, and where no arm can be there is nothing to tell.
+        // Beyond the limit the closeness is 1, and where no arm can be there is no answer.
         let Ok(Reply::Near { near }) = it.ask(anna, near_at(220.0, 140.0)) else {
             panic!("the links span it");
         };
@@ -160,7 +160,7 @@ fn a_place_beyond_reach_is_refused_with_the_last_one_that_is_allowed() {
             .expect("the way begins where the arm may be");
         let reach_mm = nearest[0].hypot(nearest[1]).hypot(nearest[2]);
         assert!(reach_mm > 250.0, "{nearest:?}");
-        let [x, y, z] = nearest.map(|it| it.to_string().parse().unwrap());
+        let [x, y, z] = nearest.map(|mm| mm.to_string().parse().unwrap());
         asked(&mut it, anna, line(x, y, z)).unwrap();
     }
 }
@@ -173,7 +173,7 @@ fn the_marked_way_of_a_job_is_what_its_pen_draws() {
             [(230.0, 20.0), (200.0, 20.0)],
         ]
         .map(|ends| Stroke::open(ends.map(|(x, y)| Point::new(x, y)).to_vec()));
-        let planned = pen_job(personality, &strokes.clone().map(|it| (it, None)));
+        let planned = pen_job(personality, &strokes.clone().map(|stroke| (stroke, None)));
         let (it, _, job) = started(personality, &planned);
         let path = it.job_path(job).unwrap();
         let marked: f64 = (1..path.path_mm.len())
@@ -181,7 +181,8 @@ fn the_marked_way_of_a_job_is_what_its_pen_draws() {
             .map(|index| {
                 let [from, to] = [path.path_mm[index - 1], path.path_mm[index]];
                 assert!(strokes.iter().any(|stroke| {
-                    let ends = [stroke.points[0], stroke.points[1]].map(|it| [it.x, it.y, to[2]]);
+                    let ends =
+                        [stroke.points[0], stroke.points[1]].map(|point| [point.x, point.y, to[2]]);
                     off_mm(from, ends[0], ends[1]) < 0.05 && off_mm(to, ends[0], ends[1]) < 0.05
                 }));
                 (from[0] - to[0]).hypot(from[1] - to[1])

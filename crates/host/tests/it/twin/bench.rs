@@ -15,9 +15,9 @@ use dobot_sim::RECORDING_PERIOD;
 
 pub(crate) struct Bench {
     station: StationClient,
-    /// What a person was asked.
+    /// The questions to the person.
     pub(crate) asked: Vec<String>,
-    /// Where the statuses saw the tool.
+    /// The tool positions in the statuses.
     pub(crate) seen: Vec<Position>,
 }
 
@@ -36,7 +36,7 @@ impl Bench {
         }
     }
 
-    /// Draws it, and goes on at each pause; tells how long the arm was at it.
+    /// Draws the plan, resuming after each pause; returns how long the arm took.
     pub(crate) async fn draw(&mut self, plan: &Plan) -> Duration {
         let job = self.submit(plan).await;
         loop {
@@ -52,7 +52,7 @@ impl Bench {
         }
     }
 
-    /// Somebody pauses the drawing when so many commands are over; gives the job when the arm rests.
+    /// Pauses the drawing after this many commands; returns the job when the arm is at rest.
     pub(crate) async fn draw_until(&mut self, plan: &Plan, commands: usize) -> JobView {
         let job = self.submit(plan).await;
         let (phase, text) = self.run(job, commands).await;
@@ -87,11 +87,11 @@ impl Bench {
 
     async fn took(&mut self, job: u64) -> Duration {
         let jobs = self.station.jobs().await.unwrap();
-        let job = jobs.iter().find(|it| it.job == job).unwrap();
+        let job = jobs.iter().find(|view| view.job == job).unwrap();
         Duration::from_secs_f64(job.took_s.unwrap())
     }
 
-    /// Until it does not run any more: how it ended, and what was told.
+    /// Waits until it no longer runs; returns its end and its notices.
     async fn run(&mut self, job: u64, until: usize) -> (JobPhase, String) {
         for request in [Request::ConfirmJob { job }, Request::StartJob { job }] {
             self.station.request(request).await.unwrap();
@@ -100,9 +100,9 @@ impl Bench {
         loop {
             match self.station.next().await.unwrap() {
                 StationEvent::State(state) => {
-                    let status = state.arm.map(|it| it.status);
+                    let status = state.arm.map(|arm| arm.status);
                     self.seen.extend(status.as_ref().map(position));
-                    if !asked && state.job.is_some_and(|it| it.completed >= until) {
+                    if !asked && state.job.is_some_and(|job| job.completed >= until) {
                         asked = true;
                         self.station.request(Request::PauseJob).await.unwrap();
                     }
@@ -119,12 +119,12 @@ impl Bench {
         }
     }
 
-    /// Until nothing is under way any more; gives the job.
+    /// Waits until nothing is in flight; returns the job.
     async fn rest(&mut self) -> Option<JobView> {
         let mut idle = 0;
         loop {
             let state = self.station.state().await.unwrap();
-            let moves = state.arm.is_some_and(|it| it.moving);
+            let moves = state.arm.is_some_and(|arm| arm.moving);
             let busy = moves || state.queue.waiting + state.queue.under_way > 0;
             idle = if busy { 0 } else { idle + 1 };
             if idle > 3 {
@@ -135,10 +135,10 @@ impl Bench {
 
     pub(crate) fn samples(&self) -> Vec<Sample> {
         let arm = self.station.virtual_arm().unwrap();
-        let sample = |it: &dobot_sim::Sample| Sample {
-            at: it.at,
-            position: it.position,
-            laser: it.laser,
+        let sample = |sample: &dobot_sim::Sample| Sample {
+            at: sample.at,
+            position: sample.position,
+            laser: sample.laser,
         };
         arm.samples().iter().map(sample).collect()
     }

@@ -49,14 +49,14 @@ async fn whoever_takes_his_time_to_change_the_pen_does_not_make_the_drawing_long
         let plan = plan(&passes(message), personality);
         times.push(bench.draw(&plan).await);
     }
-    // The arm comes to rest at a break, which is told behind the third status that says so.
+    // The arm comes to rest at a break, which is reported after the third equal status.
     let longer = times[1].as_secs_f64() - times[0].as_secs_f64();
     assert!((-0.1..0.7).contains(&longer), "{times:?}");
 }
 
 #[tokio::test]
 async fn a_drawing_of_ten_thousand_vectors_is_followed_to_its_end() {
-    // A stock arm's rounding adds up: whoever adds up the vectors themselves expects it elsewhere.
+    // A stock arm's rounding accumulates: adding up the vectors themselves gives another position.
     for personality in Personality::ALL {
         let dash = |i: i32| {
             let (x, y) = (180.0 + f64::from(i % 50), f64::from(i / 50 % 50));

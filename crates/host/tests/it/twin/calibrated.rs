@@ -22,7 +22,7 @@ struct OldArm {
     backlash_deg: [f64; 3],
 }
 
-/// What the arm says is wrong by this.
+/// The errors of the arm's reports.
 const TRUTH: Calibration = Calibration {
     base_deg: 4.0,
     rear_deg: -4.0,
@@ -40,7 +40,7 @@ const TOOL_ONLY: Calibration = Calibration {
     fore_deg: 0.0,
     ..TRUTH
 };
-/// What a calibration tells of its joints.
+/// The part of a calibration about its joints.
 const ZEROS: Calibration = Calibration {
     reach_mm: 0.0,
     left_mm: 0.0,
@@ -75,8 +75,8 @@ fn the_backlash_of_an_old_arm_is_taken_up_where_its_joints_turn_back() {
         };
         let with = arm.draw(Some(known));
         let without = OldArm::new(personality, slack).draw(Some(stiff));
-        // What is missing of the drawing, and what is drawn beside it, where the pen comes down and goes up too.
-        let missed = |it: &Deviation| it.missed.distance_mm;
+        // The missing and the extra ink, including where the pen comes down and goes up.
+        let missed = |deviation: &Deviation| deviation.missed.distance_mm;
         assert!(
             missed(&with) < missed(&without) / 2.0,
             "{with:?}, {without:?}"
@@ -135,7 +135,10 @@ impl OldArm {
             .map(|(joint, deg)| format!("zero={joint}:{deg}"));
         let slack = joints.iter().zip(backlash_deg);
         let slack = slack.map(|(joint, deg)| format!("backlash={joint}:{deg}"));
-        let faults: Vec<Fault> = zeros.chain(slack).map(|it| it.parse().unwrap()).collect();
+        let faults: Vec<Fault> = zeros
+            .chain(slack)
+            .map(|fault| fault.parse().unwrap())
+            .collect();
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         let arm = arm.with_faults(power_up, &faults, 0);
         let mut station = VirtualStation::with_arm(arm, power_up, Policy::default());
@@ -171,7 +174,7 @@ impl OldArm {
 
     #[expect(clippy::cast_possible_truncation, reason = "as a command holds it")]
     fn go(&mut self, to: Joints) {
-        let angles = [to.base, to.rear, to.fore, to.servo].map(|it| it.0 as f32);
+        let angles = [to.base, to.rear, to.fore, to.servo].map(|angle| angle.0 as f32);
         let command = MoveJoints::to(angles).with_mode(MovingMode::MovJ).into();
         self.station
             .ask(self.client, Request::Command { command })
@@ -189,7 +192,7 @@ impl OldArm {
         )
     }
 
-    /// Draws the harbour; tells how far the true ink is from where the file wants it.
+    /// Draws the harbour; returns how far the true ink is from the drawing in the file.
     fn draw(&mut self, known: Option<CalibrationFile>) -> Deviation {
         let wanted = prepared(self.personality, None).wanted();
         // The rules know it too: they judge true places, and take no job that is meant for another arm.
@@ -211,7 +214,7 @@ impl OldArm {
         self.station.start(self.client, job).unwrap();
         let mut ink: Vec<Stroke> = Vec::new();
         let mut is_down = true;
-        // Where it stood before it drew is no ink.
+        // The position before it drew is not ink.
         let mut has_begun = false;
         loop {
             let now = self.station.arm().now();
@@ -234,7 +237,7 @@ impl OldArm {
                 .jobs()
                 .unwrap()
                 .into_iter()
-                .find(|it| it.job == job);
+                .find(|view| view.job == job);
             match job.unwrap().phase {
                 JobPhase::Done => return deviation(&wanted, &ink),
                 JobPhase::Running => self.station.run_for(Duration::from_millis(5)),

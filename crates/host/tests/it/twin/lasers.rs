@@ -18,7 +18,7 @@ async fn a_laser_burns_the_strokes_and_nothing_else() {
     bench.draw(&plan).await;
     let samples = bench.samples();
     let trace = Trace::new(&plan, &PAPER, &samples, &strokes).unwrap();
-    let ink: Vec<_> = trace.ink().into_iter().map(|it| it.stroke).collect();
+    let ink: Vec<_> = trace.ink().into_iter().map(|ink| ink.stroke).collect();
     // Each stroke twice.
     assert_eq!(ink.len(), 4);
     let worst = deviation(&strokes, &ink);
@@ -35,7 +35,7 @@ async fn a_laser_that_is_stopped_is_off() {
         let job = bench.draw_until(&plan, plan.command_of(4)).await;
         assert_eq!(job.phase, JobPhase::Paused);
         let samples = bench.samples();
-        assert!(samples.iter().any(|it| it.laser));
+        assert!(samples.iter().any(|sample| sample.laser));
         assert!(!samples.last().unwrap().laser);
     }
 }

@@ -1,4 +1,5 @@
-//! Whether the rules allow what is planned: a plan that a dry run takes may not be refused in the run.
+//! Whether the rules allow what is planned: a plan accepted by a dry run must not be refused in the
+//! run.
 
 use dobot_arm::{Pose, Position, Tool};
 use dobot_geometry::{Point, Stroke};
@@ -29,7 +30,7 @@ fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
         let walk = steps.iter().scan(start, |here, &(turn_deg, length_mm)| {
             let ahead = *here + dobot_geometry::direction(turn_deg) * length_mm;
             let is_inside = (160.0..260.0).contains(&ahead.x) && ahead.y.abs() < 90.0;
-            // Back over the middle, beside the way that it came.
+            // Back through the centre, beside the previous path.
             let back = Point::new(420.0 - here.x, 0.9 * -here.y);
             *here = if is_inside { ahead } else { back };
             Some(*here)
@@ -64,7 +65,7 @@ fn tool() -> impl Strategy<Value = DrawingTool> {
     ]
 }
 
-/// The first of the commands that the policy refuses, or that takes the arm ever so long, and why.
+/// Returns the first command that the policy refuses or that takes the arm too long, and why.
 fn refused(
     commands: Vec<Command>,
     start: [f64; 3],
@@ -74,7 +75,7 @@ fn refused(
     refused_behind(Before::Rest, commands, start, dialect, tool)
 }
 
-/// What the arm did before.
+/// The arm's previous motion.
 #[derive(Clone, Copy, Debug)]
 enum Before {
     /// Nothing since its power-up.
@@ -120,7 +121,7 @@ fn refused_behind(
         })
 }
 
-/// How long a vector may take: a tenth of its largest speed, and a second.
+/// Returns the longest duration of a vector: at a tenth of its largest speed, plus a second.
 fn most_s(command: &Command) -> f64 {
     match command {
         Command::WriteVector(it) => {
@@ -135,9 +136,10 @@ fn most_s(command: &Command) -> f64 {
 struct Other {
     /// All of its commands, when a person asks for that share while the arm draws.
     running: Vec<Command>,
-    /// Those from that vector on, behind a crash: up to the next rest each of them rests.
+    /// The commands from that vector on after a crash: up to the next rest, each of them ends at
+    /// rest.
     behind_a_crash: Vec<Command>,
-    /// Where the arm is then.
+    /// The arm's position then.
     here: [f64; 3],
 }
 
@@ -146,8 +148,8 @@ impl Other {
         let arm_limits = plan.arm_limits();
         let mut running: Vec<Command> = plan.commands().collect();
         let first = plan.command_of(at);
-        let vector = |it: &Command| match it {
-            Command::WriteVector(it) => Some(*it),
+        let vector = |command: &Command| match command {
+            Command::WriteVector(vector) => Some(*vector),
             _ => None,
         };
         let before = running[..first].iter().filter_map(vector);
@@ -163,7 +165,9 @@ impl Other {
         for (command, other) in running[first..].iter_mut().zip(faster_or_slower) {
             *command = other.into();
         }
-        let rest = vectors.iter().position(|it| it.end_speed_mm_s == 0.0);
+        let rest = vectors
+            .iter()
+            .position(|vector| vector.end_speed_mm_s == 0.0);
         let chain = &vectors[..=rest.expect("a plan ends at rest")];
         let setup = plan.commands().take(plan.command_of(0) - 1);
         let resting = stop_each(chain, share, arm_limits);
@@ -207,8 +211,8 @@ proptest! {
     }
 }
 
-/// Behind a burned vector that ended at 0.16 mm/s the way out, 0.3 mm, took two seconds: with the laser off a stock arm
-/// accelerates by 200 mm/s at each tick, or not at all.
+/// After a burned vector that ended at 0.16 mm/s the lead-out, 0.3 mm, took two seconds: with the
+/// laser off a stock arm accelerates by 200 mm/s at each tick, or not at all.
 #[test]
 fn a_laser_that_goes_off_behind_a_slow_shape_does_not_creep_on() {
     let sides = [
@@ -235,7 +239,11 @@ fn a_laser_that_goes_off_behind_a_slow_shape_does_not_creep_on() {
         let pass = Pass::new(tool, vec![pentagon.clone()]);
         let arm_limits = ArmLimits::of(Dialect::FIRMWARE_1_1);
         let plan = Plan::new(&[pass], &Paper::level(-40.0), &arm_limits).unwrap();
-        for vector in plan.moves.iter().filter(|it| it.kind == MoveKind::RunOut) {
+        for vector in plan
+            .moves
+            .iter()
+            .filter(|planned| planned.kind == MoveKind::RunOut)
+        {
             assert!(
                 vector.duration_s < 0.5,
                 "{burn_speed_mm_s} mm/s: {vector:?}"
@@ -269,7 +277,8 @@ fn a_laser_does_not_creep_along_a_short_piece_for_a_long_line_before_it() {
     assert_eq!(refusal, None);
 }
 
-/// What may be left by those who used the arm before became what a run-out of 0.15 mm began with: next to nothing, or less.
+/// A speed left by previous clients of the arm became the start of a run-out of 0.15 mm: almost
+/// nothing, or less.
 #[test]
 fn a_laser_does_not_creep_behind_small_shapes_that_begin_with_a_speed_that_nobody_knows() {
     for sides in 3..9_u32 {

@@ -1,4 +1,4 @@
-//! What was carried out, told in figures and in time.
+//! Traces: the executed drawing in figures and over time.
 
 use dobot_arm::{Position, Tool};
 use dobot_controller::Personality;
@@ -8,7 +8,7 @@ use dobot_plan::{Pass, Plan};
 
 use super::bench::{Bench, PAPER, laser, line, pen, plan, square};
 
-/// What was carried out.
+/// Executes a plan.
 async fn drawn(plan: &Plan, personality: Personality) -> Bench {
     let mut bench = Bench::new(personality).await;
     bench.draw(plan).await;
@@ -23,7 +23,10 @@ fn two_passes() -> [Pass; 2] {
 }
 
 fn wanted(passes: &[Pass]) -> Vec<Stroke> {
-    passes.iter().flat_map(|it| it.strokes.clone()).collect()
+    passes
+        .iter()
+        .flat_map(|pass| pass.strokes.clone())
+        .collect()
 }
 
 #[tokio::test]
@@ -49,12 +52,15 @@ async fn the_figures_are_those_of_the_run() {
         let way = 50.0_f64.sqrt() + 200.0_f64.sqrt();
         assert!((travel_mm - way).abs() < 0.5, "{travel_mm}");
         assert!(error_mm < 0.1, "{personality:?}: {error_mm}");
-        // What was planned is what happens, in whole ticks on a stock arm.
+        // The execution matches the plan, in whole ticks on a stock arm.
         let longer = time_s - plan.duration_s();
         assert!((-0.2..0.5).contains(&longer), "{personality:?}: {longer}");
-        let counts: Vec<_> = passes.iter().map(|it| (it.strokes, it.tool)).collect();
+        let counts: Vec<_> = passes
+            .iter()
+            .map(|pass| (pass.strokes, pass.tool))
+            .collect();
         assert_eq!(counts, [(1, Tool::Pen), (2, Tool::Pen)]);
-        let times: f64 = passes.iter().map(|it| it.time_s).sum();
+        let times: f64 = passes.iter().map(|pass| pass.time_s).sum();
         assert!((times - time_s).abs() < 1e-9);
     }
 }
@@ -67,20 +73,23 @@ async fn each_line_and_each_dot_is_found_in_its_pass() {
         let bench = drawn(&plan, personality).await;
         let trace = Trace::new(&plan, &PAPER, &bench.samples(), &wanted(&passes)).unwrap();
         let ink = trace.ink();
-        let of: Vec<u32> = ink.iter().map(|it| it.pass).collect();
+        let of: Vec<u32> = ink.iter().map(|line| line.pass).collect();
         assert_eq!(of, [0, 1, 1]);
         assert!(ink[1].stroke.length_mm() < 0.01 && ink[2].stroke.length_mm() < 0.01);
         for line in &ink {
             assert_eq!(line.errors_mm.len(), line.stroke.points.len());
-            assert!(line.errors_mm.iter().all(|&it| it < 0.1));
+            assert!(line.errors_mm.iter().all(|&mm| mm < 0.1));
         }
     }
 }
 
-/// Where the timeline says the tool is, as its documentation tells a page to do it.
+/// Returns the tool position at a time, as documented for pages.
 fn seek(timeline: &Timeline, t: f64) -> [f64; 3] {
     let path = &timeline.path;
-    let i = path.t_s.partition_point(|&it| it <= t).saturating_sub(1);
+    let i = path
+        .t_s
+        .partition_point(|&time_s| time_s <= t)
+        .saturating_sub(1);
     let next = (i + 1).min(path.t_s.len() - 1);
     let span = path.t_s[next] - path.t_s[i];
     let share = if span > 0.0 {
@@ -88,7 +97,7 @@ fn seek(timeline: &Timeline, t: f64) -> [f64; 3] {
     } else {
         0.0
     };
-    [&path.x_mm, &path.y_mm, &path.z_mm].map(|it| it[i] + (it[next] - it[i]) * share)
+    [&path.x_mm, &path.y_mm, &path.z_mm].map(|mm| mm[i] + (mm[next] - mm[i]) * share)
 }
 
 #[tokio::test]
@@ -109,7 +118,7 @@ async fn the_timeline_tells_where_the_tool_is_at_any_time() {
             for (found, wanted) in found.into_iter().zip(end) {
                 assert!((found - wanted).abs() < 0.1, "{found} instead of {wanted}");
             }
-            let after = samples.iter().filter(|it| it.at >= trace.began());
+            let after = samples.iter().filter(|sample| sample.at >= trace.began());
             for sample in after {
                 let time = sample.at.saturating_sub(trace.began()).as_secs_f64();
                 if time > timeline.duration_s {
@@ -133,7 +142,7 @@ async fn the_moves_of_the_timeline_follow_one_another_stroke_by_stroke() {
     let names: Vec<&str> = moves
         .kind
         .iter()
-        .map(|&it| moves.kinds[usize::from(it)])
+        .map(|&kind| moves.kinds[usize::from(kind)])
         .collect();
     let dot = ["travel", "lower", "lift"];
     assert_eq!(names[..3], ["lower", "draw", "lift"]);

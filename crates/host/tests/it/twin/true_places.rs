@@ -13,7 +13,7 @@ use dobot_sim::{Fault, SerialLine, VirtualArm};
 use dobot_supervisor::Refusal;
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, WriteVector};
 
-/// An arm that stands elsewhere than it says, and a person who knows it.
+/// An arm that stands elsewhere than it reports, and a person who knows it.
 struct Known {
     station: VirtualStation,
     anna: ClientId,
@@ -64,7 +64,7 @@ impl Known {
         self.ask(Request::Command { command })
     }
 
-    /// Where the tool really is: by the joints of the machine, and where the tool is mounted.
+    /// Returns the true tool position: by the joints of the machine and the tool mount.
     fn really(&self) -> Position {
         let now = self.station.arm().now();
         let joints = self.station.arm().mechanics().joints_at(now);
@@ -76,7 +76,7 @@ impl Known {
         crooked.true_place_of(&joints, Tool::SuctionCup)
     }
 
-    /// Where the state says that it is.
+    /// Returns the reported position.
     fn said(&self) -> Position {
         let status = self.station.supervisor().state().arm.unwrap().status;
         Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
@@ -187,7 +187,7 @@ fn an_arm_that_was_told_its_true_angles_needs_no_zeros_until_it_is_reset() {
             (told.rear_deg - 40.0).abs() < 0.02,
             "the arm itself says {told:?}"
         );
-        // A person looks whether it stands as it says now.
+        // A person checks that it stands as reported now.
         it.ask(Request::ConfirmPose).unwrap();
         it.send(line(220.0, 30.0, 10.0)).unwrap();
         it.is_at([220.0, 30.0, 10.0]);
@@ -209,7 +209,7 @@ fn a_job_that_was_made_before_the_arm_was_told_its_angles_is_not_done_at_other_p
     let job = it.station.submit(&job).unwrap();
     it.ask(Request::TellAngles).unwrap();
     let refused = it.ask(Request::StartJob { job }).unwrap_err();
-    assert!(refused.to_string().contains("make it anew"), "{refused}");
+    assert!(refused.to_string().contains("submit it again"), "{refused}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::vector;
 
-/// How far pens are lifted here, by programs and behind their end, in millimetres.
+/// The lift of pens here, by programs and after their end, in millimetres.
 pub(crate) const LIFT_MM: f32 = 5.0;
 
 /// An arm in the middle of its space.
@@ -65,7 +65,7 @@ fn doable(mut model: Model, commands: Vec<Command>) -> Vec<Command> {
     doable
 }
 
-/// Where a command leads from a place, by adding.
+/// Returns where a command leads from a position, by adding.
 pub(crate) fn end(from: Position, command: &Command) -> Position {
     match command {
         Command::WriteVector(it) => {
@@ -81,7 +81,7 @@ pub(crate) fn lifted(at: Position) -> Position {
     at + Position::new(0.0, 0.0, LIFT_MM.into())
 }
 
-/// The model behind commands.
+/// Returns the model after commands.
 pub(crate) fn after(model: &Model, commands: &[Command]) -> Model {
     commands.iter().fold(*model, |model, command| {
         let trajectory = model.trajectory(command).unwrap();

@@ -12,7 +12,7 @@ use dobot_api::{
     JobPhase, JobView, NewJob, Problem, Request, Role, State, TakesWork, is_same_person,
 };
 use dobot_arm::Calibration;
-use dobot_host::{OfferAnswer, OfferAsk, StationHandle};
+use dobot_host::{OfferAnswer, OfferRequest, StationHandle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -74,17 +74,17 @@ pub(crate) async fn offer(
         .key
         .clone()
         .ok_or_else(|| MALFORMED.problem("an offer needs a key in the header Idempotency-Key"))?;
-    let known = app.handle.offer(&key, OfferAsk::Look).await?;
+    let known = app.handle.offer(&key, OfferRequest::Look).await?;
     if known != OfferAnswer::Unknown {
         return Ok(Json(answered(known)?));
     }
     let student = offered.student.clone();
     let ask = match port.takes_work() {
         Some(takes_work) => match not_now(app, port, takes_work, &student) {
-            Some(reason) => OfferAsk::Refuse { reason, busy: true },
+            Some(reason) => OfferRequest::Refuse { reason, busy: true },
             None => offered.ask(app, &key).await?,
         },
-        None => OfferAsk::Refuse {
+        None => OfferRequest::Refuse {
             busy: false,
             reason: format!(
                 "{} accepts no jobs of its fleet; allow it with `dobot up --takes-work`",
@@ -104,7 +104,7 @@ pub(crate) async fn look(
     Offerer(asker): Offerer,
     Path(key): Path<String>,
 ) -> Result<Json<JobView>, NotDone> {
-    let answer = asker.app.handle.offer(&key, OfferAsk::Look).await?;
+    let answer = asker.app.handle.offer(&key, OfferRequest::Look).await?;
     Ok(Json(answered(answer)?))
 }
 
@@ -115,7 +115,7 @@ pub(crate) async fn withdraw(
     Path(key): Path<String>,
 ) -> Result<Json<JobView>, NotDone> {
     let by = asker.caller.name.clone();
-    let ask = OfferAsk::Withdraw { by };
+    let ask = OfferRequest::Withdraw { by };
     Ok(Json(answered(asker.app.handle.offer(&key, ask).await?)?))
 }
 
@@ -132,7 +132,7 @@ fn answered(answer: OfferAnswer) -> Result<JobView, Problem> {
 
 impl FleetOffer {
     /// Returns the request to the driver, after planning a drawing.
-    async fn ask(self, app: &App, key: &str) -> Result<OfferAsk, Problem> {
+    async fn ask(self, app: &App, key: &str) -> Result<OfferRequest, Problem> {
         let (mut job, made_for) = match (self.drawing, self.job) {
             (None, Some(job)) => (job, calibration(self.made_for)?),
             (Some(drawing), None) => {
@@ -146,7 +146,7 @@ impl FleetOffer {
                     Err(problem) => {
                         let reason = problem.detail;
                         let busy = false;
-                        return Ok(OfferAsk::Refuse { reason, busy });
+                        return Ok(OfferRequest::Refuse { reason, busy });
                     }
                 }
             }
@@ -155,7 +155,7 @@ impl FleetOffer {
         let by = format!(" ({})", self.student);
         let room = LONGEST_TITLE.saturating_sub(by.chars().count());
         job.title = job.title.chars().take(room).chain(by.chars()).collect();
-        Ok(OfferAsk::Take {
+        Ok(OfferRequest::Take {
             job: Box::new(job),
             made_for: Some(made_for),
         })

@@ -10,7 +10,7 @@ use serde::Deserialize;
 use crate::http::exchange::answer::{Body, JOB, NotDone};
 use crate::http::exchange::requester::Asker;
 use crate::http::fleet_routes::members::not_a_name;
-use crate::{ArmCommand, WantedArm};
+use crate::{ArmCommand, ArmSelection};
 
 /// A request for a virtual arm.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -38,7 +38,7 @@ pub(crate) async fn give(
     }
     let arms = asker.app.arms()?;
     let seen = asker.app.fleet()?.member(&name);
-    let wanted = WantedArm { name, seen };
+    let wanted = ArmSelection { name, seen };
     let given = arms.wish(|reply| ArmCommand::Give(wanted, reply)).await?;
     Ok(Json(given?))
 }

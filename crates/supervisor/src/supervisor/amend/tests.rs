@@ -23,19 +23,19 @@ fn model(dialect: Dialect) -> Model {
 fn sent(floats: &[f32]) -> Option<(Frame, String)> {
     let packet = frame(floats).into();
     let model = model(Dialect::FIRMWARE_1_1);
-    let (packet, told) = amended(&packet, &model, &Policy::default())?;
+    let (packet, text) = amended(&packet, &model, &Policy::default())?;
     let Packet::Frame(frame) = packet else {
         panic!("a frame stays one");
     };
-    Some((frame, told))
+    Some((frame, text))
 }
 
 #[test]
 fn the_sliders_of_the_vendors_client_keep_the_teaching_speed_in_force() {
-    let (packet, told) = sent(&[10.0, 0.0, 58.0, 38.0, 0.0]).unwrap();
+    let (packet, text) = sent(&[10.0, 0.0, 58.0, 38.0, 0.0]).unwrap();
     assert_eq!(packet, frame(&[10.0, 0.0, 58.0, 38.0, 100.0]));
     assert_eq!(
-        told,
+        text,
         "state 10: float 5 (teaching speed) is 0; Table 3.9 allows above 0 to 100 (percent); \
          a stock arm does not look at it, and 100, which is in force, is sent"
     );
@@ -54,14 +54,14 @@ fn speeds_above_the_policy_come_down_to_it_and_the_height_of_a_jump_is_kept() {
     let asked = [
         9.0, 1.0, 200.0, 200.0, 200.0, 200.0, 800.0, 1000.0, 0.0, 50.0,
     ];
-    let (packet, told) = sent(&asked).unwrap();
+    let (packet, text) = sent(&asked).unwrap();
     let most_mm_s = 2.0 * Policy::default().speed.line_mm_s;
     assert!((f64::from(packet.float(7)) - most_mm_s).abs() < 1e-3);
     assert_eq!(packet.float(10), 50.0);
     assert_eq!([packet.float(3), packet.float(9)], [200.0, 0.0]);
     assert!(
-        told.contains("float 7 (max linear moving speed) is 800"),
-        "{told}"
+        text.contains("float 7 (max linear moving speed) is 800"),
+        "{text}"
     );
     // A reduced packet is not changed again.
     assert_eq!(sent(packet.floats()), None);
@@ -84,7 +84,7 @@ fn what_is_allowed_and_what_is_no_setting_stays_as_it_is() {
 fn a_pump_that_is_neither_on_nor_off_stays_as_it_is_and_the_gripper_too() {
     for state in [3.0, 6.0] {
         for grab in [0.5, 2.0, -1.0] {
-            let (packet, told) = sent(&[state, 0.0, 1.0, 2.0, 3.0, 4.0, grab, 2.0, 5.0]).unwrap();
+            let (packet, text) = sent(&[state, 0.0, 1.0, 2.0, 3.0, 4.0, grab, 2.0, 5.0]).unwrap();
             let kept = [state, 0.0, 1.0, 2.0, 3.0, 4.0, 1.0, 2.0, 20.0];
             assert_eq!(packet, frame(&kept), "{grab}");
             let expected = format!(
@@ -92,17 +92,17 @@ fn a_pump_that_is_neither_on_nor_off_stays_as_it_is_and_the_gripper_too() {
                  a stock arm leaves pump and gripper as they are, \
                  and 1, with 20 in float 9 (GripperValue), as they are, is sent"
             );
-            assert_eq!(told, expected);
+            assert_eq!(text, expected);
         }
     }
 }
 
 #[test]
 fn a_gripper_that_opens_too_far_opens_as_far_as_it_may() {
-    let (packet, told) = sent(&[3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 130.0]).unwrap();
+    let (packet, text) = sent(&[3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 130.0]).unwrap();
     assert_eq!([packet.float(7), packet.float(9)], [0.0, 90.0]);
     assert_eq!(
-        told,
+        text,
         "state 3: float 9 (GripperValue) is 130; Table 3.7 allows -90 to 90 (degrees); \
          a stock arm drives the gripper's servo against its end, and 90 is sent"
     );
@@ -111,16 +111,16 @@ fn a_gripper_that_opens_too_far_opens_as_far_as_it_may() {
 #[test]
 fn a_jog_at_no_speed_is_a_release_and_one_that_is_too_fast_is_as_fast_as_it_may_be() {
     for state in [2.0, 7.0] {
-        let (packet, told) = sent(&[state, 3.0]).unwrap();
+        let (packet, text) = sent(&[state, 3.0]).unwrap();
         assert_eq!(packet, frame(&[state]));
         assert!(
-            told.ends_with("a stock arm stands still, and a release is sent"),
-            "{told}"
+            text.ends_with("a stock arm stands still, and a release is sent"),
+            "{text}"
         );
-        let (packet, told) = sent(&[state, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 130.0]).unwrap();
+        let (packet, text) = sent(&[state, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 130.0]).unwrap();
         assert_eq!(packet, frame(&[state, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 100.0]));
         assert_eq!(
-            told,
+            text,
             format!(
                 "state {state}: float 8 (StarVel) is 130; the policy allows 100, which is sent"
             )

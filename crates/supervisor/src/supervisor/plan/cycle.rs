@@ -29,7 +29,7 @@ impl Cycle {
         let repeat = program.repeat?;
         Some(Self {
             from: repeat.from,
-            len: commands.checked_sub(repeat.from).filter(|it| *it > 0)?,
+            len: commands.checked_sub(repeat.from).filter(|len| *len > 0)?,
             times: repeat.times,
         })
     }
@@ -57,9 +57,9 @@ impl Cycle {
 
     /// Returns the end of the job in a plan that has moved back by this many cycles.
     pub(in crate::supervisor) fn job_end(&self, cycles_back: usize) -> usize {
-        let times = self
-            .times
-            .map_or(usize::MAX, |it| usize::try_from(it).unwrap_or(usize::MAX));
+        let times = self.times.map_or(usize::MAX, |times| {
+            usize::try_from(times).unwrap_or(usize::MAX)
+        });
         let left = times.saturating_sub(cycles_back);
         left.saturating_mul(self.len).saturating_add(self.from)
     }

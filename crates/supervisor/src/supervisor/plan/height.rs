@@ -30,11 +30,11 @@ impl Height {
     /// Applies the current height to the next command.
     pub(super) fn apply(&mut self, command: &Command) -> Command {
         match command {
-            Command::WriteVector(it) if takes_height(it) => self.vector(*it).into(),
-            Command::MoveTo(it) if self.offset_mm != 0.0 => {
-                let z_mm = single(f64::from(it.z_mm) + self.offset_mm);
-                self.raised_mm = f64::from(z_mm) - f64::from(it.z_mm);
-                let mut target = *it;
+            Command::WriteVector(vector) if takes_height(vector) => self.vector(*vector).into(),
+            Command::MoveTo(planned) if self.offset_mm != 0.0 => {
+                let z_mm = single(f64::from(planned.z_mm) + self.offset_mm);
+                self.raised_mm = f64::from(z_mm) - f64::from(planned.z_mm);
+                let mut target = *planned;
                 target.z_mm = z_mm;
                 target.into()
             }
@@ -94,7 +94,7 @@ mod tests {
 
     fn z_mm(height: &mut Height, vector: WriteVector) -> f64 {
         match height.apply(&vector.into()) {
-            Command::WriteVector(it) => it.z_mm.into(),
+            Command::WriteVector(vector) => vector.z_mm.into(),
             other => panic!("{other:?}"),
         }
     }

@@ -1,4 +1,4 @@
-//! What people and programs ask for, by chance: good, bad, on the edge, and absurd.
+//! Random requests of people and programs: good, bad, borderline and absurd.
 
 use std::time::Duration;
 
@@ -14,17 +14,17 @@ use dobot_wire::{
 use super::super::chance::Chance;
 use super::super::jobs::Sort;
 
-/// Something that somebody asks for or does.
+/// A request or an action.
 #[derive(Clone, Debug)]
 pub(crate) enum FuzzStep {
     Request(ClientId, Request),
     Packet(ClientId, Packet),
-    /// The same again and again, so many times with so long between: a row of mouse or hand, a button
-    /// that is held.
+    /// A repeated step, with its count and interval: a series of mouse or hand packets, or a held
+    /// button.
     Again(Box<Self>, u64, Duration),
     Submit(NewJob),
     Start(ClientId, u64),
-    /// The cable is out for so long.
+    /// The cable is unplugged for this time.
     Unplug(Duration),
 }
 
@@ -40,15 +40,19 @@ pub(crate) struct Asking {
     pub dialect: Dialect,
     pub jobs: Vec<u64>,
     pub before: Option<FuzzStep>,
-    /// The row of mouse or hand that goes on.
+    /// The current series of mouse or hand packets.
     pub row: Option<Command>,
 }
 
 impl Asking {
-    /// What is asked next.
+    /// Returns the next step.
     pub(crate) fn next(&mut self, chance: &mut Chance, it: &VirtualStation) -> FuzzStep {
         let who = chance.one(&self.people);
-        let holder = it.supervisor().state().lease.map_or(who, |it| it.client);
+        let holder = it
+            .supervisor()
+            .state()
+            .lease
+            .map_or(who, |lease| lease.client);
         let who = if chance.below(10) == 0 { who } else { holder };
         let asked = match chance.below(100) {
             0..10 => match &self.before {
@@ -105,7 +109,7 @@ impl Asking {
         }
     }
 
-    /// A row of mouse or hand goes on for a while, often with the same numbers.
+    /// A series of mouse or hand packets, often with the same numbers.
     fn row(&mut self, chance: &mut Chance) -> Command {
         let command = match self.row {
             Some(row) if chance.below(3) > 0 => row,
@@ -156,7 +160,7 @@ impl Asking {
         }
     }
 
-    /// What has no numbers in it, or nearly none.
+    /// Requests with no or few numbers.
     fn plain(&self, chance: &mut Chance) -> Request {
         let to = chance.one(&self.people);
         match chance.below(16) {
@@ -180,7 +184,7 @@ impl Asking {
     }
 }
 
-/// Mostly a number of a range, and now and then one that nobody should send.
+/// Usually a number in a range, sometimes one that should never be sent.
 fn number(chance: &mut Chance, from: f32, to: f32) -> f32 {
     match chance.below(60) {
         0 => chance.one(&ABSURD),
@@ -192,10 +196,12 @@ fn number(chance: &mut Chance, from: f32, to: f32) -> f32 {
 /// Somewhere in reach, or a little away from where the arm will be.
 fn place(chance: &mut Chance, it: &VirtualStation) -> [f32; 3] {
     let model = it.supervisor().session().model();
-    let here = model.map_or(Position::new(200.0, 0.0, 0.0), |it| it.place.pose.position);
+    let here = model.map_or(Position::new(200.0, 0.0, 0.0), |model| {
+        model.place.pose.position
+    });
     if chance.below(3) == 0 {
         #[expect(clippy::cast_possible_truncation, reason = "a packet carries no more")]
-        return [here.x, here.y, here.z].map(|it| it.0 as f32 + step(chance));
+        return [here.x, here.y, here.z].map(|mm| mm.0 as f32 + step(chance));
     }
     [
         number(chance, 140.0, 310.0),
@@ -284,7 +290,7 @@ fn vector(chance: &mut Chance) -> Command {
     .into()
 }
 
-/// All but initial angles, with which anybody can tell the arm a lie.
+/// All but initial angles, which would make the arm's pose wrong.
 fn configuration(chance: &mut Chance) -> Command {
     match chance.below(4) {
         0 => Configuration::EndEffector {
@@ -368,7 +374,7 @@ fn voice(chance: &mut Chance) -> Voice {
     Voice::new(chance.one(&texts)).unwrap_or_else(|_| voice(chance))
 }
 
-/// A state and numbers that somebody might send, or any floats at all.
+/// A plausible state with numbers, or arbitrary floats.
 fn packet(chance: &mut Chance) -> Packet {
     let states = [
         0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 15.0, 16.0, -1.0,

@@ -1,4 +1,4 @@
-//! What must never be, whatever was asked.
+//! What must never happen, whatever was requested.
 
 use dobot_arm::{Joints, Tool, forward};
 use dobot_controller::Refused;
@@ -13,8 +13,8 @@ pub(crate) struct Judge {
     policy: Policy,
     /// Somebody may arm the laser.
     burns: bool,
-    /// The arm is reset at some time: then its base is not where it believes, and where the base stood
-    /// at 0 nobody can see it. Where it goes is not judged.
+    /// Whether the arm is reset at some time: then its assumed base angle is wrong, which is
+    /// undetectable if it was 0. Its positions are not judged.
     resets: bool,
     /// Control ticks seen.
     pub ticks: u64,
@@ -23,7 +23,7 @@ pub(crate) struct Judge {
     packets: usize,
     /// The joints of the last moment.
     before: Option<Joints>,
-    /// What must not be, and its figures.
+    /// The violation and its figures.
     pub lost: Option<(&'static str, String)>,
 }
 
@@ -70,7 +70,7 @@ impl Judge {
             return;
         }
         let joints = arm.mechanics().joints_at(it.now());
-        // The tool that the controller was told last.
+        // The tool last set at the controller.
         let reach_mm = forward(&believed, Tool::SuctionCup).position.reach().0;
         let is_long = (pose.position.reach().0 - reach_mm).abs() < 1.0;
         let tool = if is_long {
@@ -86,7 +86,10 @@ impl Judge {
     /// Voice that leaves for an arm in motion hangs a stock arm, with its motors running (note N50).
     fn look_for_voice(&mut self, it: &VirtualStation) {
         let joints = it.arm().mechanics().joints_at(it.now());
-        let moves = self.before.replace(joints).is_some_and(|it| it != joints);
+        let moves = self
+            .before
+            .replace(joints)
+            .is_some_and(|previous| previous != joints);
         let mut sent = it.packets().iter().skip(self.packets);
         if moves && sent.any(|(_, bytes)| bytes[0] == VOICE_HEADER) {
             self.lose(HANGS, "voice was sent while it moved".to_owned());
@@ -94,7 +97,7 @@ impl Judge {
         self.packets = it.packets().len();
     }
 
-    /// Takes what the controller says of itself.
+    /// Reads the controller's reports.
     pub(crate) fn hear(&mut self, it: &mut VirtualStation) {
         while let Some(refused) = it.arm_mut().poll_refused() {
             match refused {

@@ -15,10 +15,11 @@ use super::recorded::{Program, RecordedPacket, Within};
 
 const PERSONALITY: Personality = Personality::Firmware11;
 const STEP_MS: u64 = 5;
-/// So long an arm stands still when it is said to rest: shorter than half of the shortest pause.
+/// The number of steps after which an arm counts as at rest: shorter than half of the shortest
+/// pause.
 const REST_STEPS: u32 = 40;
 
-/// Where an arm is, and what its tool does.
+/// The position of an arm and the state of its tool.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Look {
     /// X, Y and Z.
@@ -73,7 +74,7 @@ impl fmt::Debug for Look {
     }
 }
 
-/// Where an arm came to rest, one place after the other, and where it was at the looks.
+/// Where an arm came to rest, in order, and where it was at the observations.
 #[derive(Debug, Default)]
 pub(super) struct Seen {
     pub(super) rests: Vec<Look>,
@@ -100,7 +101,7 @@ impl Seen {
     }
 }
 
-/// Plays what of a program's packets is to be played, step by step, to whoever takes them.
+/// Plays a program's packets step by step.
 struct Play<'a> {
     /// The last one first.
     packets: Vec<&'a RecordedPacket>,
@@ -111,12 +112,12 @@ impl<'a> Play<'a> {
     fn new(program: &'a Program, is_played: impl Fn(&RecordedPacket) -> bool) -> Self {
         let packets = program.packets.iter().rev();
         Self {
-            packets: packets.filter(|it| is_played(it)).collect(),
+            packets: packets.filter(|packet| is_played(packet)).collect(),
             one_per_status: program.one_per_status,
         }
     }
 
-    /// What is sent at that time, after so many statuses.
+    /// Returns the packets due at that time, after this many statuses.
     fn due(&mut self, now: Duration, statuses: usize) -> Vec<&'a RecordedPacket> {
         let most = if self.one_per_status {
             statuses
@@ -125,7 +126,7 @@ impl<'a> Play<'a> {
         };
         let mut due = Vec::new();
         while due.len() < most {
-            let is_due = |it: &mut &RecordedPacket| Duration::from_millis(it.at_ms) <= now;
+            let is_due = |packet: &mut &RecordedPacket| Duration::from_millis(packet.at_ms) <= now;
             match self.packets.pop_if(is_due) {
                 Some(packet) => due.push(packet),
                 None => break,
@@ -149,22 +150,22 @@ fn power_up(program: &Program) -> PowerUp {
     }
 }
 
-/// The program at an arm that nobody guards, without what a station would refuse.
+/// Plays the program on an arm without a station, leaving out what a station would refuse.
 pub(super) fn at_a_bare_arm(program: &Program) -> (Seen, Vec<Refused>) {
-    at_an_arm(program, |it| it.refused.is_none())
+    at_an_arm(program, |packet| packet.refused.is_none())
 }
 
-/// Whether a stock arm hangs or loses its pose by what a program sends up to a packet, and not
-/// without that one.
+/// Returns whether a program up to a packet makes a stock arm hang or lose its pose, but not
+/// without that packet.
 pub(super) fn is_trapped_by(program: &Program, trap: &RecordedPacket) -> bool {
-    let before = |it: &RecordedPacket| it.refused.is_none() && it.at_ms <= trap.at_ms;
-    let is_lost = |it: &Refused| matches!(it, Refused::Hangs(_) | Refused::PoseLost);
-    let with_it = |it: &RecordedPacket| before(it) || std::ptr::eq(it, trap);
+    let before = |packet: &RecordedPacket| packet.refused.is_none() && packet.at_ms <= trap.at_ms;
+    let is_lost = |refused: &Refused| matches!(refused, Refused::Hangs(_) | Refused::PoseLost);
+    let with_it = |packet: &RecordedPacket| before(packet) || std::ptr::eq(packet, trap);
     !at_an_arm(program, before).1.iter().any(is_lost)
         && at_an_arm(program, with_it).1.iter().any(is_lost)
 }
 
-/// What is seen of an arm, and what it did not do.
+/// Returns the observations of an arm, and what it did not do.
 fn at_an_arm(
     program: &Program,
     is_played: impl Fn(&RecordedPacket) -> bool,
@@ -188,18 +189,18 @@ fn at_an_arm(
     (seen, refused)
 }
 
-/// What a station did with a program.
+/// The station's handling of a program.
 pub(super) struct Served {
     pub(super) seen: Seen,
-    /// What the arm got since the program came.
+    /// The packets that the arm got since the program connected.
     pub(super) got: Vec<Frame>,
-    /// What was told of each packet when it came: whether it was refused, and the texts.
+    /// The reports for each packet: whether it was refused, and the texts.
     pub(super) told: Vec<(bool, Vec<String>)>,
     /// All that was amended, refused or failed.
     pub(super) troubles: Vec<String>,
 }
 
-/// The program at the raw port of a station with the policy that it has if nobody says otherwise.
+/// Plays the program at the raw port of a station with the default policy.
 pub(super) fn at_a_station(program: &Program) -> Served {
     let mut it = VirtualStation::new(power_up(program), Policy::default());
     let client = it.client("a raw program");
@@ -251,6 +252,6 @@ fn troubles(it: &VirtualStation, from: usize) -> Vec<String> {
         )
     };
     let notices = it.notices()[from..].iter();
-    let troubles = notices.filter(|it| is_trouble(&it.news));
-    troubles.map(|it| it.text.clone()).collect()
+    let troubles = notices.filter(|notice| is_trouble(&notice.news));
+    troubles.map(|notice| notice.text.clone()).collect()
 }

@@ -1,4 +1,4 @@
-//! Programs as `vectors/programs/` tells them.
+//! Programs as recorded in `vectors/programs/`.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use dobot_wire::{Frame, PACKET_LEN};
 use serde::Deserialize;
 
-/// What a program sends, and what becomes of it.
+/// A program's packets and their outcome.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Program {
@@ -18,10 +18,10 @@ pub(super) struct Program {
     pub(super) one_per_status: bool,
     #[serde(default)]
     pub(super) within: Within,
-    /// What the tilt sensors of rear arm and forearm read at power-up.
+    /// The readings of the tilt sensors of rear arm and forearm at power-up.
     #[serde(default = "as_usual")]
     pub(super) pose_deg: [f64; 2],
-    /// When the arms are compared; wherever they rest, if that is not said.
+    /// When the arms are compared; if absent, wherever they rest.
     #[serde(default)]
     pub(super) looks_ms: Vec<u64>,
     pub(super) packets: Vec<RecordedPacket>,
@@ -32,7 +32,7 @@ const fn as_usual() -> [f64; 2] {
     [45.0, 45.0]
 }
 
-/// How far two arms may be apart.
+/// The largest differences between two arms.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Within {
@@ -58,9 +58,9 @@ pub(super) struct RecordedPacket {
     floats: Vec<f32>,
     #[serde(default)]
     hex: String,
-    /// What the arm gets instead.
+    /// The packet sent to the arm instead.
     sent: Option<Vec<f32>>,
-    /// What those who watch read of that.
+    /// The notice about it.
     #[serde(rename = "told")]
     pub(super) news: Option<String>,
     /// The reason for which it is refused.
@@ -76,9 +76,13 @@ impl RecordedPacket {
         if self.hex.is_empty() {
             return frame(&self.floats);
         }
-        let digits: Vec<u32> = self.hex.chars().filter_map(|it| it.to_digit(16)).collect();
-        let bytes = digits.chunks(2).map(|it| it[0] * 16 + it[1]);
-        let bytes: Vec<u8> = bytes.map(|it| u8::try_from(it).unwrap()).collect();
+        let digits: Vec<u32> = self
+            .hex
+            .chars()
+            .filter_map(|character| character.to_digit(16))
+            .collect();
+        let bytes = digits.chunks(2).map(|pair| pair[0] * 16 + pair[1]);
+        let bytes: Vec<u8> = bytes.map(|byte| u8::try_from(byte).unwrap()).collect();
         let bytes: [u8; PACKET_LEN] = bytes.try_into().unwrap();
         Frame::from_bytes(&bytes).unwrap()
     }
@@ -105,9 +109,9 @@ pub(super) fn program(name: &str) -> Program {
 /// The names of all of them.
 pub(super) fn names() -> Vec<String> {
     let files = fs::read_dir(folder()).unwrap();
-    let paths = files.map(|it| it.unwrap().path());
+    let paths = files.map(|file| file.unwrap().path());
     let mut names: Vec<String> = paths
-        .map(|it| it.file_stem().unwrap().to_str().unwrap().to_owned())
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
         .collect();
     names.sort();
     names

@@ -16,7 +16,7 @@ impl Run {
     /// Checks that the job is not coming to rest and its speed and height can be changed.
     pub(in crate::supervisor) fn check_adjustable(&self) -> Result<(), Refusal> {
         if self.started.doubt.is_some() {
-            let why = "nobody knows yet how far it is; start it first".to_owned();
+            let why = "its progress is not known yet; start it first".to_owned();
             return Err(Refusal::CannotResume(why));
         }
         Ok(())
@@ -57,7 +57,7 @@ impl Run {
     }
 
     fn keep_adjustment(&self) -> JobEffect {
-        JobEffect::Ask(Effect::Adjust {
+        JobEffect::Write(Effect::Adjust {
             job: self.job(),
             adjustment: self.started.adjustment.clone(),
         })
@@ -89,7 +89,7 @@ impl Run {
 
     fn note_height(&mut self, change: HeightChange) {
         let heights = &mut self.started.adjustment.heights;
-        heights.retain(|it| it.from < change.from);
+        heights.retain(|height| height.from < change.from);
         forget_older(heights, self.permit.kept());
         heights.push(change);
     }
@@ -97,7 +97,7 @@ impl Run {
 
 /// Of the changes before the commands that the journal has as done, only the last one matters.
 fn forget_older(heights: &mut Vec<HeightChange>, kept: usize) {
-    let done = heights.partition_point(|it| it.from <= kept);
+    let done = heights.partition_point(|height| height.from <= kept);
     heights.drain(..done.saturating_sub(1));
 }
 

@@ -71,7 +71,7 @@ impl Run {
 
     /// Returns the running phase, up to the next pause for a person or the end.
     pub(in crate::supervisor::run) fn running(&self) -> Phase {
-        let pause = self.started.next_pause().map(|it| it.0);
+        let pause = self.started.next_pause().map(|(before, _)| before);
         let ends = [
             Some(self.started.end()),
             Some(self.started.plan.len()),
@@ -85,8 +85,8 @@ impl Run {
     /// Returns the remaining time, in seconds (motion model).
     pub(crate) fn left_s(&self) -> Option<f64> {
         let (started, plan) = (&self.started, &self.started.plan);
-        let cycles = plan.cycle().map_or(0, |it| started.back / it.len);
-        #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+        let cycles = plan.cycle().map_or(0, |cycle| started.back / cycle.len);
+        #[expect(clippy::cast_precision_loss, reason = "2^53 cycles are out of reach")]
         let over_s =
             plan.cycle_s().unwrap_or(0.0) * cycles as f64 + plan.takes_s(0..started.completed);
         Some(plan.planned_s()? - over_s)

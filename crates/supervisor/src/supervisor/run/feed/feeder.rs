@@ -10,19 +10,21 @@ use dobot_wire::{Command, Status};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 use crate::supervisor::run::observe::grip_check::{SEEN_WITHIN, UnseenGrip};
-use crate::supervisor::run::{Effect, JobEffect, Phase, Ran, Rests, Run, SentCommand, ToolHeight};
+use crate::supervisor::run::{
+    Effect, JobEffect, Phase, RestMode, Run, RunTime, SentCommand, ToolHeight,
+};
 
 impl Run {
     /// Handles a command that was dropped before it was sent.
     pub(in crate::supervisor) fn handle_forgotten(&mut self, id: CommandId) {
-        if let Some(at) = self.given.iter().position(|it| it.id == id) {
+        if let Some(at) = self.given.iter().position(|sent| sent.id == id) {
             let index = self.given[at].index;
             self.given.truncate(at);
             self.next = self.next.min(index);
         }
         // The tool is still up.
-        if let ToolHeight::Lowering(it, command) = self.tool
-            && it == id
+        if let ToolHeight::Lowering(lowering, command) = self.tool
+            && lowering == id
         {
             self.tool = ToolHeight::Above(command);
         }
@@ -37,10 +39,10 @@ impl Run {
         is_done: bool,
         status: Option<&Status>,
     ) -> bool {
-        let of_job = self.given.iter().position(|it| it.id == id);
+        let of_job = self.given.iter().position(|sent| sent.id == id);
         let of_way = match &self.phase {
             Phase::Approaching { last } => *last == Some(id),
-            _ => matches!(self.tool, ToolHeight::Lowering(it, _) if it == id),
+            _ => matches!(self.tool, ToolHeight::Lowering(lowering, _) if lowering == id),
         };
         if let Some(at) = of_job {
             self.over(at, now, is_done, status);
@@ -49,7 +51,7 @@ impl Run {
             return of_job.is_some() || of_way || self.is_approaching();
         }
         if of_way && self.is_approaching() {
-            self.set_out(now);
+            self.start_commands(now);
         } else if of_way {
             self.tool = ToolHeight::Down;
         }
@@ -59,7 +61,7 @@ impl Run {
     /// Supplies session and journal. The tool is lifted only if `may_lift`.
     pub(in crate::supervisor) fn feed(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<JobEffect> {
         if matches!(self.phase, Phase::Approaching { last: None }) {
-            self.set_out(arm.now());
+            self.start_commands(arm.now());
         }
         if !self.gives() {
             return Vec::new();
@@ -72,8 +74,8 @@ impl Run {
             let given = self.set_target_speed(arm).and_then(|()| self.lower(arm));
             let given = given.and_then(|()| self.send(arm, &command));
             if let Err(refusal) = given {
-                arm.part_from_laser();
-                effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
+                arm.send_laser_off();
+                effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), RestMode::Lifted));
                 break;
             }
         }
@@ -93,8 +95,8 @@ impl Run {
     /// Scales a program's targets to its current speed.
     fn scaled(&self, command: Command) -> Command {
         match command {
-            Command::PlaybackAdjustment(it) if self.started.kind == JobKind::Program => {
-                self.started.at_speed(it).into()
+            Command::PlaybackAdjustment(adjustment) if self.started.kind == JobKind::Program => {
+                self.started.at_speed(adjustment).into()
             }
             command => command,
         }
@@ -120,8 +122,12 @@ impl Run {
 
     fn send(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
         let id = arm.send(command)?;
-        let (index, left) = (self.next, self.after(self.left(), command));
-        self.given.push_back(SentCommand { id, index, left });
+        let (index, carry_over) = (self.next, self.after(self.carry_over(), command));
+        self.given.push_back(SentCommand {
+            id,
+            index,
+            carry_over,
+        });
         self.next += 1;
         Ok(())
     }
@@ -136,7 +142,7 @@ impl Run {
             Phase::Draining {
                 then,
                 reason,
-                rests: Rests::Lifted,
+                rests: RestMode::Lifted,
                 ..
             } => {
                 let (then, reason) = (*then, reason.clone());
@@ -148,14 +154,19 @@ impl Run {
     }
 
     fn wait_for_person(&mut self) -> Option<JobEffect> {
-        let here = self.started.next_pause().filter(|it| it.0 == self.next);
+        let here = self
+            .started
+            .next_pause()
+            .filter(|(before, _)| *before == self.next);
         if let Some((_, message)) = here {
             let message = message.to_owned();
-            return Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson));
+            return Some(self.drain(JobPhase::Paused, &message, RestMode::ForPerson));
         }
         let is_over = self.next == self.started.end();
-        let here = self.step_end.filter(|it| *it == self.next && !is_over);
-        here.map(|_| self.drain(JobPhase::Paused, "the step is done", Rests::AsItIs))
+        let here = self
+            .step_end
+            .filter(|step_end| *step_end == self.next && !is_over);
+        here.map(|_| self.drain(JobPhase::Paused, "the step is done", RestMode::AsItIs))
     }
 
     /// Asks the journal early, so that the arm does not wait for the disk.
@@ -170,7 +181,7 @@ impl Run {
             upto,
             start: self.start(),
         });
-        let effect = Effect::Give {
+        let effect = Effect::ExtendWindow {
             job: self.job(),
             completed: counted.completed,
             upto: counted.upto,
@@ -178,13 +189,13 @@ impl Run {
         };
         self.permit
             .ask(upto, completed)
-            .then_some(JobEffect::Ask(effect))
+            .then_some(JobEffect::Write(effect))
     }
 
     /// Starts the commands once the resume point is reached, up to the next pause for a person.
-    fn set_out(&mut self, now: Duration) {
+    fn start_commands(&mut self, now: Duration) {
         self.phase = self.running();
-        self.ran = Some(Ran {
+        self.ran = Some(RunTime {
             since: now,
             last_over: now,
         });
@@ -198,7 +209,7 @@ impl Run {
     fn gives(&self) -> bool {
         match self.phase {
             Phase::Running { .. } => true,
-            Phase::Draining { upto, rests, .. } => rests == Rests::Lifted || self.next < upto,
+            Phase::Draining { upto, rests, .. } => rests == RestMode::Lifted || self.next < upto,
             _ => false,
         }
     }
@@ -220,7 +231,7 @@ impl Run {
         if !is_done || self.started.completed != given.index {
             return;
         }
-        if status.is_some_and(|it| self.shows_grip(given.index, it)) {
+        if status.is_some_and(|status| self.shows_grip(given.index, status)) {
             self.handle_done(given, now);
         } else {
             let until = now + SEEN_WITHIN;
@@ -233,7 +244,7 @@ impl Run {
 
     pub(in crate::supervisor::run) fn handle_done(&mut self, given: SentCommand, now: Duration) {
         self.started.completed = given.index + 1;
-        self.left = given.left;
+        self.carry_over = given.carry_over;
         self.handle_progress(now);
     }
 }

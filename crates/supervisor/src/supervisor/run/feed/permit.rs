@@ -71,7 +71,7 @@ impl Permit {
 
     /// Handles an adjustment that the journal has written.
     pub(crate) fn handle_adjusted(&mut self, adjustment: &Adjustment) {
-        let same = |it: &mut Adjustment| it.heights == adjustment.heights;
+        let same = |waited: &mut Adjustment| waited.heights == adjustment.heights;
         self.adjustment.take_if(same);
     }
 

@@ -47,7 +47,7 @@ impl Speeds {
         speed_mm_s: f32,
     ) -> Option<Command> {
         let planned = *plan.commands().get(index)?;
-        let begins_so = |it: &Command| begins_with(it, speed_mm_s);
+        let begins_so = |command: &Command| begins_with(command, speed_mm_s);
         if !self.covers(index)
             && (index < self.rests_until
                 || self.share != 1.0
@@ -90,7 +90,9 @@ impl Speeds {
         self.go_on(plan, index, speed_mm_s);
         let count = reaching(&self.vectors, needed_mm);
         let takes_s = plan.takes_s(index..index + count) / self.share;
-        let any_burns = self.vectors[..count].iter().any(|it| burns(&(*it).into()));
+        let any_burns = self.vectors[..count]
+            .iter()
+            .any(|vector| burns(&(*vector).into()));
         if count == 0 || any_burns || takes_s > SOON_S {
             return None;
         }
@@ -145,9 +147,11 @@ fn begin(plan: &JobPlan, index: usize, speed_mm_s: f32) -> RespeedStart {
 /// and between two rests it gets the right length anyway.
 fn begins_with(planned: &Command, speed_mm_s: f32) -> bool {
     match planned {
-        Command::WriteVector(it) if it.end_speed_mm_s > 0.0 || it.start_speed_mm_s > MOVES_MM_S => {
-            let found_mm_s = speed_mm_s.max(0.0).min(it.max_speed_mm_s);
-            (it.start_speed_mm_s - found_mm_s).abs() < SAME_MM_S
+        Command::WriteVector(vector)
+            if vector.end_speed_mm_s > 0.0 || vector.start_speed_mm_s > MOVES_MM_S =>
+        {
+            let found_mm_s = speed_mm_s.max(0.0).min(vector.max_speed_mm_s);
+            (vector.start_speed_mm_s - found_mm_s).abs() < SAME_MM_S
         }
         _ => true,
     }
@@ -156,9 +160,9 @@ fn begins_with(planned: &Command, speed_mm_s: f32) -> bool {
 /// Returns the number of vectors needed for this distance.
 fn reaching(vectors: &[WriteVector], way_mm: f64) -> usize {
     let mut so_far_mm = 0.0;
-    let before = vectors.iter().take_while(|it| {
+    let before = vectors.iter().take_while(|vector| {
         let is_before = so_far_mm < way_mm;
-        so_far_mm += length_mm(it);
+        so_far_mm += length_mm(vector);
         is_before
     });
     before.count()
@@ -222,7 +226,7 @@ mod tests {
     fn as_many_vectors_are_taken_as_the_way_needs() {
         let vectors = [vector(1.0, 9.0), vector(2.0, 9.0), vector(4.0, 9.0)];
         assert_eq!(
-            [0.0, 0.5, 1.0, 1.1, 3.0, 9.0].map(|it| reaching(&vectors, it)),
+            [0.0, 0.5, 1.0, 1.1, 3.0, 9.0].map(|mm| reaching(&vectors, mm)),
             [0, 1, 1, 2, 2, 3]
         );
     }
@@ -233,7 +237,7 @@ mod tests {
             lengths in prop::collection::vec(0.05..5.0_f32, 1..40),
             begin in 0.5..80.0_f32,
         ) {
-            let mut vectors: Vec<_> = lengths.iter().map(|it| vector(*it, 80.0)).collect();
+            let mut vectors: Vec<_> = lengths.iter().map(|length| vector(*length, 80.0)).collect();
             let way_mm: f64 = vectors.iter().map(length_mm).sum();
             let acceleration = f64::from(begin) * f64::from(begin) / (2.0 * way_mm);
             slow_down(&mut vectors, begin);

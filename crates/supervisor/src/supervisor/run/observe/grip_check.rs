@@ -23,7 +23,7 @@ impl Run {
     /// Returns whether the next command has to wait for those before it.
     pub(crate) fn waits_for_grip(&self) -> bool {
         let grips = |index| self.started.plan.grips(index);
-        let last = self.given.back().is_some_and(|it| grips(it.index));
+        let last = self.given.back().is_some_and(|sent| grips(sent.index));
         self.unseen.is_some() || last || grips(self.next) && !self.given.is_empty()
     }
 
@@ -33,7 +33,7 @@ impl Run {
     }
 
     /// Checks the awaited grip: seen, or overdue and why.
-    pub(in crate::supervisor) fn judge_grip(
+    pub(in crate::supervisor) fn check_grip(
         &mut self,
         now: Duration,
         status: &Status,
@@ -48,7 +48,7 @@ impl Run {
             return None;
         }
         self.unseen = None;
-        Some("the arm does not hold what it should by its status: the command was lost".to_owned())
+        Some("the status does not show the expected grip: the command was lost".to_owned())
     }
 }
 

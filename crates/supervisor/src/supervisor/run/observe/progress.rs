@@ -36,19 +36,19 @@ impl Run {
         let off_mm = end.distance(position(status)).0;
         (off_mm > THERE_MM).then(|| {
             format!(
-                "the arm rests {off_mm:.2} mm from where the job ends: a command was lost on its way, and what came behind it is displaced"
+                "the arm rests {off_mm:.2} mm from where the job ends: a command was lost, and everything after it is displaced"
             )
         })
     }
 
     /// Describes how long it took and how far the plan was off.
     fn took(&self) -> String {
-        let Some(ran_s) = self.started.behind.ran_s else {
+        let Some(ran_s) = self.started.history.ran_s else {
             return String::new();
         };
         let planned = self.started.plan.planned_s();
         let planned = planned
-            .map(|it| format!(", planned were {it:.1} s"))
+            .map(|planned_s| format!(", planned {planned_s:.1} s"))
             .unwrap_or_default();
         format!(", in {ran_s:.1} s{planned}")
     }
@@ -88,7 +88,7 @@ impl Run {
 
     /// Handles the end of all commands with the arm at rest: checks that it is where the job ends.
     fn finish(&mut self, arm: &mut Arm) -> Vec<JobEffect> {
-        arm.part_from_laser();
+        arm.send_laser_off();
         self.note_ran();
         let (job, title) = (self.job(), &self.started.title);
         let (phase, reason) = match arm.last().and_then(|status| self.misses_end(&status)) {
@@ -97,19 +97,19 @@ impl Run {
         };
         let why = reason
             .as_ref()
-            .map_or_else(|| self.took(), |it| format!(": {it}"));
+            .map_or_else(|| self.took(), |reason| format!(": {reason}"));
         let text = format!("job {job} ({title}) is {}{why}", word(phase));
         let effect = Effect::Phase {
             job,
             phase,
             reason,
             window: Some(self.started.counted(self.certain())),
-            behind: self.started.behind,
+            history: self.started.history,
         };
         vec![
-            JobEffect::Keep(effect),
+            JobEffect::WritePhase(effect),
             JobEffect::Notify(News::Job { job, phase }, text),
-            JobEffect::Forget,
+            JobEffect::Drop,
         ]
     }
 
@@ -153,19 +153,19 @@ pub(crate) fn locate_at(
     let model = model_at(dialect, settings, window).unwrap_or_else(|| Model::new(dialect, status));
     let lift_mm = started.plan.lift();
     let next = locate(commands, window, &model, lift_mm, position(status))?.next;
-    Ok(behind_seen_grips(&started.plan, next..window.upto, status))
+    Ok(skip_seen_grips(&started.plan, next..window.upto, status))
 }
 
 /// A grip shows in the status, not in the position: grips that are seen are done.
-fn behind_seen_grips(plan: &JobPlan, commands: Range<usize>, status: &Status) -> usize {
+fn skip_seen_grips(plan: &JobPlan, commands: Range<usize>, status: &Status) -> usize {
     let seen = |index: &usize| plan.grips_in_place(*index) && plan.shows_grip(*index, status);
     commands.start + commands.take_while(seen).count()
 }
 
 const fn pause_s(command: &Command) -> f32 {
     match command {
-        Command::MoveTo(it) => it.pause_s,
-        Command::MoveJoints(it) => it.pause_s,
+        Command::MoveTo(target) => target.pause_s,
+        Command::MoveJoints(target) => target.pause_s,
         _ => 0.0,
     }
 }

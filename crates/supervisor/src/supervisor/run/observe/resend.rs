@@ -6,7 +6,7 @@ use dobot_wire::Command;
 
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
-use crate::supervisor::run::{JobEffect, Phase, Rests, Run, StartedJob};
+use crate::supervisor::run::{JobEffect, Phase, RestMode, Run, StartedJob};
 
 /// How often the same command was sent again in a row.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,7 +20,7 @@ impl Run {
     /// Handles a failed command: the job comes to rest, to continue by itself if that is safe.
     pub(in crate::supervisor) fn fail(&mut self, why: &str) -> Option<JobEffect> {
         let is_running = matches!(self.phase, Phase::Running { .. });
-        if !is_running || !self.may_try_again() {
+        if !is_running || !self.may_resend() {
             return self.interrupt(why);
         }
         let counted = self.started.completed + self.started.back;
@@ -41,29 +41,29 @@ impl Run {
         Some(self.drain(
             JobPhase::Running,
             &format!("{why}; it is sent again"),
-            Rests::ToTryAgain,
+            RestMode::ToResend,
         ))
     }
 
     /// Returns whether commands may be sent again. A target is absolute and may be sent again
     /// wherever the arm is; vectors are relative.
-    fn may_try_again(&self) -> bool {
+    fn may_resend(&self) -> bool {
         let counted = self.started.completed + self.started.back;
         let is_new = self.retries.command != counted;
         let sent = self.started.completed..self.next;
         let mut sent = self.started.plan.commands()[sent].iter();
-        let leads_somewhere = sent.all(|it| !matches!(it, Command::WriteVector(_)));
+        let leads_somewhere = sent.all(|command| !matches!(command, Command::WriteVector(_)));
         leads_somewhere && (is_new || self.retries.times < MOST_RETRIES)
     }
 
     /// Pauses the job because lost commands cannot be sent again.
     pub(in crate::supervisor) fn give_up(&mut self, why: &str) -> JobEffect {
-        self.drain(JobPhase::Paused, why, Rests::AsItIs)
+        self.drain(JobPhase::Paused, why, RestMode::AsItIs)
     }
 
     /// Continues from where the arm rests: after what it has done or, if that is unclear, from the
     /// first command not seen to be done.
-    pub(in crate::supervisor) fn try_again(
+    pub(in crate::supervisor) fn resend_lost(
         &self,
         arm: &mut Arm,
     ) -> Result<(Self, Vec<JobEffect>), Refusal> {
@@ -83,7 +83,7 @@ impl Run {
         // A notice has said already that it continues.
         let kept = effects
             .into_iter()
-            .filter(|it| matches!(it, JobEffect::Keep(_)));
+            .filter(|effect| matches!(effect, JobEffect::WritePhase(_)));
         Ok((run, kept.collect()))
     }
 }

@@ -4,7 +4,7 @@ use dobot_api::{JobPhase, News};
 use dobot_journal::Window;
 
 use crate::supervisor::arm::Arm;
-use crate::supervisor::run::{Effect, JobEffect, Phase, Rests, Run, ToolHeight, straight, word};
+use crate::supervisor::run::{Effect, JobEffect, Phase, RestMode, Run, ToolHeight, straight, word};
 
 impl Run {
     /// Ends a job that sends no more commands, as its phase requires.
@@ -12,7 +12,7 @@ impl Run {
         match &mut self.phase {
             // Nothing moves for it: its progress no longer matters.
             Phase::Paused { .. } | Phase::Locating { .. } => {
-                Some(self.drain(JobPhase::Stopped, why, Rests::AsItIs))
+                Some(self.drain(JobPhase::Stopped, why, RestMode::AsItIs))
             }
             Phase::Draining { then, reason, .. } | Phase::Lifting { then, reason, .. } => {
                 *then = JobPhase::Stopped;
@@ -26,9 +26,9 @@ impl Run {
     /// Comes to rest along the path and lifts the tool. Unsent commands have been dropped already.
     pub(in crate::supervisor) fn come_to_rest(&mut self, then: JobPhase, why: &str) -> JobEffect {
         let rests = if self.is_down() {
-            Rests::Lifted
+            RestMode::Lifted
         } else {
-            Rests::AsItIs
+            RestMode::AsItIs
         };
         let effect = self.drain(then, why, rests);
         self.brake();
@@ -38,7 +38,7 @@ impl Run {
     /// Interrupts the job: the in-flight commands finish, then it is paused.
     pub(in crate::supervisor) fn interrupt(&mut self, why: &str) -> Option<JobEffect> {
         if self.is_at_work() {
-            return Some(self.drain(JobPhase::Paused, why, Rests::AsItIs));
+            return Some(self.drain(JobPhase::Paused, why, RestMode::AsItIs));
         }
         if let Phase::Draining {
             then,
@@ -47,31 +47,31 @@ impl Run {
             rests,
         } = &mut self.phase
         {
-            let was_to_try_again = *rests == Rests::ToTryAgain;
-            if was_to_try_again {
+            let was_to_resend = *rests == RestMode::ToResend;
+            if was_to_resend {
                 *then = JobPhase::Paused;
                 why.clone_into(reason);
             }
             // It does not reach the place of its pause.
-            if *rests == Rests::ForPerson && self.next < *upto {
+            if *rests == RestMode::ForPerson && self.next < *upto {
                 why.clone_into(reason);
             }
-            (*upto, *rests) = (self.next, Rests::AsItIs);
-            return was_to_try_again.then(|| self.notify(JobPhase::Paused, why));
+            (*upto, *rests) = (self.next, RestMode::AsItIs);
+            return was_to_resend.then(|| self.notify(JobPhase::Paused, why));
         }
         None
     }
 
     /// Interrupts a burning job and lifts the tool.
     pub(in crate::supervisor) fn interrupt_burning(&mut self, why: &str) -> JobEffect {
-        self.drain(JobPhase::Paused, why, Rests::Lifted)
+        self.drain(JobPhase::Paused, why, RestMode::Lifted)
     }
 
     pub(in crate::supervisor::run) fn drain(
         &mut self,
         then: JobPhase,
         reason: &str,
-        rests: Rests,
+        rests: RestMode,
     ) -> JobEffect {
         self.phase = Phase::Draining {
             then,
@@ -97,7 +97,7 @@ impl Run {
                 then,
                 reason,
                 upto: self.next,
-                rests: Rests::AsItIs,
+                rests: RestMode::AsItIs,
             }
         };
     }
@@ -105,41 +105,41 @@ impl Run {
     /// Handles the end of everything in flight: the progress is certain and is saved.
     pub(crate) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<JobEffect> {
         if let Phase::Draining {
-            rests: Rests::ToTryAgain,
+            rests: RestMode::ToResend,
             ..
         } = self.phase
         {
             self.next = self.started.completed;
-            return vec![JobEffect::TryAgain];
+            return vec![JobEffect::Resend];
         }
         let window = self.come_to_end(&reason);
-        arm.part_from_laser();
-        let mut effects = vec![JobEffect::Keep(Effect::Phase {
+        arm.send_laser_off();
+        let mut effects = vec![JobEffect::WritePhase(Effect::Phase {
             job: self.job(),
             phase: then,
             reason: Some(reason),
             window,
-            behind: self.started.behind,
+            history: self.started.history,
         })];
-        effects.extend(then.is_over().then_some(JobEffect::Forget));
+        effects.extend(then.is_over().then_some(JobEffect::Drop));
         effects
     }
 
     /// Returns the progress, if it is certain.
     fn come_to_end(&mut self, reason: &str) -> Option<Window> {
         let for_person = match &self.phase {
-            Phase::Draining { rests, .. } => *rests == Rests::ForPerson,
+            Phase::Draining { rests, .. } => *rests == RestMode::ForPerson,
             _ => false,
         };
         if matches!(self.phase, Phase::Lifting { .. }) {
-            self.left = self.after(self.left, &straight(self.lift_mm().into()));
+            self.carry_over = self.after(self.carry_over, &straight(self.lift_mm().into()));
         }
         self.next = self.started.completed;
         self.cycle_times.forget();
         self.step_end = None;
-        let waited = self.started.next_pause().map(|it| it.0);
+        let waited = self.started.next_pause().map(|(before, _)| before);
         if for_person && waited == Some(self.next) {
-            self.started.behind.pauses += 1;
+            self.started.history.pauses += 1;
         }
         self.note_ran();
         self.phase = Phase::Paused {
@@ -160,11 +160,11 @@ impl Run {
     /// Comes to rest along the current path, if that is soon: an arm without further commands stops
     /// abruptly.
     fn brake(&mut self) {
-        let left = self.left();
-        if left.moves
-            && let Some(end) = self
-                .speeds
-                .brake(&self.started.plan, self.next, left.speed_mm_s)
+        let carry_over = self.carry_over();
+        if carry_over.moves
+            && let Some(end) =
+                self.speeds
+                    .brake(&self.started.plan, self.next, carry_over.speed_mm_s)
             && let Phase::Draining { upto, .. } = &mut self.phase
         {
             *upto = end;

@@ -10,7 +10,7 @@ use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteVector, single};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 use crate::supervisor::run::observe::progress::{THERE_MM, locate_at};
-use crate::supervisor::run::{CarriedOver, Effect, JobEffect, Phase, Run, StartedJob, ToolHeight};
+use crate::supervisor::run::{CarryOver, Effect, JobEffect, Phase, Run, StartedJob, ToolHeight};
 
 impl Run {
     /// Starts a job, or resumes the paused one if it is the same.
@@ -20,23 +20,27 @@ impl Run {
         paused: Option<&Self>,
     ) -> Result<(Self, [JobEffect; 2]), Refusal> {
         let status = arm.last();
-        let kept = started.doubt.map_or(started.completed, |it| it.completed);
+        let kept = started
+            .doubt
+            .map_or(started.completed, |doubt| doubt.completed);
         let started = located(started, status)?;
         check_holds(&started, status)?;
         let JobApproach { mut first, lower } = approach(&started, status);
-        first.extend(behind_cut_line(&started, status, arm));
+        first.extend(reposition_after_cut_line(&started, status, arm));
         let step_end = started.single_step.then(|| started.step_end());
         let mut run = Self::new(started, kept, Phase::Approaching { last: None }, status);
         run.step_end = step_end;
         let is_planned = run.started.adjustment.speed_percent == 100.0;
         run.target_speed = run.started.target_speed(run.next).filter(|_| !is_planned);
-        let left = run.left_before(paused);
-        if left.is_unknown {
+        let carry_over = run.carry_over_before(paused);
+        if carry_over.is_unknown {
             run.speeds
                 .stop_each(&run.started.plan, run.started.completed);
         }
         let ways = first.iter().chain(&lower);
-        run.left = ways.fold(left, |left, it| run.after(left, it));
+        run.carry_over = ways.fold(carry_over, |carry_over, command| {
+            run.after(carry_over, command)
+        });
         for command in first.iter().chain(&lower) {
             arm.session().check(command)?;
         }
@@ -52,26 +56,28 @@ impl Run {
 
     fn begins(&self) -> [JobEffect; 2] {
         let (job, phase) = (self.job(), JobPhase::Running);
-        let text = format!("job {job} ({}) is under way", self.started.title);
+        let text = format!("job {job} ({}) is running", self.started.title);
         let effect = Effect::Phase {
             job,
             phase,
             reason: None,
             window: None,
-            behind: self.started.behind,
+            history: self.started.history,
         };
         [
-            JobEffect::Keep(effect),
+            JobEffect::WritePhase(effect),
             JobEffect::Notify(News::Job { job, phase }, text),
         ]
     }
 
     /// Returns the carry-over for the next vector before anything is sent for the job: what the
     /// pause has left, otherwise what the plan says.
-    fn left_before(&self, paused: Option<&Self>) -> CarriedOver {
-        let paused = paused.filter(|it| it.job() == self.job());
-        let left = paused.map(|it| it.left).filter(|it| !it.is_unknown);
-        left.unwrap_or_else(|| self.planned_left())
+    fn carry_over_before(&self, paused: Option<&Self>) -> CarryOver {
+        let paused = paused.filter(|paused| paused.job() == self.job());
+        let carry_over = paused
+            .map(|paused| paused.carry_over)
+            .filter(|carry_over| !carry_over.is_unknown);
+        carry_over.unwrap_or_else(|| self.planned_carry_over())
     }
 }
 
@@ -141,7 +147,11 @@ fn settle() -> [Command; 2] {
 
 /// Before a straight line whose predecessor may have been cut short: a MOVJ to where the arm is,
 /// without which a stock arm would start with a jump (note N46).
-fn behind_cut_line(started: &StartedJob, status: Option<Status>, arm: &Arm) -> Option<Command> {
+fn reposition_after_cut_line(
+    started: &StartedJob,
+    status: Option<Status>,
+    arm: &Arm,
+) -> Option<Command> {
     let next = started.plan.commands().get(started.completed)?;
     let trap = Err(SendError::Trap(TrajectoryError::BehindCutLine));
     let here = started.plan.start(started.completed).or(status)?;
@@ -169,20 +179,22 @@ fn go(to: Position, planned: &Status, mode: MovingMode) -> Command {
 /// was interrupted: an arm that does not use the start speed keeps the last end speed (note N48).
 fn may_jump(started: &StartedJob) -> bool {
     let before = started.completed.checked_sub(1);
-    let before = before.and_then(|it| started.plan.commands().get(it));
-    let moves = |it: &Command| matches!(it, Command::WriteVector(it) if it.end_speed_mm_s > 0.0);
+    let before = before.and_then(|before| started.plan.commands().get(before));
+    let moves = |command: &Command| matches!(command, Command::WriteVector(vector) if vector.end_speed_mm_s > 0.0);
     !started.dialect.uses_start_speed && before.is_some_and(moves)
 }
 
 /// Checks that the pump is not off while the program expects a held object, which has then fallen.
 fn check_holds(started: &StartedJob, status: Option<Status>) -> Result<(), Refusal> {
     let planned = started.plan.start(started.completed);
-    if planned.is_some_and(|it| it.suction) && status.is_some_and(|it| !it.suction) {
+    if planned.is_some_and(|planned| planned.suction)
+        && status.is_some_and(|status| !status.suction)
+    {
         let (_, step) = started
             .program
             .at(started.completed + started.back, started.commands);
         return Err(Refusal::CannotResume(format!(
-            "the pump is off, and before command {step} the program had it on: what the arm held has fallen. Put it back, and run the program from the step that takes it"
+            "the pump is off, but the program had it on before command {step}: the held object has fallen; put it back, and run the program from the step that picks it up"
         )));
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! A job to start, and its journal entries.
 
 use dobot_api::{JobKind, JobPause, JobPhase, JobProgram};
-use dobot_journal::{Adjustment, Behind, Job, Window};
+use dobot_journal::{Adjustment, Job, JobHistory, Window};
 use dobot_wire::{Dialect, PlaybackAdjustment, Status, single};
 
 use crate::supervisor::JobPlan;
@@ -11,7 +11,7 @@ use crate::supervisor::JobPlan;
 pub enum Effect {
     /// Must be on the disk before any command below `upto` is sent:
     /// [`Supervisor::handle_written`](crate::Supervisor::handle_written) confirms it.
-    Give {
+    ExtendWindow {
         /// The job.
         job: u64,
         /// The number of completed commands.
@@ -32,7 +32,7 @@ pub enum Effect {
         /// The window, if it is certain and has changed.
         window: Option<Window>,
         /// The job's history apart from commands.
-        behind: Behind,
+        history: JobHistory,
     },
     /// A person has changed the speed or the height of the job. It must be on the disk before a
     /// command changed by it is sent.
@@ -73,7 +73,7 @@ pub struct StartedJob {
     /// The number of completed commands, by position in the plan.
     pub completed: usize,
     /// The job's history apart from commands.
-    pub behind: Behind,
+    pub history: JobHistory,
     /// Commands that may be done beyond that, if not determined yet.
     pub doubt: Option<Window>,
     /// Whether it comes to rest after the next step.
@@ -84,9 +84,9 @@ impl StartedJob {
     /// Builds a job from its journal entry and its checked plan.
     #[must_use]
     pub fn new(job: &Job, plan: JobPlan) -> Self {
-        let back = plan
-            .cycle()
-            .map_or(0, |it| it.cycles_back(job.window.completed) * it.len);
+        let back = plan.cycle().map_or(0, |cycle| {
+            cycle.cycles_back(job.window.completed) * cycle.len
+        });
         let window = back_by(job.window, back);
         Self {
             job: job.id.0,
@@ -101,7 +101,7 @@ impl StartedJob {
             adjustment: job.adjustment.clone(),
             back,
             completed: window.completed,
-            behind: job.behind,
+            history: job.history,
             doubt: (window.upto > window.completed).then_some(window),
             single_step: false,
         }
@@ -109,12 +109,12 @@ impl StartedJob {
 
     /// Returns the next pause for a person: the command, by position in the plan, and the message.
     pub(crate) fn next_pause(&self) -> Option<(usize, &str)> {
-        self.pause(self.behind.pauses)
+        self.pause(self.history.pauses)
     }
 
     /// Returns the message of the pause that the job has reached.
     pub(crate) fn waits_for_person(&self) -> Option<&str> {
-        let (before, message) = self.pause(self.behind.pauses.checked_sub(1)?)?;
+        let (before, message) = self.pause(self.history.pauses.checked_sub(1)?)?;
         (before == self.completed && self.doubt.is_none()).then_some(message)
     }
 
@@ -123,7 +123,9 @@ impl StartedJob {
         let (pause, cycles) = match self.plan.cycle() {
             None => (self.pauses.get(waited)?, 0),
             Some(cycle) => {
-                let once = self.pauses.partition_point(|it| it.before < cycle.from);
+                let once = self
+                    .pauses
+                    .partition_point(|pause| pause.before < cycle.from);
                 let each = self.pauses.len() - once;
                 let over = waited.saturating_sub(once).checked_div(each).unwrap_or(0);
                 (self.pauses.get(waited - over * each)?, over * cycle.len)
@@ -136,14 +138,16 @@ impl StartedJob {
     /// Returns the end, by position in the plan.
     pub(crate) fn end(&self) -> usize {
         let cycle = self.plan.cycle();
-        cycle.map_or(self.plan.len(), |it| it.job_end(self.back / it.len))
+        cycle.map_or(self.plan.len(), |cycle| {
+            cycle.job_end(self.back / cycle.len)
+        })
     }
 
     /// Returns the end of the current step, by position in the plan.
     pub(crate) fn step_end(&self) -> usize {
         let (_, within) = self.program.at(self.completed + self.back, self.commands);
         let steps = &self.program.steps;
-        let next = match steps.get(steps.partition_point(|it| *it <= within)) {
+        let next = match steps.get(steps.partition_point(|step| *step <= within)) {
             Some(next) => *next,
             None if steps.is_empty() => within + 1,
             None => self.commands,
@@ -200,7 +204,7 @@ impl StartedJob {
     /// Returns the height above the plan, in mm.
     pub(crate) fn height_mm(&self) -> f64 {
         let last = self.adjustment.heights.last();
-        last.map_or(0.0, |it| it.offset_mm)
+        last.map_or(0.0, |last| last.offset_mm)
     }
 }
 

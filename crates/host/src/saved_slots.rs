@@ -11,18 +11,18 @@ use crate::known_arms::{NewText, read_file};
 /// The file of time slots, with times by the computer's clock, the only one that runs while no
 /// station does.
 #[derive(Debug)]
-pub(crate) struct KeptSlots(PathBuf);
+pub(crate) struct SavedSlots(PathBuf);
 
 #[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Content {
     #[serde(default)]
-    slot: Vec<KeptSlot>,
+    slot: Vec<SavedSlot>,
 }
 
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct KeptSlot {
+struct SavedSlot {
     student: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     group: Option<String>,
@@ -31,7 +31,7 @@ struct KeptSlot {
     ends_ms: i64,
 }
 
-impl KeptSlots {
+impl SavedSlots {
     pub(crate) fn at(file: &Path) -> Self {
         Self(file.to_owned())
     }
@@ -42,24 +42,27 @@ impl KeptSlots {
     ///
     /// The reason of a failure, in one line.
     pub(crate) fn read(&self, now_ms: i64) -> Result<Vec<TimeSlot>, String> {
-        let told = |why: String| format!("{}: {why}", self.0.display());
-        let Some(text) = read_file(&self.0).map_err(|error| told(error.to_string()))? else {
+        let describe = |why: String| format!("{}: {why}", self.0.display());
+        let Some(text) = read_file(&self.0).map_err(|error| describe(error.to_string()))? else {
             return Ok(Vec::new());
         };
         let content: Content =
-            toml::from_str(&text).map_err(|error| told(error.message().to_owned()))?;
-        let slots = content.slot.into_iter().map(|it| it.after(now_ms));
-        Ok(slots.filter(|it| it.ends_in_s >= LEFT_S).collect())
+            toml::from_str(&text).map_err(|error| describe(error.message().to_owned()))?;
+        let slots = content.slot.into_iter().map(|slot| slot.after(now_ms));
+        Ok(slots.filter(|slot| slot.ends_in_s >= LEFT_S).collect())
     }
 
     /// Returns the file content for these slots.
     pub(crate) fn keep(&self, slots: &[TimeSlot], now_ms: i64) -> io::Result<NewText> {
-        let slot = slots.iter().map(|it| KeptSlot::of(it, now_ms)).collect();
+        let slot = slots
+            .iter()
+            .map(|slot| SavedSlot::of(slot, now_ms))
+            .collect();
         NewText::of(&self.0, &Content { slot })
     }
 }
 
-impl KeptSlot {
+impl SavedSlot {
     fn of(slot: &TimeSlot, now_ms: i64) -> Self {
         #[expect(
             clippy::cast_possible_truncation,
@@ -109,7 +112,7 @@ mod tests {
     #[test]
     fn slots_go_on_where_they_were_when_the_station_comes_back() {
         let folder = tempfile::tempdir().unwrap();
-        let kept = KeptSlots::at(&folder.path().join("slots.toml"));
+        let kept = SavedSlots::at(&folder.path().join("slots.toml"));
         assert_eq!(kept.read(5).unwrap(), []);
         let all = [slot("Anna", 0.0, 600.0), slot("Ben", 600.0, 1200.5)];
         kept.keep(&all, 1_000_000).unwrap().write().unwrap();
@@ -129,7 +132,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("slots.toml");
         std::fs::write(&file, "[[slot]]\nstudent = 5").unwrap();
-        let why = KeptSlots::at(&file).read(0).unwrap_err();
+        let why = SavedSlots::at(&file).read(0).unwrap_err();
         assert!(why.contains("slots.toml"), "{why}");
     }
 }

@@ -3,14 +3,14 @@
 use std::io;
 use std::path::PathBuf;
 
-use dobot_supervisor::{KeptFleetStop, StoppedBy};
+use dobot_supervisor::{SavedFleetStop, StoppedBy};
 use serde::{Deserialize, Serialize};
 
 use crate::known_arms::{NewText, read_file};
 
 /// The file of the arm's stop and the fleet-wide stops; empty if there are none.
 #[derive(Debug)]
-pub(crate) struct KeptStop(PathBuf);
+pub(crate) struct SavedStop(PathBuf);
 
 #[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -18,10 +18,10 @@ pub(crate) struct Content {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) stop: Option<StoppedBy>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(crate) fleet: Vec<KeptFleetStop>,
+    pub(crate) fleet: Vec<SavedFleetStop>,
 }
 
-impl KeptStop {
+impl SavedStop {
     pub(crate) const fn at(file: PathBuf) -> Self {
         Self(file)
     }
@@ -38,7 +38,7 @@ impl KeptStop {
             stop: Some(StoppedBy {
                 by: "the station".to_owned(),
                 reason: Some(format!(
-                    "whether a stop held before cannot be read: {}: {why}",
+                    "cannot read whether a stop held before: {}: {why}",
                     self.0.display()
                 )),
             }),
@@ -63,14 +63,14 @@ mod tests {
     #[test]
     fn a_stop_is_kept_until_it_is_reset() {
         let folder = tempfile::tempdir().unwrap();
-        let kept = KeptStop::at(folder.path().join("stop.toml"));
+        let kept = SavedStop::at(folder.path().join("stop.toml"));
         assert_eq!(kept.read(), Content::default());
         let content = Content {
             stop: Some(StoppedBy {
                 by: "Anna".into(),
                 reason: Some("finger caught".into()),
             }),
-            fleet: vec![KeptFleetStop {
+            fleet: vec![SavedFleetStop {
                 stop: FleetWideStop {
                     origin: "0123".into(),
                     count: 1_800_000_000_000,
@@ -92,7 +92,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("stop.toml");
         std::fs::write(&file, "[stop").unwrap();
-        let read = KeptStop::at(file).read().stop.unwrap();
+        let read = SavedStop::at(file).read().stop.unwrap();
         assert!(read.reason.unwrap().contains("stop.toml"));
     }
 }
