@@ -1,4 +1,4 @@
-//! What the tool has drawn or burnt, in pieces.
+//! The lines that the tool has drawn or burned, in pieces.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -9,34 +9,34 @@ use serde_json::{Value, json};
 
 use crate::scene::{color, entity, line, points, removal, sphere};
 
-/// What the tool has drawn or burnt: lines, cut into pieces of which each is told once and never changes. The newest
-/// are kept, and the oldest are taken back when there are too many.
+/// The lines that the tool has drawn or burned, cut into pieces; each piece is reported once and
+/// never changes. The newest ones are kept; when there are too many, the oldest are removed.
 #[derive(Debug, Default)]
 pub(crate) struct Ink {
-    /// The line that still grows.
+    /// The line that is still growing.
     open: Option<Line>,
     kept: VecDeque<Piece>,
-    /// How many points those have.
+    /// The number of points of the kept pieces.
     kept_points: usize,
-    /// How many of them, the newest, are not told yet.
+    /// The number of the newest pieces that are not reported yet.
     untold: usize,
-    /// Pieces that were told and are no more.
+    /// Reported pieces that were removed.
     gone: Vec<u64>,
     count: u64,
 }
 
-/// A line that still grows, as far as it is in no piece yet.
+/// A growing line, as far as it is not part of a piece.
 #[derive(Debug)]
 struct Line {
     points_mm: Vec<Position>,
-    /// When the second of them was reached.
+    /// The time at its second point.
     since: Option<Duration>,
     burns: bool,
-    /// Whether it is a dot if the pen is lifted now.
+    /// Whether it becomes a dot if the pen is lifted now.
     is_dot: bool,
 }
 
-/// What was drawn in one go, to be told as one.
+/// A piece of a line, reported as a unit.
 #[derive(Debug)]
 struct Piece {
     number: u64,
@@ -45,8 +45,9 @@ struct Piece {
 }
 
 impl Ink {
-    /// Takes a way that is over, of a vector or not; a pen draws below a height. A pen draws a way between two places below
-    /// it, and a dot where a vector lowers it and the next one lifts it; a laser burns where it is on.
+    /// Handles a finished move, by a vector or not; a pen draws below a height. A pen draws a move
+    /// between two places below it, and a dot if one vector lowers it and the next one lifts it; a
+    /// laser burns while it is on.
     pub(crate) fn draw(
         &mut self,
         at: Duration,
@@ -76,20 +77,20 @@ impl Ink {
         }
     }
 
-    /// The tool is elsewhere now.
+    /// Handles a jump of the tool to another place.
     pub(crate) fn end_line(&mut self) {
         self.cut();
         self.open = None;
     }
 
-    /// Looks what time it is: a line that grows is told now and then.
+    /// Handles time: a growing line is reported now and then.
     pub(crate) fn handle_time(&mut self, at: Duration) {
         if self.open.as_ref().is_some_and(|it| it.is_due(at)) {
             self.cut();
         }
     }
 
-    /// What is new, if anything is.
+    /// The changes, if there are any.
     pub(crate) fn poll(&mut self, time: &Value, tip_mm: f64) -> Option<Value> {
         if self.untold == 0 && self.gone.is_empty() {
             return None;
@@ -104,7 +105,7 @@ impl Ink {
         }))
     }
 
-    /// All that was told and is kept, for one who comes late: in messages of a bearable length.
+    /// All reported and kept pieces, for a late subscriber, in messages of moderate length.
     pub(crate) fn so_far(&self, time: &Value, tip_mm: f64) -> Vec<Value> {
         let told = self.kept.len() - self.untold;
         let mut messages = Vec::new();
@@ -133,7 +134,7 @@ impl Ink {
         line.since.get_or_insert(at);
     }
 
-    /// Makes a piece of the line that grows, which goes on at its end.
+    /// Makes a piece of the growing line, which continues at its end.
     fn cut(&mut self) {
         let Some(line) = &mut self.open else {
             return;
@@ -210,17 +211,17 @@ fn name(number: u64) -> String {
     format!("ink {number}")
 }
 
-/// So many points of ink are kept at the most: those of some two hours at six vectors a second.
+/// The largest number of kept points: about two hours at six vectors a second.
 pub(crate) const MOST_POINTS: usize = 50_000;
 const PIECE_POINTS: usize = 100;
-/// A line that grows is told as often.
+/// The interval at which a growing line is reported.
 const PIECE_PERIOD: Duration = Duration::from_secs(1);
-/// So many points, and those of one piece more, are told at once to one who comes late.
+/// The number of points per message for a late subscriber, plus those of one piece.
 const MESSAGE_POINTS: usize = 2000;
-/// A line goes on where the one before ended.
+/// A line continues at the end of the previous one.
 const SAME_MM: f64 = 0.05;
 const LINE_M: f64 = 0.0005;
-/// The colours of ink and burn on the station's page.
+/// The colours of ink and burns on the station's page.
 const INK: u32 = 0x16_29_3f;
 const BURN: u32 = 0x4a_2c_14;
 
@@ -289,7 +290,7 @@ mod tests {
         let along = |n: usize, axis: &str| points[n][axis].as_f64().unwrap();
         assert!((along(1, "y") - along(0, "y") - 0.004).abs() < 1e-6);
         assert!((along(2, "x") - along(1, "x") - 0.004).abs() < 1e-6);
-        // The tip hangs 60 mm below the wrist, and that was 2.5 mm lower than the height at which a pen draws.
+        // The tip is 60 mm below the wrist, which was 2.5 mm below the drawing height of the pen.
         let expected = (hand.below_mm - 2.5 - 60.0) / 1000.0;
         assert!((along(0, "z") - expected).abs() < 2e-6, "{}", along(0, "z"));
         assert_eq!(hand.told(), [] as [Value; 0]);
@@ -316,7 +317,7 @@ mod tests {
         }
         hand.go(0.0, 0.0, 5.0);
         pieces.extend(hand.told());
-        // A second each, of ten vectors.
+        // One second each, of ten vectors.
         assert!((4..=6).contains(&pieces.len()), "{}", pieces.len());
         let total: usize = lines(&pieces).iter().map(|it| it - 1).sum();
         assert_eq!(total, 50);

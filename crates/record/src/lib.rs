@@ -1,9 +1,9 @@
 //! Recordings of everything on the wire, as MCAP files, and their replay.
 //!
-//! [`Recorder`] writes, in a thread of its own, so that a file is readable wherever it breaks off, and
-//! repairs those that broke off before; [`Live`] makes the same messages for those who look on meanwhile;
-//! [`Recording`] reads; [`Replay`] is a virtual arm that plays a recording back. The files open in
-//! Foxglove, with the arm, its target and its ink in the 3D panel and everything else to plot.
+//! [`Recorder`] writes in its own thread; a truncated file stays readable, and the next start
+//! repairs it. [`Live`] makes the same messages for live viewers, [`Recording`] reads, and
+//! [`Replay`] is a virtual arm that plays a recording back. The files open in Foxglove, with the
+//! arm, its target and its ink in the 3D panel and everything else to plot.
 //!
 //! ```
 //! use std::time::Duration;

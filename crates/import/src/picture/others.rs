@@ -5,7 +5,7 @@ use std::io::Cursor;
 use dobot_geometry::Point;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
-use super::decode::{Header, PIXEL_MM, on_paper};
+use super::decode::{self, Header, PIXEL_MM, on_paper};
 use super::exif::Orientation;
 use super::frames::series;
 use crate::error::ImageError;

@@ -158,10 +158,6 @@ fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
             "the end of the file".to_owned(),
             "the rest of the JSON text".to_owned(),
         ),
-        Some((_, list)) if list.starts_with("one of ") || list.starts_with('`') => {
-            let problem = problem.split(", ").next().unwrap_or(problem);
-            (plain_problem(problem), SHAPE.to_owned())
-        }
         Some((problem, expected)) => (plain_problem(problem), plain_type(expected).to_owned()),
         None if error.is_data() => (plain_problem(problem), SHAPE.to_owned()),
         None => (

@@ -20,7 +20,7 @@ fn s(seconds: u64) -> Duration {
     Duration::from_secs(seconds)
 }
 
-/// Bytes that cannot be compressed much.
+/// Bytes that hardly compress.
 fn noise(len: usize, seed: u64) -> Record {
     let mut state = seed;
     let mut random = || {
@@ -55,7 +55,7 @@ fn a_program_that_is_killed_loses_a_second_at_the_most() {
     for n in 0..100_u32 {
         rotation.handle_record(Duration::from_millis(100) * n, &Record::ToArm(vec![0xA5]));
         if let Some(path) = rotation.health().file {
-            // As a killed program leaves it: nothing more is written.
+            // As after a kill: nothing more is written.
             let (bytes, _) = read(&path);
             let lost = usize::try_from(n).unwrap() + 1 - bytes;
             assert!(lost <= 10, "{lost} of {n} records, 10 a second");
@@ -114,7 +114,7 @@ fn a_folder_that_cannot_be_written_is_told_and_tried_again() {
     }
     assert_eq!(rotation.health().lost, 5);
     std::fs::remove_file(&folder).unwrap();
-    // Not yet: nobody hammers on a full disk.
+    // Not yet: a full disk is not retried continuously.
     rotation.handle_record(s(9), &Record::ToArm(vec![1]));
     assert_eq!(rotation.health().lost, 6);
     rotation.handle_record(s(10), &Record::ToArm(vec![1]));
@@ -175,7 +175,7 @@ fn more_topics_than_a_file_has_room_for_get_another_file() {
     assert_eq!(moments.sum::<usize>(), 100);
 }
 
-/// Rear arm upright, forearm level, turned that far.
+/// Rear arm upright, forearm level, base rotated by this angle.
 fn status(base_deg: f32) -> Vec<u8> {
     let radius_mm = 215.07;
     let status = dobot_wire::Status {
@@ -196,7 +196,7 @@ fn random(state: &mut u64) -> f64 {
     f64::from(u32::try_from(*state >> 32).unwrap()) / f64::from(u32::MAX)
 }
 
-/// What the station tells while nothing happens, as long as it is.
+/// The station's messages while nothing happens, of realistic length.
 fn state(at: Duration, seed: &mut u64) -> Record {
     let schema = serde_json::json!({ "type": "object", "description": "x".repeat(20_000) });
     let topic = crate::Topic::new("/station/state", "dobot.State", &schema).unwrap();
@@ -224,8 +224,8 @@ fn state(at: Duration, seed: &mut u64) -> Record {
     }
 }
 
-/// An hour at rest: a status every 80 ms, half a millisecond early or late, in so many pieces as
-/// a serial port gives. How many bytes it takes.
+/// The length of an hour at rest: a status every 80 ms, half a millisecond early or late, split
+/// like the data of a serial port.
 fn idle_hour(cuts: &[usize]) -> u64 {
     let folder = tempfile::tempdir().unwrap();
     let mut rotation = rotation(folder.path());

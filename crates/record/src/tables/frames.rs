@@ -1,26 +1,26 @@
-//! From statuses, which come when they come, to frames at even times.
+//! The conversion of statuses to frames at equal intervals.
 
 use std::time::Duration;
 
 use crate::Sample;
 use dobot_wire::Status;
 
-/// The frames of a second: twice as many as the statuses of a stock arm.
+/// Frames per second: twice the status rate of a stock arm.
 pub(crate) const FPS: u32 = 25;
 
-/// Where the arm was at one of the even times of an episode.
+/// The state of the arm at one of the frame times of an episode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Frame {
-    /// The first frame of an episode is number 0; one of `FPS` a second.
+    /// The number of the frame in its episode, from 0; `FPS` per second.
     pub(crate) number: u32,
     pub(crate) status: Status,
 }
 
-/// Makes frames of statuses: numbers lie on the straight line between two statuses, suction and gripper are those of the
-/// status before.
+/// A converter from statuses to frames: numbers are interpolated linearly between two statuses,
+/// suction and gripper are those of the earlier one.
 ///
-/// A silence of more than a second ends an episode, since nobody knows what the arm did meanwhile; a time that goes back
-/// does so too. It begins at a status.
+/// A silence of more than a second ends an episode, because the motion meanwhile is unknown; so
+/// does a time that goes back. An episode starts at a status.
 #[derive(Debug, Default)]
 pub(crate) struct Frames {
     episode: Option<Episode>,
@@ -35,7 +35,8 @@ struct Episode {
 }
 
 impl Frames {
-    /// Takes the next status; gives the frames up to it. The first one has number 0 where it begins an episode.
+    /// Accepts the next status and returns the frames up to it. The first frame of an episode has
+    /// number 0.
     pub(crate) fn push(&mut self, sample: Sample) -> Vec<Frame> {
         if let Some(episode) = &mut self.episode
             && let Some(silence) = sample.at.checked_sub(episode.last.at)
@@ -72,7 +73,7 @@ impl Episode {
     }
 }
 
-/// The status at a time between two others.
+/// The interpolated status at a time between two others.
 fn between(before: &Sample, after: &Sample, at: Duration) -> Status {
     if at == after.at {
         return after.status;

@@ -1,4 +1,4 @@
-//! Recordings as tables and datasets, read again.
+//! Exports of recordings as tables and datasets, read back.
 
 use std::fs::File;
 use std::ops::RangeInclusive;
@@ -18,7 +18,7 @@ use serde_json::Value;
 
 const ALL: RangeInclusive<Duration> = Duration::ZERO..=Duration::MAX;
 
-/// What is recorded, and when, in milliseconds.
+/// The recorded entries and their times, in milliseconds.
 fn recorded(folder: &Path, records: impl IntoIterator<Item = (u64, Record)>) -> PathBuf {
     let about = About {
         dialect: Some(Dialect::SPECIFICATION),
@@ -33,7 +33,7 @@ fn recorded(folder: &Path, records: impl IntoIterator<Item = (u64, Record)>) -> 
     recordings(folder).unwrap().remove(0).path
 }
 
-/// A status that the arm can send: the base turns the tool.
+/// A status that the arm can send: the base rotates the tool.
 fn turned(base_deg: f32, suction: bool) -> Record {
     let (sin, cos) = base_deg.to_radians().sin_cos();
     let status = Status {
@@ -47,8 +47,8 @@ fn turned(base_deg: f32, suction: bool) -> Record {
     Record::FromArm(status.emit().to_bytes().to_vec())
 }
 
-/// Two seconds of turning, half a second of rest, three of silence, and a turn back; with three packets, of which one is no
-/// command and one comes in two pieces.
+/// Two seconds of rotation, half a second of rest, three of silence, and a rotation back; with
+/// three packets, of which one is not a command and one comes in two pieces.
 fn session() -> Vec<(u64, Record)> {
     let target = MoveTo::to(200.0, 0.0, 20.0)
         .emit(&Dialect::SPECIFICATION)
@@ -72,7 +72,7 @@ fn session() -> Vec<(u64, Record)> {
     records.extend(
         (0_u16..10).map(|n| (5600 + 80 * u64::from(n), turned(24.0 - f32::from(n), false))),
     );
-    // Nothing moves in a single status.
+    // A single status has no motion.
     records.push((9000, turned(0.0, false)));
     records
 }
@@ -122,7 +122,7 @@ fn every_status_is_a_row_with_its_time_and_every_packet_one_with_its_meaning() {
     assert_eq!((&*commands[1][2], &*commands[1][3]), ("", ""));
     assert!(commands[1][4].contains("float 8"), "{:?}", commands[1]);
     assert_eq!(commands[1][12], "3");
-    // It was whole with its second piece.
+    // It was complete with its second piece.
     assert_eq!(
         commands[2][..3],
         ["2026-11-21T12:30:00.003Z", "0.003", "joint_jog"]
@@ -226,7 +226,7 @@ fn nothing_is_left_of_a_dataset_that_cannot_be_made() {
     assert!(matches!(export("Turn."), Err(ExportError::NoMotion)));
     assert!(matches!(export(" "), Err(ExportError::NoTask)));
     assert!(!out.exists());
-    // What is there stays as it is.
+    // Existing files stay unchanged.
     std::fs::create_dir(&out).unwrap();
     std::fs::write(out.join("mine"), "mine").unwrap();
     assert!(matches!(export("Turn."), Err(ExportError::Io(_))));
@@ -248,7 +248,7 @@ fn a_recording_that_breaks_off_anywhere_is_exported_up_to_there() {
     assert_eq!(before, 43);
 }
 
-/// Writes the recording for readers that are not ours: `tests/recordings/tables.sh` runs this.
+/// Writes the recording for other programs: `tests/recordings/tables.sh` runs this.
 #[test]
 #[ignore = "it writes a file for others"]
 fn samples() {

@@ -1,4 +1,4 @@
-//! The recorder as a thread: it never blocks, and a program that is killed leaves a good file.
+//! The recorder thread: it never blocks, and a killed program leaves a good file.
 
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
@@ -83,8 +83,8 @@ fn limits_and_clocks_that_make_no_sense_are_refused() {
     assert!(error.contains("file_bytes is 1"), "{error}");
 }
 
-/// Not a test: what the next one starts and kills. It records until then, and tells what it sees of
-/// its file.
+/// Not a test: the program that the next test starts and kills. It records until then, and prints
+/// the state of its file.
 #[test]
 #[ignore = "runs until it is killed"]
 fn victim() {
@@ -93,7 +93,7 @@ fn victim() {
     };
     let recorder = recorder(folder.as_ref());
     for n in 0_u64.. {
-        // A status every 80 ms, far faster than time.
+        // A status every 80 ms, far faster than real time.
         recorder.record(Duration::from_millis(80 * n), Record::ToArm(vec![1; 42]));
         if n.is_multiple_of(1000) {
             let file = recorder.health().file;
@@ -132,7 +132,7 @@ fn a_program_that_is_killed_leaves_what_it_flushed() {
         recording.by_ref().for_each(drop);
         let damage = recording.damage().unwrap();
         let seen = some.last().copied().unwrap();
-        // What was seen may end in the middle of what was being written.
+        // The printed state may end in the middle of a write.
         assert!(
             damage.good_bytes + (64 << 10) >= seen,
             "{damage}, seen were {seen}"

@@ -1,4 +1,4 @@
-//! What is recorded is read again: whole files, files that break off, damaged ones.
+//! Recordings read back: complete, truncated and damaged files.
 
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -33,7 +33,7 @@ fn events() -> Arc<Topic> {
     Arc::new(Topic::new("/events", "dobot.Event", &schema).unwrap())
 }
 
-/// Records into a folder and ends the file in order.
+/// Records into a folder and finishes the file.
 fn record(folder: &Path, records: impl IntoIterator<Item = (Duration, Record)>) -> Vec<PathBuf> {
     let recorder = Recorder::start(folder, SMALL, about(), start()).unwrap();
     for (at, record) in records {
@@ -67,7 +67,7 @@ fn session() -> Vec<(Duration, Record)> {
     records
 }
 
-/// A file that was ended in order.
+/// A finished file.
 static WHOLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
     let files = record(folder.path(), session());
@@ -101,8 +101,8 @@ fn what_was_recorded_is_read_again_with_its_time() {
 fn the_reader_of_the_format_itself_finds_messages_schemas_and_index() {
     let summary = mcap::Summary::read(&WHOLE).unwrap().expect("it has one");
     let statistics = summary.stats.expect("it has some");
-    // Of each status, command and event a message, and of the pose, which never changes, three views. The targets are
-    // nearer than the arm reaches: no way leads there.
+    // One message for each status, command and event, and three views of the pose, which never
+    // changes. The targets are too near for the arm: no path leads there.
     assert_eq!(statistics.message_count, 50 * 3 + 3);
     assert_eq!(summary.metadata_indexes.len(), 1);
     let mut topics = Vec::new();
@@ -164,7 +164,7 @@ fn what_is_no_recording_is_refused() {
     assert!(Recording::open("no-such-file.mcap").is_err());
 }
 
-/// A file that holds one record, which may lie about its length.
+/// A file with one record, whose length may be wrong.
 fn file_of(kind: u8, len: u64, body: &[u8]) -> Vec<u8> {
     [mcap::MAGIC, &[kind], &len.to_le_bytes(), body].concat()
 }
@@ -251,7 +251,7 @@ proptest! {
         let files = record(folder.path(), timed);
         let (moments, recording) = read(std::fs::read(&files[0]).unwrap());
         prop_assert_eq!(recording.damage(), None);
-        // Bytes may come back in pieces, but of the same time and in the same order.
+        // Bytes may come back split, but with the same times and in the same order.
         let mut moments = moments.into_iter().peekable();
         for (at, record) in records {
             let at = Duration::from_nanos(at);
