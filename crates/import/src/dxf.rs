@@ -1,6 +1,6 @@
-//! Reading DXF, the text format of `AutoCAD`, as other programs write it too.
+//! The DXF reader (the text format of `AutoCAD`, also written by other programs).
 //!
-//! A reader of our own: those there are skip what they do not know in silence, hatches among it.
+//! It is our own because existing readers silently skip unknown entities, including hatches.
 
 mod code_page;
 mod content;
@@ -35,10 +35,11 @@ use crate::options::ReadOptions;
 use crate::sketch::{Sketch, Y};
 use crate::warning::Warning;
 
-/// Reads a DXF file: its layers are layers, hatches and solids are areas. The page is as large as the
-/// ink and upright (Y points up), in the units that the file tells.
+/// Reads a DXF file: its layers are layers, hatches and solids are areas. The page is as large as
+/// the ink and upright (Y points up), in the units of the file.
 ///
-/// A site plan lies hundreds of kilometres from its origin: what is too far off is looked at from there.
+/// A site plan may be hundreds of kilometres from its origin; a distant drawing is read relative to
+/// its own position.
 pub(crate) fn read(
     text: &[u8],
     options: &ReadOptions,
@@ -65,7 +66,7 @@ pub(crate) fn read(
     }
 }
 
-/// Draws a file as it is seen from a point, in mm.
+/// Draws a file relative to a point, in mm.
 fn draw(
     file: &File<'_>,
     options: &ReadOptions,
@@ -87,7 +88,7 @@ fn draw(
     sketch.finish(Y::Up, "no lines in the file")
 }
 
-/// Refuses what is too far off from the origin, and from where the rest of the drawing is too far off.
+/// Refuses objects too far from the origin and from the rest of the drawing.
 fn too_far(from_origin: SourceError, from_there: &SourceError) -> SourceError {
     let SourceError::TooFar {
         place,
@@ -110,7 +111,7 @@ fn too_far(from_origin: SourceError, from_there: &SourceError) -> SourceError {
     }
 }
 
-/// Pairs of lines: a section or a comment comes first.
+/// Pairs of lines at the start: a section or a comment.
 pub(crate) fn is_likely(start: &str) -> bool {
     let lines = start.split(['\r', '\n']).map(str::trim);
     let mut lines = lines.filter(|it| !it.is_empty());

@@ -1,10 +1,10 @@
-//! Texts in another encoding than UTF-8 that say so: by a mark at their begin, or in the first line of an XML file.
+//! Text files with a declared encoding other than UTF-8: a byte order mark, or the XML declaration.
 
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 
 use crate::error::SourceError;
 
-/// The same file in UTF-8, if it says that it is in something else; any other stays as it is.
+/// Converts a file to UTF-8 if it declares another encoding; other files stay unchanged.
 pub(crate) fn in_utf8(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
     let Some(encoding) = encoding_of(&bytes)? else {
         return Ok(bytes);
@@ -13,7 +13,7 @@ pub(crate) fn in_utf8(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
     let text = encoding.decode_without_bom_handling_and_without_replacement(&bytes[mark..]);
     match text {
         Some(text) => Ok(text.into_owned().into_bytes()),
-        // Anything may begin with two bytes like a mark.
+        // Any file may start with two bytes like a mark.
         None if mark > 0 => Ok(bytes),
         None => Err(SourceError::Encoding {
             name: encoding.name().to_owned(),
@@ -22,7 +22,7 @@ pub(crate) fn in_utf8(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
     }
 }
 
-/// What a file is in, if not in UTF-8.
+/// The declared encoding of a file, if not UTF-8.
 fn encoding_of(bytes: &[u8]) -> Result<Option<&'static Encoding>, SourceError> {
     let encoding = match Encoding::for_bom(bytes) {
         Some((encoding, _)) => encoding,
@@ -33,7 +33,8 @@ fn encoding_of(bytes: &[u8]) -> Result<Option<&'static Encoding>, SourceError> {
     Ok((encoding != UTF_8).then_some(encoding))
 }
 
-/// What an XML file tells in its first line. Where that can be read as it is, it is not in sixteen bits.
+/// The encoding in the XML declaration. A declaration readable as ASCII is not UTF-16, whatever it
+/// declares.
 fn declared(bytes: &[u8]) -> Result<&'static Encoding, SourceError> {
     let start = String::from_utf8_lossy(&bytes[..bytes.len().min(MOST_OF_A_FIRST_LINE)]);
     let line = start.strip_prefix("<?xml");
@@ -81,7 +82,7 @@ mod tests {
             assert_eq!(read(bytes), text);
             assert_eq!(read(&[mark, bytes].concat()), text);
         }
-        // Some programs keep the old first line when they save it as UTF-8.
+        // Some programs keep the old declaration when they save as UTF-8.
         assert_eq!(read(text.as_bytes()), text);
     }
 

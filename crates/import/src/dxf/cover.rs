@@ -1,4 +1,4 @@
-//! What hides what lies under it: filled areas, and WIPEOUT.
+//! Entities that hide others: filled areas and WIPEOUT.
 
 use dobot_geometry::{Affine, Area, FillRule, Point};
 
@@ -8,7 +8,7 @@ use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 
 impl EntityRenderer<'_, '_> {
-    /// A filled area hides what was drawn before it, unless something shows through.
+    /// Hides what was drawn before under a filled area, unless it is transparent.
     pub(super) fn cover(&mut self, it: &Entity<'_>, area: &Area) -> Result<(), SourceError> {
         if self.is_opaque(it, self.layer_info())? {
             self.sketch.cover(&area.rings, area.rule)?;
@@ -16,7 +16,7 @@ impl EntityRenderer<'_, '_> {
         Ok(())
     }
 
-    /// Whether nothing shows through, which the entity tells, or its layer, or the INSERT of the block that it is in.
+    /// Whether the entity, its layer or the INSERT of its block is opaque.
     pub(super) fn is_opaque(
         &self,
         it: &Entity<'_>,
@@ -31,7 +31,7 @@ impl EntityRenderer<'_, '_> {
         })
     }
 
-    /// An area that is nothing but paper over what was drawn before it.
+    /// Draws an area that only hides what was drawn before.
     ///
     /// ```text
     ///   -0.5,-0.5 +-------+        Its corners (14, 24) are counted in pixels from the middle of the upper left one,
@@ -39,7 +39,7 @@ impl EntityRenderer<'_, '_> {
     ///     10, 20 -+-------+        10, 20 and is so many (23) high.
     /// ```
     ///
-    /// Where its mode (290) is 1, it covers all of the picture but what lies inside them.
+    /// If its mode (290) is 1, it covers the picture except for the inside of these corners.
     pub(super) fn wipeout(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         if !self.sketch.hides() {
             self.left_out(
@@ -77,12 +77,12 @@ fn rectangle([a, b]: [Point; 2]) -> Vec<Point> {
     vec![a, Point::new(b.x, a.y), b, Point::new(a.x, b.y)]
 }
 
-/// How a picture says that what lies inside its corners is cut away.
+/// The flag of a picture that is clipped to its corners.
 const INSIDE: u32 = 1;
-/// How a transparency (440) says that it is that of the layer.
+/// The transparency (440) that refers to the layer.
 const BY_LAYER: u32 = 0;
-/// How it says that it is that of the INSERT.
+/// The transparency that refers to the INSERT.
 const BY_BLOCK: u32 = 1;
-/// How it says that its last byte is one.
+/// The transparency with an explicit last byte.
 const BY_VALUE: u32 = 2;
 const OPAQUE: u32 = 0xff;

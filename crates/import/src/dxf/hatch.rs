@@ -13,8 +13,8 @@ use crate::frame::way;
 use crate::limits::MAX_SEGMENTS;
 
 impl EntityRenderer<'_, '_> {
-    /// Its boundaries as rings of an area. Where lines fill it, these are drawn, and the area is theirs;
-    /// where nobody knows them or all of it is filled, the area is for hatching.
+    /// Its boundaries as rings of an area. For a pattern of lines these are drawn and the area is
+    /// theirs; for an unknown or solid fill the area is hatched.
     pub(super) fn hatch(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let pairs = it.pairs.iter().enumerate();
         let starts = pairs.filter(|(_, pair)| pair.code == 92);
@@ -69,7 +69,7 @@ impl EntityRenderer<'_, '_> {
         Ok(Some(ring))
     }
 
-    /// The corners of a line or an arc, nothing of others.
+    /// The corners of a line or an arc; nothing for other edges.
     fn edge(
         &mut self,
         it: &Entity<'_>,
@@ -90,7 +90,7 @@ impl EntityRenderer<'_, '_> {
         if kind == SPLINE {
             return self.edge_spline(it, edge, frame).map(Some);
         }
-        // Of one that goes clockwise the angles are counted clockwise too.
+        // The angles of a clockwise arc are counted clockwise too.
         let side = if number(73)? == 0.0 { -1.0 } else { 1.0 };
         let (across, along) = if kind == ARC {
             let radius = number(40)?;
@@ -119,7 +119,7 @@ impl EntityRenderer<'_, '_> {
         edge: &[Pair<'_>],
         frame: Affine,
     ) -> Result<Vec<Point>, SourceError> {
-        // What follows is told by points that it passes, again.
+        // Fit points follow, which repeat the curve.
         let end = edge.iter().position(|it| it.code == 97);
         let own = Entity {
             pairs: edge[..end.unwrap_or(edge.len())].to_vec(),
@@ -135,7 +135,7 @@ impl EntityRenderer<'_, '_> {
     }
 }
 
-/// The edges of a boundary that is no polyline: each begins with its kind.
+/// The edges of a boundary that is not a polyline: each starts with its kind.
 fn edges<'p, 't>(path: &'p [Pair<'t>]) -> impl Iterator<Item = &'p [Pair<'t>]> {
     let end = path.iter().position(|it| it.code == 75);
     let path = &path[..end.unwrap_or(path.len())];
@@ -160,7 +160,7 @@ fn corners(path: &[Pair<'_>]) -> Result<Option<Vec<Corner>>, SourceError> {
     Corner::all(before_sources(path)).map(Some)
 }
 
-/// A boundary without what follows it: its sources, the pattern, the seeds.
+/// A boundary without the groups after it: its sources, the pattern, the seeds.
 fn before_sources<'p, 't>(path: &'p [Pair<'t>]) -> &'p [Pair<'t>] {
     let end = path.iter().position(|it| matches!(it.code, 97 | 75));
     &path[..end.unwrap_or(path.len())]
@@ -172,5 +172,5 @@ const LINE: f64 = 1.0;
 const ARC: f64 = 2.0;
 const ELLIPSE: f64 = 3.0;
 const SPLINE: f64 = 4.0;
-/// Flag of a hatch that is filled.
+/// The flag of a solid hatch.
 const SOLID: u32 = 1;

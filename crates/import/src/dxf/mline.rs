@@ -1,4 +1,4 @@
-//! MLINE: lines side by side.
+//! MLINE: parallel lines.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,7 @@ use super::entity::Entity;
 use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 
-/// A corner: each of the lines passes it so far away along its mitre.
+/// A corner: each line passes it at its distance along the mitre.
 ///
 /// ```text
 ///   -----------+ offset 1
@@ -24,7 +24,7 @@ struct Corner {
 }
 
 impl Corner {
-    /// The places of the lines that lie farthest to each side.
+    /// The positions of the outermost lines on each side.
     fn sides(&self) -> [Point; 2] {
         let least = self.offsets.iter().copied().fold(f64::INFINITY, f64::min);
         let most = self
@@ -37,7 +37,7 @@ impl Corner {
 }
 
 impl<'a> EntityRenderer<'_, 'a> {
-    /// Each of its lines, and what its style has at their ends.
+    /// Draws each of its lines and the caps of its style.
     pub(super) fn multiline(&mut self, it: &Entity<'a>, frame: Affine) -> Result<(), SourceError> {
         let (corners, has_gaps) = corners(it)?;
         if has_gaps {
@@ -56,7 +56,7 @@ impl<'a> EntityRenderer<'_, 'a> {
         self.caps(it, frame, &corners, lines.unwrap_or(0))
     }
 
-    /// What lies across: straight or round caps at both ends, and the mitres of the corners.
+    /// Draws the cross lines: straight or round caps at both ends, and the mitres of the corners.
     ///
     /// ```text
     ///      ,----------------
@@ -128,7 +128,7 @@ impl<'a> EntityRenderer<'_, 'a> {
         self.sketch.stroke(points)
     }
 
-    /// Half a circle from one point to another, to the side of a way.
+    /// A half circle from one point to another, on the side of a direction.
     fn half_circle(
         &mut self,
         it: &Entity<'_>,
@@ -145,8 +145,8 @@ impl<'a> EntityRenderer<'_, 'a> {
     }
 }
 
-/// The corners, and whether a line has gaps: of the numbers of a line (41), which are counted before (74), the first is
-/// its offset, and the second where it begins.
+/// The corners, and whether a line has gaps: the first of the numbers of a line (41, counted in 74)
+/// is its offset, the second its start.
 fn corners(it: &Entity<'_>) -> Result<(Vec<Corner>, bool), SourceError> {
     let mut corners: Vec<Corner> = Vec::new();
     let (mut is_offset, mut has_gaps) = (false, false);
@@ -174,13 +174,13 @@ fn corners(it: &Entity<'_>) -> Result<(Vec<Corner>, bool), SourceError> {
     Ok((corners, has_gaps))
 }
 
-/// Flag of a line that ends where it begins.
+/// The flag of a closed line.
 const CLOSED: u32 = 2;
-/// Flags of a line whose ends have no caps.
+/// The flags of a line without caps.
 const NO_START: u32 = 4;
 const NO_END: u32 = 8;
-/// Flags of a style: the mitres of corners are drawn.
+/// The style flag of drawn mitres.
 const MITRES: u32 = 2;
-/// A straight cap, arcs of pairs of inner lines, and an arc of the outer ones.
+/// The cap flags: straight, arcs of pairs of inner lines, an arc of the outer ones.
 const START_CAPS: [u32; 3] = [16, 32, 64];
 const END_CAPS: [u32; 3] = [256, 512, 1024];

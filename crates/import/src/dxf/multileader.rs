@@ -1,4 +1,4 @@
-//! MULTILEADER: a note, and the lines that lead from it to what it is about.
+//! MULTILEADER: a note with leader lines.
 
 use dobot_geometry::Affine;
 
@@ -7,7 +7,7 @@ use super::pairs::Pair;
 use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 
-/// The groups of a MULTILEADER by the part that they belong to: their codes mean another thing in each.
+/// The groups of a MULTILEADER by part, because their codes differ between parts.
 #[derive(Debug, Default)]
 struct Parts<'a> {
     note: Vec<Pair<'a>>,
@@ -17,12 +17,12 @@ struct Parts<'a> {
 /// The groups of one leader.
 #[derive(Debug, Default)]
 struct LeaderPairs<'a> {
-    /// Where its lines come together.
+    /// The point where its lines meet.
     own: Vec<Pair<'a>>,
     lines: Vec<Vec<Pair<'a>>>,
 }
 
-/// Where in a MULTILEADER a group stands.
+/// The part of a MULTILEADER that a group belongs to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Place {
     Outside,
@@ -74,7 +74,7 @@ impl<'a> Parts<'a> {
 }
 
 impl EntityRenderer<'_, '_> {
-    /// The lines to the note with the short one in front of it, and the note. Arrows are not drawn.
+    /// Draws the leader lines, the landing line and the note. Arrows are not drawn.
     pub(super) fn multileader(
         &mut self,
         it: &Entity<'_>,
@@ -113,7 +113,7 @@ impl EntityRenderer<'_, '_> {
     }
 }
 
-/// A group of the note as that of an MTEXT.
+/// Converts a group of the note to that of an MTEXT.
 fn as_paragraph<'a>(pair: &Pair<'a>) -> Option<Pair<'a>> {
     let code = match pair.code {
         304 => 1,

@@ -1,4 +1,4 @@
-//! The order in which entities are drawn, where a file tells another than the one in which they stand.
+//! The draw order of entities, if the file changes it.
 
 use std::collections::HashMap;
 
@@ -6,10 +6,10 @@ use super::file::{File, MOST_OBJECTS, Span, too_many};
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
 
-/// Puts the entities of the drawing and of each block in the order in which they are drawn.
+/// Sorts the entities of the drawing and of each block in draw order.
 ///
-/// A SORTENTSTABLE gives entities (331) other handles (5); all entities of its drawing or block are drawn in the order
-/// of these, and those that it does not name in the order of their own.
+/// A SORTENTSTABLE gives entities (331) other handles (5); all entities of its drawing or block are
+/// drawn in the order of these handles, the others by their own.
 pub(super) fn sort(file: &mut File<'_>) -> Result<(), SourceError> {
     let mut places = HashMap::new();
     for table in file.objects.values() {
@@ -28,7 +28,7 @@ pub(super) fn sort(file: &mut File<'_>) -> Result<(), SourceError> {
     Ok(())
 }
 
-/// Reads the pairs of an entity and the handle that it is drawn by.
+/// Reads the pairs of an entity and its sort handle.
 fn read(text: &[u8], table: &Span<'_>, places: &mut HashMap<u64, u64>) -> Result<(), SourceError> {
     let mut entity = None;
     for pair in pairs(&text[..table.end], table.begin) {
@@ -50,7 +50,7 @@ fn read(text: &[u8], table: &Span<'_>, places: &mut HashMap<u64, u64>) -> Result
     Ok(())
 }
 
-/// The entities in their order, each followed by its parts; as they stand where no table names one of them.
+/// The entities in draw order, each followed by its parts; unchanged if no table names one of them.
 fn sorted<'a>(
     text: &'a [u8],
     entities: &[Span<'a>],
@@ -88,7 +88,7 @@ fn own_handle(text: &[u8], span: &Span<'_>) -> Result<Option<u64>, SourceError> 
         let pair = pair?;
         match pair.code {
             5 => return handle(&pair).map(Some),
-            // What follows belongs to a kind of entity.
+            // The following groups belong to a kind of entity.
             100 => break,
             _ => {}
         }

@@ -1,4 +1,4 @@
-//! The lines that fill a hatch.
+//! The pattern lines of a hatch.
 
 use dobot_geometry::{Affine, Area, Point, Rect, Vec2, bounds};
 
@@ -7,7 +7,7 @@ use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 use crate::frame::way;
 
-/// A family of parallel lines: each is as far from the one before as the shift says, and dashed alike.
+/// A family of parallel lines with equal shift and dashes.
 ///
 /// ```text
 ///                 / /  --- dashes: a length that is drawn, one that is not (below 0), 0 a dot
@@ -23,7 +23,7 @@ pub(super) struct PatternLine {
 }
 
 impl PatternLine {
-    /// Those of a hatch: angle and scale of the pattern are in them already.
+    /// The families of a hatch, which include angle and scale of the pattern.
     pub(super) fn all(it: &Entity<'_>) -> Result<Vec<Self>, SourceError> {
         let begin = it.pairs.iter().position(|pair| pair.code == 78);
         let mut lines: Vec<Self> = Vec::new();
@@ -48,7 +48,7 @@ impl PatternLine {
         Ok(lines)
     }
 
-    /// Its dashes that may lie in these bounds; `None` where they are too many or have no distance.
+    /// Its dashes within these bounds; `None` if there are too many or the lines have no distance.
     fn dashes_in(&self, frame: Affine, bounds: Rect) -> Option<Vec<[Point; 2]>> {
         let along = way(frame, Vec2::from_angle(self.angle_deg.to_radians()));
         let unit_mm = along.length();
@@ -79,7 +79,7 @@ impl PatternLine {
         let mut line = first.ceil();
         while line <= last {
             let from = base + shift * line;
-            // Where the bounds begin and end on this line, from where its dashes begin.
+            // The range of the bounds on this line, from the start of its dashes.
             let before_mm = along.dot(shift) * line;
             let [begin, end] = [begin_mm - before_mm, end_mm - before_mm];
             if is_dashed {
@@ -115,7 +115,7 @@ impl PatternLine {
 }
 
 impl EntityRenderer<'_, '_> {
-    /// Draws the lines that fill an area; too many of them are left to hatching.
+    /// Draws the pattern lines of an area; too many of them are left to hatching.
     pub(super) fn pattern(
         &mut self,
         it: &Entity<'_>,
@@ -136,12 +136,12 @@ impl EntityRenderer<'_, '_> {
     }
 }
 
-/// The least and the largest.
+/// The minimum and the maximum.
 fn extent(numbers: [f64; 4]) -> [f64; 2] {
     let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
     let most = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     [least, most]
 }
 
-/// The lines of one family in one hatch: nobody draws more.
+/// The largest number of lines of one family in a hatch.
 const MOST_DASHES: f64 = 20_000.0;

@@ -1,11 +1,11 @@
-//! The plane of an entity in space, as its extrusion (210, 220, 230) tells it.
+//! The plane of an entity in space, given by its extrusion (210, 220, 230).
 
 use dobot_geometry::Vec2;
 
 use super::entity::Entity;
 use crate::error::SourceError;
 
-/// A plane by the unit vector that stands upright on it.
+/// A plane with its unit normal.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
     normal: [f64; 3],
@@ -22,18 +22,18 @@ impl Plane {
         Ok(Self { normal })
     }
 
-    /// A way in space without what of it leads out of the plane, as a unit vector; `None` where nothing is left.
+    /// A spatial vector projected onto the plane, as a unit vector; `None` if nothing remains.
     pub(super) fn within(&self, way: [f64; 3]) -> Option<[f64; 3]> {
         let out: f64 = (0..3).map(|i| way[i] * self.normal[i]).sum();
         unit([0, 1, 2].map(|i| way[i] - self.normal[i] * out))
     }
 
-    /// A quarter of a turn to the left of a way in the plane.
+    /// A vector in the plane, rotated a quarter turn to the left.
     pub(super) fn left_of(&self, way: [f64; 3]) -> [f64; 3] {
         cross(self.normal, way)
     }
 
-    /// The X axis of the plane's own system, by the format's rule for it, turned by an angle.
+    /// The X axis of the plane's own system (arbitrary axis algorithm), rotated by an angle.
     pub(super) fn right(&self, angle_rad: f64) -> [f64; 3] {
         let [x, y, z] = self.normal;
         let is_level = x.abs() < 1.0 / 64.0 && y.abs() < 1.0 / 64.0;
@@ -45,7 +45,7 @@ impl Plane {
     }
 }
 
-/// A way in space as it is seen from above.
+/// A spatial vector seen from above.
 pub(super) const fn from_above([x, y, _]: [f64; 3]) -> Vec2 {
     Vec2::new(x, y)
 }

@@ -1,4 +1,4 @@
-//! Draws all entities of a file, and those of its blocks.
+//! The renderer of entities and blocks.
 
 use dobot_geometry::{Affine, Point, Vec2};
 
@@ -14,29 +14,29 @@ use crate::place::{printable, shortened};
 use crate::sketch::Sketch;
 use crate::text::Lettering;
 
-/// Draws entities into a sketch.
+/// A renderer of entities into a sketch.
 #[derive(Debug)]
 pub(super) struct EntityRenderer<'s, 'a> {
     pub(super) sketch: &'s mut Sketch<'a>,
     pub(super) file: &'s File<'a>,
-    /// How many bytes of copied entities may still be read.
+    /// The number of bytes of copied entities that may still be read.
     copies_left: usize,
-    /// The layer that the sketch uses.
+    /// The current layer of the sketch.
     layer: Option<String>,
-    /// Whether nothing shows through the INSERT of the block that is drawn.
+    /// Whether the INSERT of the current block is opaque.
     pub(super) block_is_opaque: bool,
     pub(super) lettering: Lettering,
 }
 
-/// Where a block is drawn.
+/// The context of a block.
 #[derive(Clone, Copy, Debug)]
 struct Copy<'l> {
     frame: Affine,
-    /// How many blocks it is in.
+    /// The nesting depth.
     depth: u32,
-    /// The layer of the INSERT, which is that of entities on layer 0.
+    /// The layer of the INSERT, which entities on layer 0 inherit.
     layer: &'l str,
-    /// The line type of the INSERT in capitals, which is that of entities that have their block's.
+    /// The line type of the INSERT in upper case, which entities with ByBlock inherit.
     line_type: &'l str,
 }
 
@@ -77,7 +77,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             let parts = rest.iter().take_while(|it| Some(it.kind) == part);
             let count = parts.count();
             let is_shown = self.entity(span, &rest[..count], copy)?;
-            // The attributes of a block that is shown are entities of their own.
+            // The visible attributes of a block are separate entities.
             if span.kind == b"POLYLINE" || !is_shown {
                 spans = rest[count..].iter();
             }
@@ -85,7 +85,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Ok(())
     }
 
-    /// Copies of copies may be many, although the file is small.
+    /// Charges copied bytes: copies of copies may be many, although the file is small.
     pub(super) fn spend(&mut self, span: Span<'_>) -> Result<(), SourceError> {
         if let Some(left) = self.copies_left.checked_sub(span.end - span.at) {
             self.copies_left = left;
@@ -95,7 +95,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Err(self.sketch.found(span.at, "one copy too many", expected))
     }
 
-    /// Draws an entity; `false` for one that is not to be seen.
+    /// Draws an entity; `false` for an invisible one.
     fn entity(
         &mut self,
         span: Span<'a>,
@@ -129,7 +129,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Ok(true)
     }
 
-    /// What is no block: on its layer, and in dashes where it has some.
+    /// Draws an entity other than a block, on its layer, with its dashes.
     fn lines(
         &mut self,
         it: &Entity<'a>,
@@ -155,7 +155,8 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         self.shape(it, parts, copy)
     }
 
-    /// The name in capitals of an entity's line type, which may be that of its layer or of its block; empty in a file without any.
+    /// The name in upper case of an entity's line type, which may be inherited from layer or block;
+    /// empty in a file without any.
     fn line_type_name(&self, it: &Entity<'_>, layer: &str, of_block: &str) -> String {
         if self.file.line_types.is_empty() {
             return String::new();
@@ -171,7 +172,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         }
     }
 
-    /// The dashes of an entity, in mm; `None` where it is solid.
+    /// The dashes of an entity, in mm; `None` for a solid line.
     fn line_type(&self, it: &Entity<'_>, copy: Copy<'_>) -> Result<Option<LineType>, SourceError> {
         if !LINES.contains(&it.kind) {
             return Ok(None);
@@ -205,7 +206,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             b"MULTILEADER" | b"MLEADER" => self.multileader(it, frame),
             b"WIPEOUT" => self.wipeout(it, frame),
             b"HATCH" => self.hatch(it, frame),
-            // The end of a POLYLINE, and the window of a sheet.
+            // The end of a POLYLINE, and the viewport of a layout.
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),
             b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(it, frame, depth > 0),
             b"MTEXT" => self.paragraphs(it, frame),
@@ -225,13 +226,14 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     }
 
     fn is_hidden(&mut self, it: &Entity<'_>, layer: &str) -> Result<bool, SourceError> {
-        // What a dimension is measured between; the format never plots this layer, whatever its table says.
+        // The definition points of dimensions; the format never plots this layer, whatever its
+        // table declares.
         let is_for_points = layer.eq_ignore_ascii_case("Defpoints");
         if it.flags(60)? == 1 || is_for_points && it.kind == b"POINT" {
             return Ok(true);
         }
         let info = self.file.layers.get(layer);
-        // That of a block is off only for what lies on layer 0 in it, which then lies on this one.
+        // A layer of a block that is off hides only the entities on layer 0, which inherit it.
         let is_block = it.kind == b"INSERT";
         let is_off = !is_block && info.is_some_and(LayerInfo::is_off);
         let is_unplotted = is_for_points || info.is_some_and(|it| it.is_unplotted);
@@ -254,7 +256,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Ok(true)
     }
 
-    /// The frame as the entity's extrusion has it; `None` where it is tilted out of the plane.
+    /// The frame of the entity's extrusion; `None` if it is tilted out of the plane.
     fn seen(&mut self, it: &Entity<'_>, frame: Affine) -> Result<Option<Affine>, SourceError> {
         let (x, y) = (it.number_or(210, 0.0)?, it.number_or(220, 0.0)?);
         if x.hypot(y) > 1e-6 {
@@ -277,12 +279,12 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         })
     }
 
-    /// What the file tells of the layer in use.
+    /// Applies colour and name of the current layer.
     pub(super) fn layer_info(&self) -> Option<&LayerInfo> {
         self.file.layers.get(self.layer.as_ref()?)
     }
 
-    /// A block, drawn once or in rows and columns.
+    /// Draws a block, once or in rows and columns.
     fn insert(
         &mut self,
         it: &Entity<'a>,
@@ -320,7 +322,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
                 let ring = ring.iter().map(|&p| placed * p).collect();
                 self.sketch.cut_since(&mark, ring)?;
             }
-            // Those of the first are entities of their own.
+            // Those of the first are separate entities.
             for &span in attributes.iter().filter(|_| row + column > 0) {
                 let frame = copy.frame * Affine::translate(way(turn, shift));
                 self.spend(span)?;
@@ -330,7 +332,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Ok(())
     }
 
-    /// A table, whose picture is a block.
+    /// Draws a table, whose picture is a block.
     fn table(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
         let Some(block) = self.picture(it) else {
             return Ok(());
@@ -342,7 +344,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         self.block(it, block, Copy { frame, ..copy })
     }
 
-    /// The picture of a dimension, which is a block that lies where it belongs.
+    /// Draws the picture of a dimension, which is a block in its place.
     fn dimension(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
         let Some(block) = self.picture(it) else {
             return Ok(());
@@ -352,7 +354,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         self.block(it, block, Copy { frame, ..copy })
     }
 
-    /// The block that an entity looks like.
+    /// Draws the block that represents an entity.
     fn picture(&mut self, it: &Entity<'_>) -> Option<&'s Block<'a>> {
         let name = it.find(2).map(Pair::text).unwrap_or_default();
         let block = self.file.blocks.get(&name);
@@ -362,7 +364,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         block
     }
 
-    /// A block in a frame, one deeper than what it is drawn for.
+    /// Draws a block in a frame, one level deeper.
     fn block(
         &mut self,
         it: &Entity<'a>,
@@ -387,7 +389,8 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     }
 }
 
-/// Whether the coordinates of an entity lie in a plane that its extrusion tells; those of others are the world's.
+/// Whether the coordinates of an entity are in the plane of its extrusion; those of others are
+/// world coordinates.
 fn has_own_plane(it: &Entity<'_>) -> Result<bool, SourceError> {
     Ok(match it.kind {
         b"POLYLINE" => it.flags(70)? & IN_SPACE == 0,
@@ -395,7 +398,7 @@ fn has_own_plane(it: &Entity<'_>) -> Result<bool, SourceError> {
     })
 }
 
-/// Where an INSERT puts its block.
+/// The transform of an INSERT.
 fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceError> {
     let turn = Affine::rotate(it.number_or(50, 0.0)?.to_radians());
     let size = Affine::scale_non_uniform(it.number_or(41, 1.0)?, it.number_or(42, 1.0)?);
@@ -403,7 +406,7 @@ fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceErr
     Ok(at * turn * Affine::translate(shift) * size * Affine::translate(-base.to_vec2()))
 }
 
-/// What lies in a plane of its own.
+/// Entities with a plane of their own.
 const FLAT: [&[u8]; 9] = [
     b"CIRCLE",
     b"ARC",
@@ -415,7 +418,7 @@ const FLAT: [&[u8]; 9] = [
     b"ATTRIB",
     b"ATTDEF",
 ];
-/// What is drawn in dashes.
+/// Entities drawn in dashes.
 const LINES: [&[u8]; 7] = [
     b"LINE",
     b"CIRCLE",
@@ -426,6 +429,6 @@ const LINES: [&[u8]; 7] = [
     b"SPLINE",
 ];
 const MOST_COPIED: usize = 200_000_000;
-/// A copy of an empty block counts as so many bytes.
+/// The cost of a copy of an empty block, in bytes.
 const LEAST_COPY: usize = 100;
 const MOST_DEPTH: u32 = 32;

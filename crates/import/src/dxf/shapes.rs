@@ -1,4 +1,4 @@
-//! The entities that are lines.
+//! Line entities.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +16,7 @@ use crate::error::SourceError;
 use crate::frame::way;
 use crate::limits::MAX_SEGMENTS;
 
-/// A corner of a polyline, and how the way to the next bulges: the tangent of a quarter of its angle.
+/// A corner of a polyline and the bulge of its segment: the tangent of a quarter of its angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) at: Point,
@@ -24,7 +24,7 @@ pub(super) struct Corner {
 }
 
 impl Corner {
-    /// Those that pairs describe one after the other.
+    /// The corners given by consecutive pairs.
     pub(super) fn all(pairs: &[Pair<'_>]) -> Result<Vec<Self>, SourceError> {
         let mut corners: Vec<Self> = Vec::new();
         for pair in pairs {
@@ -69,13 +69,14 @@ impl EntityRenderer<'_, '_> {
         let across = from_above(across);
         let (from_rad, to_rad) = (it.number_or(41, 0.0)?, it.number_or(42, TAU)?);
         let sweep_rad = (to_rad - from_rad).rem_euclid(TAU);
-        // Files round the end of a whole one.
+        // Files round the end of a full one.
         let is_whole = !(1e-6..=TAU - 1e-6).contains(&sweep_rad);
         let sweep_rad = if is_whole { TAU } else { sweep_rad };
         self.round(it, frame, center, [across, along], [from_rad, sweep_rad])
     }
 
-    /// A part of a circle or an ellipse by two ways from its center, from an angle on, by an angle.
+    /// A part of a circle or an ellipse, given by two vectors from its center, a start angle and a
+    /// sweep.
     pub(super) fn round(
         &mut self,
         it: &Entity<'_>,
@@ -101,7 +102,7 @@ impl EntityRenderer<'_, '_> {
         self.sketch.stroke(points)
     }
 
-    /// The older kind, with its corners as entities.
+    /// The older polyline, with its corners as entities.
     pub(super) fn polyline(
         &mut self,
         it: &Entity<'_>,
@@ -126,7 +127,7 @@ impl EntityRenderer<'_, '_> {
         self.sketch.stroke(points)
     }
 
-    /// The line through corners, some ways between them arcs.
+    /// Draws the line through corners, with arcs for bulges.
     pub(super) fn bulged(
         &mut self,
         it: &Entity<'_>,
@@ -168,7 +169,7 @@ impl EntityRenderer<'_, '_> {
         self.sketch.stroke(points)
     }
 
-    /// A spline by the points that it passes.
+    /// A spline by fit points.
     fn fit_spline(
         &mut self,
         it: &Entity<'_>,
@@ -211,7 +212,7 @@ impl EntityRenderer<'_, '_> {
         Ok(points)
     }
 
-    /// Four corners, the last two crossed over.
+    /// Four corners, the last two swapped.
     pub(super) fn solid(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let fourth = if it.find(13).is_some() { 13 } else { 12 };
         let ring = [10, 11, fourth, 12].map(|code| self.place(it, frame, it.point(code)?));
@@ -224,7 +225,7 @@ impl EntityRenderer<'_, '_> {
         self.sketch.area(area)
     }
 
-    /// Three or four corners, some of its edges hidden.
+    /// Three or four corners, some edges invisible.
     pub(super) fn face(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         let fourth = if it.find(13).is_some() { 13 } else { 12 };
         let corners = [10, 11, 12, fourth].map(|code| self.place(it, frame, it.point(code)?));
@@ -241,7 +242,7 @@ impl EntityRenderer<'_, '_> {
         Ok(())
     }
 
-    /// The line that leads from a note to what it is about; its arrow is not drawn.
+    /// The leader line of a note; its arrow is not drawn.
     pub(super) fn leader(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         if it.flags(71)? != 0 {
             self.left_out(it, "drawn without its arrow");
@@ -270,7 +271,7 @@ impl EntityRenderer<'_, '_> {
     }
 }
 
-/// A direction of length 1, where an entity has one.
+/// The unit direction of an entity, if it has one.
 fn direction(it: &Entity<'_>, code: i32) -> Result<Option<Vec2>, SourceError> {
     if it.find(code).is_none() {
         return Ok(None);
@@ -279,14 +280,14 @@ fn direction(it: &Entity<'_>, code: i32) -> Result<Option<Vec2>, SourceError> {
     Ok((way != Vec2::ZERO).then(|| way / way.length()))
 }
 
-/// From where and how far an arc goes counterclockwise; a whole turn where it ends where it begins.
+/// The start and the counterclockwise sweep of an arc; a full turn if it ends at its start.
 pub(super) fn span_rad(from_deg: f64, to_deg: f64) -> [f64; 2] {
     let sweep_deg = (to_deg - from_deg).rem_euclid(360.0);
     let sweep_deg = if sweep_deg == 0.0 { 360.0 } else { sweep_deg };
     [from_deg, sweep_deg].map(f64::to_radians)
 }
 
-/// The arc from a corner that bulges: by four times the arc tangent of its bulge.
+/// The arc of a corner with a bulge: four times the arc tangent of the bulge.
 ///
 /// ```text
 ///   bulge = tan(angle / 4)     the center lies at chord (1 / bulge - bulge) / 4 beside the
@@ -301,11 +302,11 @@ fn bulge_arc(frame: Affine, from: &Corner, to: Point) -> Arc {
     Arc::ellipse(frame * center, across, along, 0.0, sweep_rad)
 }
 
-/// Flags of a POLYLINE whose corners are the world's.
+/// The flags of a POLYLINE with world coordinates.
 pub(super) const IN_SPACE: u32 = 8 | MESH | POLYFACE;
 const MESH: u32 = 16;
 pub(super) const POLYFACE: u32 = 64;
-/// Flags of a SPLINE that ends where it begins.
+/// The flag of a closed SPLINE.
 const CLOSED_SPLINE: u32 = 1 | 2;
-/// Flag of a VERTEX that only bends what others show.
+/// The flag of a VERTEX that is only a control point.
 pub(super) const SPLINE_CONTROL: u32 = 16;

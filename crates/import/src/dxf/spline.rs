@@ -1,4 +1,4 @@
-//! SPLINE: rational B-splines, by de Boor's scheme.
+//! SPLINE by control points: rational B-splines, by de Boor's algorithm.
 
 use dobot_geometry::{Line, ParamCurveNearest, Point, Vec2};
 
@@ -12,7 +12,7 @@ pub(super) struct Spline {
 }
 
 impl Spline {
-    /// An error says what is wrong.
+    /// Creates a curve; an error describes what is wrong.
     pub(super) fn new(
         degree: usize,
         knots: Vec<f64>,
@@ -50,7 +50,7 @@ impl Spline {
         })
     }
 
-    /// Its corners within a tolerance; not more than `most` of them, else `None`.
+    /// Its corners within a tolerance; `None` for more than `most`.
     pub(super) fn points(&self, tolerance: f64, most: usize) -> Option<Vec<Point>> {
         let spans = self.degree..self.controls.len();
         let mut points = Vec::new();
@@ -72,8 +72,7 @@ impl Spline {
         Some(points)
     }
 
-    /// Halves a piece until the curve stays near its chord, a quarter of the way along and at its
-    /// middle.
+    /// Halves a piece until the curve stays near its chord, tested at a quarter and at its middle.
     fn piece(
         &self,
         span: usize,
@@ -115,8 +114,8 @@ impl Spline {
     }
 }
 
-/// Each span between two knots is cut into so many pieces first, so that no wave lies between the probes.
+/// The initial number of pieces per span, so that no wave lies between the test points.
 const PIECES: u32 = 6;
 const MOST_DEGREE: usize = 15;
-/// How often a piece is halved at most.
+/// The largest number of halvings of a piece.
 const DEPTH: u32 = 12;

@@ -1,4 +1,4 @@
-//! TEXT, MTEXT and attributes: in plain letters.
+//! TEXT, MTEXT and attributes, in plain letters.
 
 use dobot_geometry::{Affine, Vec2};
 
@@ -14,11 +14,11 @@ use crate::text::{CAPITAL, Lettering, Pose};
 /// A line of text in units of the letters' grid.
 #[derive(Clone, Copy, Debug, Default)]
 struct LineExtent {
-    /// Where the ink of its first letter begins.
+    /// The start of the ink of its first letter.
     begin: f64,
-    /// Where that of its last ends.
+    /// The end of the ink of its last letter.
     end: f64,
-    /// Where a further letter would stand.
+    /// The position of a further letter.
     advance: f64,
 }
 
@@ -36,7 +36,7 @@ impl LineExtent {
         extent
     }
 
-    /// With another behind it.
+    /// The line followed by another.
     fn and(self, next: Self) -> Self {
         Self {
             begin: self.begin,
@@ -51,7 +51,7 @@ impl LineExtent {
 }
 
 impl EntityRenderer<'_, '_> {
-    /// TEXT, ATTRIB and ATTDEF: a line.
+    /// Draws TEXT, ATTRIB and ATTDEF: one line.
     pub(super) fn text(
         &mut self,
         it: &Entity<'_>,
@@ -78,7 +78,7 @@ impl EntityRenderer<'_, '_> {
         self.write(it, frame, &content.text, pose)
     }
 
-    /// MTEXT: lines. Its point and its direction are the world's.
+    /// Draws MTEXT: several lines. Its point and its direction are in world coordinates.
     pub(super) fn paragraphs(&mut self, it: &Entity<'_>, world: Affine) -> Result<(), SourceError> {
         let whole = whole_text(it);
         check_length(it, &whole)?;
@@ -104,7 +104,7 @@ impl EntityRenderer<'_, '_> {
         let mut y = (CAPITAL + below) * row - CAPITAL;
         for line in lines {
             let extent = LineExtent::of(&line, &mut self.lettering);
-            // As wide as the letters that the file was made with.
+            // As wide as the letters of the program that made the file.
             let share = room / extent.width();
             let across = pose.across
                 * if (NARROW..1.0).contains(&share) {
@@ -120,8 +120,8 @@ impl EntityRenderer<'_, '_> {
         Ok(())
     }
 
-    /// The lines of a text, at least one, broken between words where they are wider than `room`,
-    /// in units of the grid; 0 for as wide as they are.
+    /// The lines of a text, at least one, wrapped between words at the width `room`, in units of
+    /// the grid; 0 for no limit.
     fn wrapped(&mut self, text: &str, room: f64) -> Vec<String> {
         let space = LineExtent::of(" ", &mut self.lettering);
         let mut lines = Vec::new();
@@ -176,7 +176,7 @@ impl EntityRenderer<'_, '_> {
     }
 }
 
-/// Refuses what nobody reads, and what takes for ever to set.
+/// Refuses texts that are too long.
 fn check_length(it: &Entity<'_>, text: &str) -> Result<(), SourceError> {
     if text.len() <= MOST_LETTERS {
         return Ok(());
@@ -186,8 +186,8 @@ fn check_length(it: &Entity<'_>, text: &str) -> Result<(), SourceError> {
     Err(it.refused(found, &expected))
 }
 
-/// The group of what is shown: of a definition its tag, or in a block its value where all copies
-/// share it. `None` where nothing is.
+/// The group of the visible text: of a definition its tag, or in a block its value if all copies
+/// share it. `None` if nothing is visible.
 fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError> {
     let flags = it.flags(70)?;
     Ok(match it.kind {
@@ -198,7 +198,7 @@ fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError>
     })
 }
 
-/// How the letters of a line lie about its points.
+/// The placement of a line's letters relative to its points.
 fn text_pose(it: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
     let (column, row) = justification(it)?;
     let has_second = it.find(11).is_some();
@@ -227,7 +227,7 @@ fn text_pose(it: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
     Ok(Pose { at, across, up })
 }
 
-/// From one point to another: as tall as that makes it, or as said.
+/// Fits between two points: as tall as that makes it, or with the given height.
 fn spanning_pose(it: &Entity<'_>, extent: LineExtent, column: u32) -> Result<Pose, SourceError> {
     let at = it.point(10)?;
     let way = it.point(11)? - at;
@@ -247,7 +247,7 @@ fn spanning_pose(it: &Entity<'_>, extent: LineExtent, column: u32) -> Result<Pos
     Ok(Pose { at, across, up })
 }
 
-/// Across and up.
+/// The justification across and up.
 fn justification(it: &Entity<'_>) -> Result<(u32, u32), SourceError> {
     let vertical = if it.kind == b"TEXT" { 73 } else { 74 };
     let (column, row) = (it.flags(72)?, it.flags(vertical)?);
@@ -259,7 +259,7 @@ fn justification(it: &Entity<'_>) -> Result<(u32, u32), SourceError> {
     Ok((column, row))
 }
 
-/// How much of a line lies before its point.
+/// The fraction of a line before its point.
 const fn before(column: u32) -> f64 {
     match column {
         CENTER | MIDDLE => 0.5,
@@ -268,7 +268,7 @@ const fn before(column: u32) -> f64 {
     }
 }
 
-/// How far the base line lies below its point, on the letters' grid.
+/// The distance of the base line below its point, on the letters' grid.
 const fn below(column: u32, row: u32) -> f64 {
     match (column, row) {
         (MIDDLE, _) | (_, HALF) => 0.5 * CAPITAL,
@@ -278,14 +278,14 @@ const fn below(column: u32, row: u32) -> f64 {
     }
 }
 
-/// To the right along a line of text, and up.
+/// The directions along a line of text and up.
 fn directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
     let right = Vec2::from_angle(it.number_or(50, 0.0)?.to_radians());
     Ok((right, right.turn_90()))
 }
 
-/// The same of an MTEXT, which tells a direction in the world or an angle of its own, and may be
-/// seen from behind or from the side.
+/// The directions of an MTEXT, which has a direction in the world or an angle, and may be seen from
+/// behind or from the side.
 fn paragraph_directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
     let plane = Plane::of(it)?;
     let right = if it.find(11).is_some() {
@@ -296,7 +296,7 @@ fn paragraph_directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
     Ok((from_above(right), from_above(plane.left_of(right))))
 }
 
-/// Where the point of an MTEXT lies: how much of it is before and how much is above.
+/// The position of the point of an MTEXT: the fractions before it and above it.
 fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
     let number = it.number_or(71, 1.0)?;
     let index = (1..=9_u8).find(|&it| f64::from(it) == number);
@@ -307,7 +307,7 @@ fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
     Ok((f64::from(index % 3) * 0.5, f64::from(index / 3) * 0.5))
 }
 
-/// The text of an MTEXT, which is in pieces where it is long.
+/// The text of an MTEXT, which is split if long.
 fn whole_text(it: &Entity<'_>) -> String {
     let pieces = it
         .pairs
@@ -324,25 +324,25 @@ fn has_size(it: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {
 /// Flags of attributes.
 const INVISIBLE: u32 = 1;
 const CONSTANT: u32 = 2;
-/// Kinds of justification across, among them: between two points, as tall as fits; in the middle
-/// of everything; between two points, as tall as said.
+/// Kinds of justification across: aligned between two points (sets the height), centered in
+/// everything, fitted between two points (keeps the height).
 const CENTER: u32 = 1;
 const RIGHT: u32 = 2;
 const ALIGNED: u32 = 3;
 const MIDDLE: u32 = 4;
 const FIT: u32 = 5;
-/// And up; 0 is the base line.
+/// Kinds of justification up; 0 is the base line.
 const BOTTOM: u32 = 1;
 const HALF: u32 = 2;
 const TOP: u32 = 3;
-/// Flags of how letters are made.
+/// Flags of mirrored letters.
 const BACKWARD: u32 = 2;
 const UPSIDE_DOWN: u32 = 4;
-/// How far letters reach below the base line, on their grid.
+/// The descent of letters below the base line, on their grid.
 const DESCENT: f64 = 7.0;
-/// How much narrower than ours the letters of other programs are.
+/// The width of the letters of other programs relative to ours.
 const NARROW: f64 = 0.8;
-/// From line to line, in heights of capitals.
+/// The line distance, in heights of capitals.
 const LINE: f64 = 5.0 / 3.0;
-/// How many bytes a text may have: thirty pages.
+/// The largest number of bytes of a text: thirty pages.
 const MOST_LETTERS: usize = 100_000;

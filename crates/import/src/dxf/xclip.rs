@@ -1,4 +1,4 @@
-//! Blocks that are clipped: INSERTs with a spatial filter.
+//! Clipped blocks: INSERTs with a spatial filter.
 
 use dobot_geometry::{Affine, Point, Rect, bounds};
 
@@ -8,8 +8,7 @@ use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 
 impl<'a> EntityRenderer<'_, 'a> {
-    /// The ring in which the block of an INSERT shows, in the block's own units; `None` where all of it
-    /// shows.
+    /// The clip ring of the block of an INSERT, in the block's units; `None` if it is not clipped.
     ///
     /// ```text
     ///   INSERT -- 102 {ACAD_XDICTIONARY 360 --> DICTIONARY -- 3 ACAD_FILTER 360 -->
@@ -33,7 +32,7 @@ impl<'a> EntityRenderer<'_, 'a> {
         }
     }
 
-    /// What a dictionary has under a name.
+    /// The entry of a dictionary.
     fn entry(
         &mut self,
         dictionary: &Pair<'a>,
@@ -47,12 +46,12 @@ impl<'a> EntityRenderer<'_, 'a> {
         Ok(entries.find(|it| matches!(it.code, 350 | 360)).copied())
     }
 
-    /// What has a handle.
+    /// The object with a handle.
     pub(super) fn object(&mut self, handle: &Pair<'a>) -> Result<Option<Entity<'a>>, SourceError> {
         let Some(&span) = self.file.objects.get(handle.value) else {
             return Ok(None);
         };
-        // Many blocks may name the same one.
+        // Many blocks may refer to the same one.
         self.spend(span)?;
         Entity::read(self.file.text, span).map(Some)
     }
@@ -62,7 +61,7 @@ impl<'a> EntityRenderer<'_, 'a> {
 fn ring(it: &Entity<'_>) -> Result<Vec<Point>, SourceError> {
     let corners = it.points(10)?;
     let numbers = it.numbers(40)?;
-    // Two matrices of twelve numbers are the last: the first is from the world to the block.
+    // The last groups are two matrices of twelve numbers: the first is from the world to the block.
     let Some(&[xx, xy, _, x, yx, yy, _, y, ..]) =
         numbers.len().checked_sub(24).map(|it| &numbers[it..])
     else {
