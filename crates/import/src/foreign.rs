@@ -1,8 +1,8 @@
-//! Files that another program has to convert before they can be drawn.
+//! Files that another program must convert first.
 
 use crate::error::SourceError;
 
-/// Refuses a file of another kind, and says how to convert it.
+/// Refuses a file that another program must convert, and names the conversion.
 pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
     let start = &bytes[..bytes.len().min(1000)];
     let has = |mark: &[u8]| start.windows(mark.len()).any(|it| it == mark);

@@ -1,4 +1,4 @@
-//! The ink that moves leave.
+//! The ink of moves.
 
 use super::ink_rule::InkRule;
 use super::laser::LaserSwitch;
@@ -9,20 +9,20 @@ use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::sketch::Sketch;
 
-/// Draws the moves of a program.
+/// A renderer of moves.
 #[derive(Debug)]
 pub(super) struct Inker<'s, 'a> {
     sketch: &'s mut Sketch<'a>,
     rule: InkRule,
-    /// That of the laser that draws it; a pen has none.
+    /// The state of the laser; `None` for a pen.
     switch: Option<LaserSwitch>,
-    /// What the last ink was drawn with.
+    /// The tool of the last ink.
     tool: Option<ToolState>,
-    /// Something moved along X or Y.
+    /// Whether something moved along X or Y.
     has_moved: bool,
-    /// The pen was lowered here, or the laser waits, and has drawn nothing yet.
+    /// The place where the pen was lowered, or the laser waits, and has drawn nothing yet.
     lowered: Option<Move>,
-    /// What is told of layers below full power.
+    /// The warnings about layers below full power.
     dim: Vec<DimLayer>,
 }
 
@@ -51,7 +51,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         }
         let stands = it.stands();
         self.has_moved |= !stands;
-        // A tool that stands may draw on from there: only a dot would be burned.
+        // A waiting tool may continue from here: only a dot would be burned.
         let inks = self.inks(it) && (stands || !self.stays_dark(it));
         match (inks, stands) {
             (true, true) => {
@@ -71,7 +71,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         }
     }
 
-    /// Tells of what the whole drawing has shown.
+    /// Reports what the whole drawing has shown.
     pub(super) fn finish(mut self) -> Result<(), SourceError> {
         if let Some(waits) = self.lowered.take_if(|it| it.kind == MoveKind::Dwell) {
             self.dot(waits)?;
@@ -125,7 +125,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         }
     }
 
-    /// Whether a laser burns nothing in a move in which a pen would draw, which is told.
+    /// Whether a laser burns nothing in a move in which a pen would draw; warns if so.
     fn stays_dark(&mut self, it: &Move) -> bool {
         let Some(switch) = self.switch else {
             return false;
@@ -148,7 +148,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         true
     }
 
-    /// The pen touches the paper, or the laser burns, where it is.
+    /// Makes a dot where the pen touches the paper or the laser burns.
     fn stand(&mut self, it: &Move) {
         let laser = matches!(self.rule, InkRule::Laser { .. });
         let waits = it.kind == MoveKind::Dwell;
@@ -170,14 +170,14 @@ impl<'s, 'a> Inker<'s, 'a> {
             return Ok(());
         }
         if !matches!(self.rule, InkRule::Laser { .. }) {
-            // That of going down is not the speed of lines.
+            // The speed of lowering is not that of lines.
             (it.tool.feed, it.tool.speed_mm_s) = (None, None);
         }
         self.take(&it)?;
         self.sketch.dot(it.to)
     }
 
-    /// Whether programs for this tool begin with a trial of the pen, after which they wait for a person's word.
+    /// Whether programs for this tool start with a pen test and then wait for a person.
     const fn has_trial(&self) -> bool {
         matches!(
             self.rule,
@@ -266,16 +266,16 @@ impl<'s, 'a> Inker<'s, 'a> {
     }
 }
 
-/// A layer that is to be burned below full power.
+/// A layer to be burned below full power.
 #[derive(Debug)]
 struct DimLayer {
     at: usize,
     share: f64,
-    /// The speed at which full power burns as much, in mm/s, where the file tells one.
+    /// The speed at which full power burns equally, in mm/s, if the file has a speed.
     speed_mm_s: Option<f64>,
 }
 
 /// The largest speed of the arm while it writes, in mm/s.
 const FASTEST_MM_S: f64 = 200.0;
-/// What is above is full power.
+/// The threshold of full power.
 const FULL: f64 = 0.999;

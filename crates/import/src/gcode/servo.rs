@@ -1,4 +1,4 @@
-//! The servo that lifts a pen, and which of its angles is up.
+//! Detection of a servo that lifts a pen, and of its raised angle.
 
 use super::machine::{Move, MoveKind};
 use crate::number::decimal;
@@ -7,9 +7,10 @@ use crate::number::decimal;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ServoCode {
     M280,
-    /// A beep elsewhere; the angle of the pen's servo with the machines of Inkscape's extension Unicorn.
+    /// A beep elsewhere; the servo angle on the machines of Inkscape's extension Unicorn.
     M300,
-    /// The speed of a spindle or the power of a laser elsewhere; the angle of a pen's servo in place of the spindle of GRBL.
+    /// The speed of a spindle or the power of a laser elsewhere; the angle of a servo on the
+    /// spindle output of GRBL.
     M3,
 }
 
@@ -31,18 +32,18 @@ impl ServoCode {
     }
 }
 
-/// By what an angle is known for up.
+/// The evidence for the raised angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum UpSource {
-    /// A comment calls it so.
+    /// A comment.
     Comment,
-    /// It is that of the moves in haste.
+    /// The rapid moves.
     Rapids,
-    /// It is the larger one.
+    /// The larger angle.
     Larger,
-    /// It is the last one: the file began with a move before the first.
+    /// The last angle: the file started with a move before the first angle.
     Last,
-    /// It is that of the first move.
+    /// The first move.
     First,
 }
 
@@ -58,16 +59,16 @@ impl UpSource {
     }
 }
 
-/// What the moves of a file have in common with the angles of a servo.
+/// Statistics of the moves of a file and the servo angles.
 #[derive(Debug, Default)]
 pub(super) struct ServoStatistics {
-    /// Those with which something moves, in their order.
+    /// The angles of moves, in order.
     angles: Vec<AngleUse>,
-    /// Something moved before the first angle.
+    /// Whether something moved before the first angle.
     has_moved_before: bool,
 }
 
-/// How many moves have an angle.
+/// The number of moves with an angle.
 #[derive(Clone, Copy, Debug)]
 struct AngleUse {
     angle: f64,
@@ -76,7 +77,7 @@ struct AngleUse {
 }
 
 impl ServoStatistics {
-    /// Counts a move along X or Y.
+    /// Handles a move along X or Y.
     pub(super) fn count(&mut self, it: &Move, code: ServoCode) {
         let Some(angle) = it.tool.angle(code) else {
             self.has_moved_before |= self.angles.is_empty();
@@ -97,7 +98,8 @@ impl ServoStatistics {
         *count = count.saturating_add(1);
     }
 
-    /// The angle that is up, unless nothing moves with another; `end` is that at the end of the program.
+    /// The raised angle, unless nothing moves with another one; `end` is the angle at the end of
+    /// the program.
     pub(super) fn up(
         &self,
         text: &[u8],
@@ -114,7 +116,7 @@ impl ServoStatistics {
         if let Some(told) = told_up(text, code).filter(|up| angles().any(|it| it == *up)) {
             return Some((told, UpSource::Comment));
         }
-        // Of those with the largest share, the first.
+        // The first one with the largest share.
         let shares = || self.angles.iter().map(AngleUse::share_of_rapids);
         let most = shares().fold(0.0, f64::max);
         if shares().any(|share| share < most) {
@@ -143,7 +145,7 @@ impl AngleUse {
     }
 }
 
-/// The angle that a comment calls up: `M300 S50 (pen up)`, `M280 P0 S90 ; up`.
+/// The raised angle according to a comment: `M300 S50 (pen up)`, `M280 P0 S90 ; up`.
 fn told_up(text: &[u8], code: ServoCode) -> Option<f64> {
     let mut lines = text.split(|byte| b"\r\n".contains(byte));
     lines.find_map(|line| {
@@ -170,5 +172,5 @@ fn calls_up(comment: &[u8]) -> bool {
     has(b"up") && !has(b"down")
 }
 
-/// No file has more angles with a meaning of their own.
+/// The largest number of different angles.
 const MOST_ANGLES: usize = 16;

@@ -1,4 +1,4 @@
-//! The commands of a plot file: two letters, and what belongs to them.
+//! The commands of a plot file: two letters and parameters.
 
 use crate::error::SourceError;
 use crate::number::{decimal, real};
@@ -6,12 +6,12 @@ use crate::number::{decimal, real};
 /// A command with its parameters.
 #[derive(Debug)]
 pub(super) struct Command<'a> {
-    /// Where it stands in the text.
+    /// The position in the text.
     pub(super) at: usize,
-    /// Its two letters, as capitals.
+    /// The two letters, in upper case.
     pub(super) name: [u8; 2],
     pub(super) numbers: Vec<f64>,
-    /// What PE encodes, LB writes and SM marks with.
+    /// The text of PE, LB or SM.
     pub(super) bytes: &'a [u8],
 }
 
@@ -20,7 +20,7 @@ impl Command<'_> {
         self.numbers.get(index).copied()
     }
 
-    /// As it stands in the file.
+    /// The command as in the file.
     pub(super) fn text(&self) -> String {
         let numbers: Vec<String> = self.numbers.iter().map(f64::to_string).collect();
         format!("{} {}", self.letters(), numbers.join(","))
@@ -33,7 +33,7 @@ impl Command<'_> {
     }
 }
 
-/// The commands of a file, in their order.
+/// The commands of a file, in order.
 pub(super) fn commands(text: &[u8]) -> impl Iterator<Item = Result<Command<'_>, SourceError>> {
     let mut lexer = CommandLexer {
         text,
@@ -50,7 +50,8 @@ pub(super) fn commands(text: &[u8]) -> impl Iterator<Item = Result<Command<'_>, 
     })
 }
 
-/// The number that a text begins with; some programs write exponents, with which no command can begin.
+/// The number at the start of a text; some programs write exponents, with which no command can
+/// start.
 fn number(text: &[u8]) -> Option<(f64, usize)> {
     let plain = decimal(text)?;
     Some(real(text).filter(|it| it.1 > plain.1).unwrap_or(plain))
@@ -59,9 +60,9 @@ fn number(text: &[u8]) -> Option<(f64, usize)> {
 struct CommandLexer<'a> {
     text: &'a [u8],
     at: usize,
-    /// What ends a label (DT).
+    /// The terminator of labels (DT).
     label_end: u8,
-    /// That end belongs to the label too.
+    /// Whether the terminator belongs to the label.
     writes_end: bool,
 }
 
@@ -101,7 +102,7 @@ impl<'a> CommandLexer<'a> {
         Ok(Some(command))
     }
 
-    /// What may stand between two commands.
+    /// Skips what may be between two commands.
     fn skip_between(&mut self) -> Result<(), SourceError> {
         while let Some(&byte) = self.text.get(self.at) {
             match byte {
@@ -113,7 +114,7 @@ impl<'a> CommandLexer<'a> {
         Ok(())
     }
 
-    /// A sequence for the device and not for the drawing.
+    /// Skips a sequence for the device.
     ///
     /// ```text
     ///   ESC . I 81 ; ; 17 :     the plotter's line     (HP-GL)
@@ -147,12 +148,13 @@ impl<'a> CommandLexer<'a> {
         Ok(())
     }
 
-    /// How long a setting of a printer is: numbers, each with a letter behind it, the last one with a capital letter.
+    /// The length of a printer setting: numbers, each followed by a letter, the last one in upper
+    /// case.
     fn printer_setting(&self, rest: &[u8]) -> Result<usize, SourceError> {
         let parts = rest.iter().enumerate().skip(3);
         for (i, byte) in parts {
             match byte {
-                // So many bytes of a picture or a font follow.
+                // That many bytes of a picture or a font follow.
                 b'W' | b'w' => break,
                 b'A'..=b'Z' | b'@' => return Ok(i + 1),
                 b'a'..=b'z' | b'0'..=b'9' | b'+' | b'-' | b'.' => {}
@@ -187,7 +189,7 @@ impl<'a> CommandLexer<'a> {
         Ok(numbers)
     }
 
-    /// What stands before a byte, which is skipped.
+    /// Skips to a byte, and returns what was skipped.
     fn until(&mut self, end: u8) -> &'a [u8] {
         let rest = &self.text[self.at..];
         let length = rest.iter().position(|&it| it == end);
@@ -195,7 +197,7 @@ impl<'a> CommandLexer<'a> {
         &rest[..length.unwrap_or(rest.len())]
     }
 
-    /// `CO "any text"`
+    /// Parses `CO "any text"`.
     fn comment(&mut self) {
         let rest = &self.text[self.at..];
         if let Some(quote) = rest
@@ -208,7 +210,7 @@ impl<'a> CommandLexer<'a> {
         }
     }
 
-    /// What LB, which stands at an offset, writes.
+    /// The text of LB at an offset.
     fn label(&mut self, at: usize) -> Result<&'a [u8], SourceError> {
         let begin = self.at;
         let text = self.until(self.label_end);
@@ -230,14 +232,14 @@ impl<'a> CommandLexer<'a> {
         Ok(&self.text[begin..begin + length])
     }
 
-    /// `DT #` or `DT #,0`, which writes the end too.
+    /// Parses `DT #` or `DT #,0`, which prints the terminator too.
     fn set_label_end(&mut self) -> Result<(), SourceError> {
         self.label_end = self.character().first().copied().unwrap_or(ETX);
         self.writes_end = self.numbers()? == [0.0];
         Ok(())
     }
 
-    /// A single character as a parameter, where there is one.
+    /// A single character as an optional parameter.
     fn character(&mut self) -> &'a [u8] {
         let rest = &self.text[self.at..];
         let length = usize::from(rest.first().is_some_and(|&it| it != b';'));
@@ -250,7 +252,7 @@ impl<'a> CommandLexer<'a> {
     }
 }
 
-/// Nobody reads a longer label, and it would be kept three times over.
+/// The longest label; it would be kept in three copies.
 const MOST_LETTERS: usize = 100_000;
 const ESC: u8 = 0x1B;
 const ETX: u8 = 3;

@@ -1,4 +1,4 @@
-//! Labels: texts in letters (LB, BL, PB, CP), and marks at places (SM).
+//! Labels (LB, BL, PB, CP) and symbols at points (SM).
 
 use dobot_geometry::{Point, Vec2};
 use dobot_lettering::StrokeFont;
@@ -9,17 +9,17 @@ use super::plotter::Plotter;
 use crate::error::SourceError;
 use crate::text::{Lettering, composed};
 
-/// What a plotter knows of texts.
+/// The text state of a plotter.
 #[derive(Debug, Default)]
 pub(super) struct Labels {
     characters: Characters,
-    /// Where a carriage return leads, on the paper; `None` for where the pen is.
+    /// The position of a carriage return, on the paper; `None` for that of the pen.
     pub(super) margin_mm: Option<Point>,
-    /// What SM marks places with.
+    /// The symbol of SM.
     symbol: Option<char>,
-    /// What BL keeps for PB.
+    /// The text that BL stores for PB.
     kept: String,
-    /// Warnings that only count once the file writes a text: place, what, instead.
+    /// Warnings that only count when the file writes a text: place, what, instead.
     unlike: Vec<(usize, &'static str, &'static str)>,
     lettering: Lettering,
 }
@@ -32,7 +32,7 @@ struct Cursor {
 }
 
 impl Plotter<'_> {
-    /// The commands of texts.
+    /// The text commands.
     pub(super) fn text(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         match &it.name {
             b"LB" => self.write(it, &decoded(it.bytes)),
@@ -45,7 +45,7 @@ impl Plotter<'_> {
         }
     }
 
-    /// Commands that only change how texts look.
+    /// Commands that only change the appearance of texts.
     fn set_style(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let numbers = it.numbers.as_slice();
         let first = it.number(0).unwrap_or_default();
@@ -132,7 +132,7 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// CP: so many cells to the right and so many up, or to the next line.
+    /// CP: moves by this many cells to the right and up, or to the next line.
     fn skip_cells(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let cell = self.cell(it);
         let mut cursor = self.cursor();
@@ -150,7 +150,7 @@ impl Plotter<'_> {
         self.put_pen(it, cursor)
     }
 
-    /// Writes from the pen on, which goes on behind the label.
+    /// Writes from the pen on, and moves the pen after the label.
     fn write(&mut self, it: &Command<'_>, text: &str) -> Result<(), SourceError> {
         if text.is_empty() {
             return Ok(());
@@ -217,7 +217,7 @@ impl Plotter<'_> {
         lettering.write(&mut self.sketch, it.at, character, &pose)
     }
 
-    /// SM: marks the place of the pen.
+    /// SM: marks the position of the pen.
     pub(super) fn mark(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let Some(symbol) = self.labels.symbol.filter(|_| !self.polygon.is_open) else {
             return Ok(());
@@ -231,7 +231,7 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// The cell of a character that is about to be written.
+    /// The cell of the next character.
     fn cell(&mut self, it: &Command<'_>) -> Cell {
         for (at, what, instead) in std::mem::take(&mut self.labels.unlike) {
             self.sketch.warn(at, what, instead);
@@ -261,7 +261,7 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// IN and DF: all settings of texts as at the start.
+    /// IN and DF: resets all text settings.
     pub(super) fn reset_labels(&mut self) {
         let lettering = std::mem::take(&mut self.labels.lettering);
         self.labels = Labels {
@@ -272,14 +272,14 @@ impl Plotter<'_> {
 }
 
 impl Cursor {
-    /// So many lines up, where a carriage return leads too.
+    /// Moves up by this many lines, the position of a carriage return too.
     fn lines(&mut self, cell: &Cell, count: f64) {
         let way = cell.line * count;
         (self.at, self.margin) = (self.at + way, self.margin + way);
     }
 }
 
-/// How many cells wide a line is.
+/// The width of a line, in cells.
 fn columns(line: &str) -> f64 {
     line.chars().fold(0.0, |columns: f64, it| match it {
         '\u{8}' => (columns - 1.0).max(0.0),
@@ -289,7 +289,7 @@ fn columns(line: &str) -> f64 {
     })
 }
 
-/// UTF-8 where it is, else Roman-8, in which plotters write.
+/// Decodes UTF-8 if valid, else Roman-8, the encoding of plotters.
 fn decoded(bytes: &[u8]) -> String {
     let roman = |byte: u8| match byte {
         0..0x80 => char::from(byte),
@@ -305,12 +305,12 @@ fn decoded(bytes: &[u8]) -> String {
     }
 }
 
-/// Where PCL, the language of printers, places a text.
+/// The place of a text in PCL, the printer language.
 const PCL_ORIGIN: f64 = 21.0;
-/// What SR without numbers stands for.
+/// The default of SR without numbers.
 const DEFAULT_PERCENT: Vec2 = Vec2::new(0.75, 1.5);
-/// In cells; the reference leaves it open, printers of HP do so.
+/// In cells; the reference does not specify it, printers of HP use it.
 const TAB: f64 = 5.0;
-/// From 160 on.
+/// The characters from 160 on.
 const ROMAN_8: &str = "\u{A0}ÀÂÈÊËÎÏ´ˋˆ¨˜ÙÛ₤¯Ýý°ÇçÑñ¡¿¤£¥§ƒ¢âêôûáéóúàèòùäëöü\
     ÅîØÆåíøæÄìÖÜÉïßÔÁÃãÐðÍÌÓÒÕõŠšÚŸÿÞþ·µ¶¾—¼½ªº«■»±";

@@ -6,32 +6,32 @@ use super::transform::{PlotTransform, UNIT_MM};
 use crate::error::SourceError;
 use crate::sketch::SketchMark;
 
-/// How lines are dashed.
+/// The line types.
 #[derive(Debug)]
 pub(super) struct LineTypes {
-    /// Pen down and pen up in turn, for the types from 1 on: their shares of a pattern.
+    /// Alternating pen down and pen up for the types from 1 on, as fractions of a pattern.
     patterns: [Vec<f64>; COUNT],
-    /// The type in use, and the one before it (LT 99).
+    /// The current type, and the previous one (LT 99).
     current: Option<LineType>,
     previous: Option<LineType>,
     length: PatternLength,
-    /// Where the lines of this type begin.
+    /// The start of the lines of this type.
     since: Option<SketchMark>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct LineType {
-    /// From 0 on.
+    /// The type number, from 0.
     pattern: usize,
-    /// A straight line has whole patterns, and begins and ends with half a dash.
+    /// Whether a straight line has whole patterns, and starts and ends with half a dash.
     is_adaptive: bool,
 }
 
-/// How long a pattern is.
+/// The length of a pattern.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct PatternLength {
     number: f64,
-    /// In mm, or else in percent of the way from P1 to P2.
+    /// In mm, or else in percent of the distance from P1 to P2.
     is_absolute: bool,
 }
 
@@ -87,7 +87,8 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// UL: which type, and its dashes and gaps. Without these it is as in the beginning, and so are all without a type.
+    /// UL: a type, and its dashes and gaps. Without these the type is reset, and without a type all
+    /// are.
     pub(super) fn define_line_type(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         self.end_dashes()?;
         let patterns = &mut self.line_types.patterns;
@@ -113,14 +114,14 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// All is solid again, as in the beginning.
+    /// Resets to solid lines.
     pub(super) fn reset_line_types(&mut self) -> Result<(), SourceError> {
         self.end_dashes()?;
         self.line_types = LineTypes::default();
         Ok(())
     }
 
-    /// A line is about to be drawn: those from here on have the type in use.
+    /// Starts a line: lines from here on have the current type.
     pub(super) fn begin_dashes(&mut self) {
         if self.line_types.current.is_some() && self.line_types.since.is_none() {
             self.sketch.lift();
@@ -128,7 +129,8 @@ impl Plotter<'_> {
         }
     }
 
-    /// The lines up to here had it: before it changes, and before letters, which are never dashed.
+    /// Dashes the lines up to here: before the type changes, and before letters, which are never
+    /// dashed.
     pub(super) fn end_dashes(&mut self) -> Result<(), SourceError> {
         let types = &mut self.line_types;
         let (Some(mark), Some(line_type)) = (types.since.take(), types.current) else {
@@ -144,7 +146,7 @@ impl Plotter<'_> {
     }
 }
 
-/// The type of a number; `None` for what is no pattern.
+/// The type of a number; `None` if it has no pattern.
 fn line_type(number: f64) -> Option<LineType> {
     #[expect(
         clippy::cast_possible_truncation,
@@ -159,7 +161,7 @@ fn line_type(number: f64) -> Option<LineType> {
 }
 
 const COUNT: usize = 8;
-/// What a plotter begins with: dots, dashes, dashes and dots.
+/// The initial patterns of a plotter: dots, dashes, dashes and dots.
 const PATTERNS: [&[f64]; COUNT] = [
     &[0.0, 100.0],
     &[50.0, 50.0],

@@ -1,9 +1,9 @@
 //! Commands that draw nothing.
 
-/// The warning for a command that is left out; `None` where it makes no difference.
+/// The warning for a command that is left out; `None` if it has no effect.
 pub(super) const fn left_out(name: [u8; 2]) -> Option<&'static str> {
     match &name {
-        // Of the sheet, the pens, the speed of lifting, the fonts, questions to the plotter.
+        // Commands about the sheet, the pens, the lifting speed, the fonts, and queries.
         b"AC" | b"AF" | b"AH" | b"AP" | b"AS" | b"BP" | b"CO" | b"CR" | b"CC" | b"CM" | b"CV"
         | b"DC" | b"DP" | b"DS" | b"DT" | b"EC" | b"FR" | b"FS" | b"GC" | b"GM" | b"GP" | b"IM"
         | b"IV" | b"KY" | b"LA" | b"MC" | b"MG" | b"MT" | b"NP" | b"NR" | b"OA" | b"OC" | b"OD"

@@ -21,28 +21,28 @@ use crate::sketch::Sketch;
 pub(super) struct Plotter<'a> {
     pub(super) sketch: Sketch<'a>,
     pub(super) transform: PlotTransform,
-    /// Where the pen is, in the user's units.
+    /// The position of the pen, in user units.
     pub(super) at: Point,
     pub(super) is_down: bool,
     is_relative: bool,
     pen: PenChoice,
-    /// The colours that pens have been given (PC), by their numbers.
+    /// The colours of pens (PC), by number.
     colors: Vec<(f64, [u8; 3])>,
     speed_mm_s: Option<f64>,
-    /// The pen was lowered and has drawn nothing yet.
+    /// Where the pen was lowered and has drawn nothing yet.
     pub(super) is_dot: bool,
-    /// The sketch uses the layer of the pen, at its speed.
+    /// Whether the sketch uses the layer of the pen at its speed.
     is_selected: bool,
     pub(super) has_drawn: bool,
-    /// PG came since.
+    /// Whether PG came since.
     is_new_page: bool,
-    /// The file has set P1 and P2 (IP).
+    /// Whether the file has set P1 and P2 (IP).
     pub(super) knows_corners: bool,
     /// The length and the width of the sheet, in plotter units (PS).
     pub(super) sheet: Option<[f64; 2]>,
-    /// Areas are filled with lines or dots (FT).
+    /// Whether areas are filled with lines or dots (FT).
     has_pattern: bool,
-    /// Chords of arcs are told by how far they leave them.
+    /// Whether chords of arcs are given by their deviation.
     pub(super) chords_by_deviation: bool,
     pub(super) polygon: Polygon,
     pub(super) labels: Labels,
@@ -50,12 +50,12 @@ pub(super) struct Plotter<'a> {
     pub(super) window: Option<Window>,
 }
 
-/// What the plotter holds.
+/// The selected pen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum PenChoice {
-    /// The file has not chosen.
+    /// None was selected.
     Any,
-    /// SP 0: nothing.
+    /// SP 0: no pen.
     None,
     Number(f64),
 }
@@ -170,7 +170,7 @@ impl<'a> Plotter<'a> {
         self.sketch.found(it.at, it.text(), expected)
     }
 
-    /// IN forgets everything, DF keeps the corners and the turn.
+    /// IN resets everything, DF keeps the corners and the rotation.
     fn reset(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         self.lift(it)?;
         self.end_window()?;
@@ -192,7 +192,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// The pen stays where it is on the paper.
+    /// Keeps the pen at its place on the paper.
     pub(super) fn use_transform(&mut self, transform: PlotTransform) {
         if self.transform != transform {
             self.at = transform.point_at(self.transform.point(self.at));
@@ -200,7 +200,7 @@ impl<'a> Plotter<'a> {
         }
     }
 
-    /// A pen that only touched the paper leaves a dot.
+    /// Makes a dot if the pen only touched the paper.
     fn lift(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let is_dot = std::mem::take(&mut self.is_dot) && !self.polygon.is_open;
         if is_dot && self.pen != PenChoice::None && self.select(it)? {
@@ -254,7 +254,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// Draws with the pen in hand, be it up or down.
+    /// Draws with the current pen, up or down.
     pub(super) fn ink(&mut self, it: &Command<'_>, points: &[Point]) -> Result<(), SourceError> {
         self.is_dot = false;
         if self.select(it)? {
@@ -265,7 +265,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// Draws a line of its own.
+    /// Draws a separate line.
     pub(super) fn outline(
         &mut self,
         it: &Command<'_>,
@@ -277,7 +277,8 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// A filled area, which hides what was drawn before it unless its pattern lets that show (FT).
+    /// Draws a filled area, which hides what was drawn before it unless its pattern is transparent
+    /// (FT).
     pub(super) fn fill(&mut self, it: &Command<'_>, area: Area) -> Result<(), SourceError> {
         if self.select(it)? {
             if !self.has_pattern {
@@ -288,7 +289,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// Uses the pen's layer; whether there is a pen.
+    /// Uses the pen's layer; returns whether there is a pen.
     pub(super) fn select(&mut self, it: &Command<'_>) -> Result<bool, SourceError> {
         if self.pen == PenChoice::None {
             self.warn(it, "penless line", "left out (SP 0)");
@@ -358,7 +359,7 @@ impl<'a> Plotter<'a> {
     fn take_pen(&mut self, it: &Command<'_>, number: Option<f64>) -> Result<(), SourceError> {
         self.lift(it)?;
         self.pen = match number {
-            // Pen 0 is white, and draws nothing, unless it has a colour of its own.
+            // Pen 0 is white, and draws nothing, unless it has an explicit colour.
             Some(0.0) if self.color_of(0.0).is_some_and(|it| it != WHITE) => PenChoice::Number(0.0),
             None | Some(0.0) => PenChoice::None,
             Some(number) => PenChoice::Number(number),
@@ -367,7 +368,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// VS, in centimetres per second.
+    /// VS: the speed, in centimetres per second.
     fn set_speed(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let speed_mm_s = it.number(0).map(|cm_s| cm_s * 10.0);
         if speed_mm_s.is_some_and(|it| it <= 0.0) {
@@ -380,7 +381,7 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// A pattern is not drawn. Without a number areas are filled, as in the beginning.
+    /// FT: the fill. Patterns are not drawn. Without a number the fill is reset.
     fn fill_type(&mut self, it: &Command<'_>) {
         self.has_pattern = it.number(0).is_some_and(|kind| kind > 2.0);
         if self.has_pattern {
@@ -443,6 +444,6 @@ impl<'a> Plotter<'a> {
     }
 }
 
-/// No plotter has more pens.
+/// The largest number of pens.
 const MOST_PENS: usize = 256;
 const WHITE: [u8; 3] = [255; 3];

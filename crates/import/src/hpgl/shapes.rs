@@ -10,7 +10,7 @@ use crate::arc::Arc;
 use crate::error::SourceError;
 
 impl Plotter<'_> {
-    /// CI: a circle about the pen, which stays where it is.
+    /// CI: a circle about the pen, which does not move.
     pub(super) fn circle(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let radius = it.number(0).ok_or_else(|| self.refused(it, "a radius"))?;
         let arc = self.round(it, self.at, radius, 0.0, TAU)?;
@@ -74,7 +74,7 @@ impl Plotter<'_> {
         self.shape(it, corners.map(|p| self.transform.point(p)).to_vec())
     }
 
-    /// EW, WG: a piece of cake about the pen.
+    /// EW, WG: a wedge about the pen.
     pub(super) fn wedge(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let (&[radius, from_deg, sweep_deg] | &[radius, from_deg, sweep_deg, _]) =
             it.numbers.as_slice()
@@ -124,7 +124,7 @@ impl Plotter<'_> {
         self.follow(it, points, end)
     }
 
-    /// Goes along a line to a place, which stands in the user's units.
+    /// Follows a line to a place, in user units.
     fn follow(
         &mut self,
         it: &Command<'_>,
@@ -180,10 +180,12 @@ impl Plotter<'_> {
         Ok(corners)
     }
 
-    /// The angle of the chords that an arc is to be drawn with, all of the same length; nothing where it is to be round. That is
-    /// any arc of 5 degrees, a plotter's own choice, or less. The sign means nothing, and more than 180 degrees are 180.
+    /// The angle of the chords of an arc, all of the same length; `None` for a round arc. That is
+    /// any chord of 5 degrees, a plotter's default, or less. The sign is ignored, and more than 180
+    /// degrees are 180.
     ///
-    /// By CT1 a command tells how far chords leave the arc, which is `d = r (1 - cos(a / 2)) = 2 r sin²(a / 4)`.
+    /// After CT1 a command gives the deviation of the chords from the arc, `d = r (1 - cos(a / 2))
+    /// = 2 r sin²(a / 4)`.
     fn chord_rad(&self, it: &Command<'_>, radius: f64) -> Option<f64> {
         let place = match &it.name {
             b"CI" => 1,
@@ -208,12 +210,12 @@ impl Plotter<'_> {
     }
 }
 
-/// What a plotter takes for round.
+/// The largest chord angle that counts as round.
 const ROUND_DEG: f64 = 5.0;
-/// Of a number of chords.
+/// The cost of a number of chords.
 const ROUNDING: f64 = 1e-9;
 
-/// Center and angle of the arc through three points; `None` where they lie on a line.
+/// Center and sweep of the arc through three points; `None` if they are on a line.
 fn circle_through(start: Point, middle: Point, end: Point) -> Option<(Point, f64)> {
     let (b, c) = (middle - start, end - start);
     if c == Vec2::ZERO {

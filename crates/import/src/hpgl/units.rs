@@ -1,4 +1,4 @@
-//! What the numbers of a plot mean: IP, IR, SC, RO.
+//! The units of a plot: IP, IR, SC, RO.
 
 use dobot_geometry::Point;
 
@@ -21,7 +21,7 @@ impl Plotter<'_> {
             _ => return Err(self.refused(it, "x,y of P1 and of P2, different in both")),
         };
         self.knows_corners = !it.numbers.is_empty();
-        // Patterns are as long as their share of the way between the corners.
+        // Pattern lengths are fractions of the distance between the corners.
         self.end_dashes()?;
         self.use_transform(PlotTransform {
             corners,
@@ -30,14 +30,14 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// PS, the length and the width of the sheet.
+    /// PS: the length and the width of the sheet.
     pub(super) fn set_sheet(&mut self, it: &Command<'_>) {
         if let &[length, width, ..] = it.numbers.as_slice() {
             self.sheet = Some([length, width]);
         }
     }
 
-    /// IR: P1 and P2, in percent of the sheet. P1 alone takes P2 along, and so does not change how large anything is.
+    /// IR: P1 and P2, in percent of the sheet. P1 alone moves P2 along, and so keeps all sizes.
     pub(super) fn relative_corners(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         if it.numbers.is_empty() {
             return self.set_corners(it);
@@ -105,7 +105,7 @@ impl Plotter<'_> {
     }
 }
 
-/// What SC says; nothing ends the scale.
+/// The scale of SC; without numbers the scale ends.
 fn scale(numbers: &[f64]) -> Result<Option<Scale>, &'static str> {
     let share = |percent: f64| (percent / 100.0).clamp(0.0, 1.0);
     let (ends, kind) = match numbers {
