@@ -1,4 +1,4 @@
-//! Files that are packed: `.svgz`, and anything that went through gzip.
+//! Compressed files: `.svgz`, and other files compressed with gzip.
 
 use std::io::{ErrorKind, Read};
 
@@ -7,7 +7,7 @@ use flate2::read::MultiGzDecoder;
 use crate::error::SourceError;
 use crate::limits::MOST_BYTES;
 
-/// Unpacks a file that begins as gzip does; any other stays as it is. Some small files hold terabytes.
+/// Unpacks a gzip file; any other stays unchanged. Some small files expand to terabytes.
 pub(crate) fn unpacked(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
     if !bytes.starts_with(GZIP) {
         return Ok(bytes);

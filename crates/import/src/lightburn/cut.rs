@@ -1,4 +1,4 @@
-//! The layers of a project, which it calls cut settings.
+//! The layers of a project (cut settings).
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -10,40 +10,40 @@ use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::place::printable;
 
-/// How the shapes of a layer become ink.
+/// The settings of a layer.
 #[derive(Clone, Debug)]
 pub(super) struct Cut {
-    /// What a person calls it, which no other layer is called.
+    /// The name, unique among layers.
     pub(super) name: String,
     color: Option<[u8; 3]>,
     pub(super) filling: Option<Filling>,
     pub(super) output: Output,
-    /// Where it is told, in bytes; a layer may be told nowhere.
+    /// The position of the setting, in bytes; `None` for a layer without one.
     pub(super) at: Option<usize>,
     priority: i64,
 }
 
-/// What a laser makes of a layer.
+/// The use of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Output {
-    /// It is burned.
+    /// Burned.
     On,
-    /// It is burned, and not shown on the screen.
+    /// Burned, and not displayed.
     Hidden,
-    /// Its output is switched off.
+    /// Output switched off.
     Off,
-    /// It is a help for drawing (T1, T2).
+    /// A tool layer (T1, T2), a drawing aid.
     Tool,
 }
 
-/// Which shapes of a layer are filled together, so that one inside another is a hole.
+/// The shapes of a layer that are filled together, so that one inside another is a hole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Filling {
-    /// All of the layer.
+    /// The whole layer.
     Layer,
     /// Those of an outermost group.
     Group,
-    /// Each by itself.
+    /// Each separately.
     Shape,
 }
 
@@ -88,7 +88,7 @@ impl Cut {
         })
     }
 
-    /// A layer that no setting tells of: lines.
+    /// The default of a layer without a setting: lines.
     fn untold(index: u32) -> Self {
         let is_tool = TOOLS.contains(&index);
         Self {
@@ -102,7 +102,7 @@ impl Cut {
     }
 }
 
-/// The layers by their numbers.
+/// The layers by number.
 #[derive(Debug)]
 pub(super) struct Cuts(BTreeMap<u32, Cut>);
 
@@ -130,7 +130,7 @@ impl Cuts {
         Ok(Self(cuts))
     }
 
-    /// Those that are burned, in the order in which they are.
+    /// The burned layers, in order.
     pub(super) fn in_order(&self) -> Vec<&Cut> {
         let is_burned = |it: &&Cut| matches!(it.output, Output::On | Output::Hidden);
         let mut cuts: Vec<&Cut> = self.0.values().filter(is_burned).collect();
@@ -143,7 +143,7 @@ impl Cuts {
     }
 }
 
-/// What `LightBurn` calls a layer that has no other name.
+/// The name of a layer without a name in `LightBurn`.
 fn code(index: u32) -> String {
     match TOOLS.iter().position(|it| *it == index) {
         Some(tool) => format!("T{}", tool + 1),

@@ -1,6 +1,6 @@
 //! The colours of the layers.
 
-/// The colour of the layer of that number, as `LightBurn` shows it.
+/// The colour of a layer number, as in `LightBurn`.
 pub(super) fn color(index: u32) -> Option<[u8; 3]> {
     let rgb = *PALETTE.get(usize::try_from(index).ok()?)?;
     let [_, red, green, blue] = rgb.to_be_bytes();

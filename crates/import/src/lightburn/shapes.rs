@@ -13,7 +13,7 @@ use crate::error::SourceError;
 use crate::frame::way;
 
 impl<'d> ShapeRenderer<'_, '_, 'd> {
-    /// A rectangle about its middle, which may have round corners.
+    /// A rectangle about its center, optionally with round corners.
     pub(super) fn rectangle(
         &mut self,
         it: Node<'d, '_>,
@@ -42,7 +42,7 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
         Ok(closed(points))
     }
 
-    /// How round the corners of a rectangle are.
+    /// The corner radius of a rectangle.
     fn corner_radius(&mut self, it: Node<'d, '_>, [x, y]: [f64; 2]) -> Result<f64, SourceError> {
         let radius = super::field::number(self.file, it, "Cr")?;
         if radius < 0.0 {
@@ -74,7 +74,7 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
         Ok(closed(points))
     }
 
-    /// A polygon of equal sides, stretched, whose first corner is to the right of its middle.
+    /// A stretched regular polygon, whose first corner is to the right of its center.
     pub(super) fn polygon(
         &mut self,
         it: Node<'d, '_>,
@@ -212,5 +212,5 @@ fn joined_in_order(count: usize, closed: bool, at: usize) -> Vec<Joint> {
     joints
 }
 
-/// How many sides a polygon has.
+/// The allowed numbers of polygon sides.
 const SIDES: std::ops::RangeInclusive<u32> = 3..=10_000;

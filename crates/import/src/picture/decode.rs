@@ -1,4 +1,4 @@
-//! Pictures to grey pixels: PNG and JPEG here, the rest in `others`.
+//! Pictures to grey pixels: PNG and JPEG here, others in `others`.
 
 use std::io::Cursor;
 
@@ -23,18 +23,18 @@ pub(super) struct Header {
     /// A pixel's width and height, in millimetres.
     pub(super) pixel: Point,
     pub(super) orientation: Orientation,
-    /// What it is where there are further pictures in the file; the first one counts.
+    /// The kind of a file with further pictures; the first one is used.
     pub(super) series: Option<&'static str>,
 }
 
 impl Header {
-    /// The pixels' rows and columns as they are stored, in millimetres.
+    /// The stored rows and columns, in millimetres.
     pub(super) fn stored_page(&self) -> Point {
         let [width, height] = [self.width, self.height].map(super::tone::count);
         Point::new(width * self.pixel.x, height * self.pixel.y)
     }
 
-    /// The page as a person sees it.
+    /// The page as displayed.
     pub(super) fn page(&self) -> Point {
         let stored = self.stored_page();
         if self.orientation.transpose {
@@ -43,7 +43,7 @@ impl Header {
         stored
     }
 
-    /// Refuses pictures without pixels and those with more than that: not every decoder does.
+    /// Refuses pictures without pixels and those with too many: not every decoder does.
     pub(super) fn check(self, most: usize) -> Result<Self, ImageError> {
         let (width, height) = (self.width, self.height);
         if width == 0 || height == 0 {
@@ -60,7 +60,7 @@ impl Header {
     }
 }
 
-/// The format of a file that begins so, whatever its name says.
+/// The format of a file with this start, whatever its name is.
 pub(crate) fn format(bytes: &[u8]) -> Option<ImageFormat> {
     let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
     let formats = [
@@ -87,7 +87,7 @@ fn known_format(bytes: &[u8]) -> Result<ImageFormat, ImageError> {
     format(bytes).ok_or(ImageError::UnknownFormat)
 }
 
-/// Reads the header alone.
+/// Reads the header only.
 pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
     match known_format(bytes)? {
         ImageFormat::Png => png(bytes).map(|it| it.header),
@@ -96,7 +96,7 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
     }
 }
 
-/// Reads header and pixels, 0 for black and 255 for white, what is transparent as `paper`.
+/// Reads header and pixels, 0 for black and 255 for white; transparent pixels become `paper`.
 pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
     match known_format(bytes)? {
         ImageFormat::Png => png_pixels(bytes, paper),
@@ -105,7 +105,7 @@ pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), Image
     }
 }
 
-/// A PNG file whose header is read.
+/// A PNG file after its header.
 struct PngFile<'a> {
     reader: png::Reader<Cursor<&'a [u8]>>,
     header: Header,
@@ -161,7 +161,7 @@ fn png_pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> 
     Err(bad_png("some pixels are missing"))
 }
 
-/// A pixel that lets some of the paper through.
+/// Blends a transparent pixel with the paper.
 pub(super) fn on_paper(grey: u8, alpha: u8, paper: u8) -> u8 {
     let [grey, alpha, paper] = [grey, alpha, paper].map(u32::from);
     byte((grey * alpha + paper * (255 - alpha) + 127) / 255)
@@ -181,7 +181,7 @@ fn add_grey(grey: &mut Vec<u8>, row: &[u8], color: ColorType, paper: u8) {
     }
 }
 
-/// A JPEG file whose header is read.
+/// A JPEG file after its header.
 struct JpegFile<'a> {
     decoder: JpegDecoder<ZCursor<&'a [u8]>>,
     header: Header,
@@ -214,7 +214,7 @@ fn jpeg_pixels(bytes: &[u8]) -> Result<(Header, Vec<u8>), ImageError> {
         mut decoder,
         header,
     } = jpeg(bytes)?;
-    // Of the usual colours the first is the grey; others are converted.
+    // The first component of the usual colour spaces is grey; others are converted.
     let grey = matches!(
         decoder.input_colorspace(),
         Some(ColorSpace::Luma | ColorSpace::YCbCr)
@@ -235,7 +235,7 @@ fn jpeg_pixels(bytes: &[u8]) -> Result<(Header, Vec<u8>), ImageError> {
     Err(bad_jpeg("some pixels are missing"))
 }
 
-/// How light a colour looks: red, green and blue weighted as in JPEG files.
+/// The luma of a colour: red, green and blue weighted as in JPEG files.
 fn luma(rgb: &[u8]) -> u8 {
     let [red, green, blue] = [rgb[0], rgb[1], rgb[2]].map(u32::from);
     byte((299 * red + 587 * green + 114 * blue + 500) / 1000)
@@ -277,8 +277,8 @@ const CUT_OFF: [&str; 4] = [
     "exhausted",
 ];
 
-/// 96 to the inch, as browsers take pixels.
+/// 96 per inch, as in browsers.
 pub(super) const PIXEL_MM: f64 = 25.4 / 96.0;
 const MOST_PIXELS: usize = 100_000_000;
-/// The PNG decoder may allocate so much beside the pixels: a few rows, colour profiles, texts.
+/// The memory limit of the PNG decoder beside the pixels: a few rows, colour profiles, texts.
 const PNG_BYTES: usize = 1 << 26;

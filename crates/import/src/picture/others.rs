@@ -10,13 +10,13 @@ use super::exif::Orientation;
 use super::frames::series;
 use crate::error::ImageError;
 
-/// Reads the header alone.
+/// Reads the header only.
 pub(super) fn header(bytes: &[u8], format: ImageFormat) -> Result<Header, ImageError> {
     decoder(bytes, format).map(|it| it.1)
 }
 
-/// Reads header and pixels, 0 for black and 255 for white, what is transparent as `paper`. Of an
-/// animation the first picture counts.
+/// Reads header and pixels, 0 for black and 255 for white; transparent pixels become `paper`. Of an
+/// animation the first picture is used.
 pub(super) fn pixels(
     bytes: &[u8],
     format: ImageFormat,
@@ -61,6 +61,6 @@ fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
     decode::damaged(format, error)
 }
 
-/// The pixels of these come all at once, with their colours.
+/// The largest number of pixels; these decoders return all pixels at once, in colour.
 const MOST_PIXELS: usize = 25_000_000;
 const MOST_BYTES: u64 = 128_000_000;

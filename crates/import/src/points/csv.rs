@@ -1,4 +1,4 @@
-//! Points in lines.
+//! Points in CSV.
 //!
 //! ```text
 //!   x,y            a header may name the columns, in any order; without one they are x and y
@@ -29,7 +29,7 @@ pub(crate) fn is_likely(start: &str) -> bool {
     (has("x") && has("y")) || (fields.len() >= 2 && fields.iter().all(is_number))
 }
 
-/// Reads points in lines.
+/// Reads points in CSV.
 pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
@@ -54,16 +54,16 @@ struct CsvReader<'a> {
     sketch: Sketch<'a>,
     text: &'a str,
     columns: Option<Columns>,
-    /// Of the stroke in hand.
+    /// The points of the current stroke.
     points: Vec<Point>,
     /// Its values in the columns `stroke` and `pen`.
     key: Key<'a>,
 }
 
-/// The values of a line in the columns `stroke` and `pen`, where there are such.
+/// The values of a line in the columns `stroke` and `pen`, if there are such columns.
 type Key<'a> = [Option<&'a str>; 2];
 
-/// Which column holds what.
+/// The columns.
 struct Columns {
     separator: char,
     count: usize,
@@ -114,7 +114,7 @@ impl<'a> CsvReader<'a> {
         Ok(())
     }
 
-    /// A header, or points already.
+    /// Parses the header, or the first points.
     fn first_line(&mut self, at: usize, line: &'a str) -> Result<(), SourceError> {
         let separators = [';', '\t', ','];
         let separator = separators.into_iter().find(|&it| line.contains(it));
@@ -185,7 +185,7 @@ impl<'a> CsvReader<'a> {
 
     fn end_stroke(&mut self) {
         let mut points = std::mem::take(&mut self.points);
-        // There may be millions of strokes, each with room for more.
+        // There may be millions of strokes; spare capacity would add up.
         points.shrink_to_fit();
         self.sketch.counted_stroke(points);
     }

@@ -50,10 +50,10 @@ fn draw(text: &str, sketch: &mut Sketch<'_>) -> Result<(), SourceError> {
     end.map_err(|error| refused(text, ".", &error))
 }
 
-/// Draws each stroke once it is read: all of them at once would fill the memory.
+/// Draws each stroke once it is read, because all of them together would fill the memory.
 struct StrokeReader<'s, 'a> {
     sketch: &'s mut Sketch<'a>,
-    /// Why the last stroke cannot be drawn.
+    /// The error of the last stroke.
     refused: Option<SourceError>,
 }
 
@@ -77,7 +77,7 @@ impl StrokeReader<'_, '_> {
             color: stroke.color.map(|it| it.parts),
             ..Layer::default()
         })?;
-        // As large as they are, for there may be a million of them; the list has room for more.
+        // Without spare capacity, for there may be a million of them.
         let list = stroke.points.0;
         let mut points = Vec::with_capacity(list.len() + usize::from(stroke.closed));
         points.extend(list.into_iter().map(|it| it.0));
@@ -113,7 +113,7 @@ impl<'de> Visitor<'de> for &mut StrokeReader<'_, '_> {
     }
 }
 
-/// What an object that is a drawing may hold.
+/// The keys of an object that is a drawing.
 #[derive(Deserialize)]
 #[serde(field_identifier, rename_all = "lowercase")]
 enum DocumentField {
@@ -143,7 +143,7 @@ impl<'de> Visitor<'de> for StrokeList<'_, '_, '_> {
     }
 }
 
-/// What the JSON reader says, in the words of the other readers.
+/// The error of the JSON parser, in the form of the other readers.
 fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
     let place = Place::new(error.line().max(1), error.column().max(1));
     let message = error.to_string();
@@ -227,7 +227,7 @@ fn offset(text: &str, error: &serde_json::Error) -> usize {
     before + error.column().saturating_sub(1)
 }
 
-/// A line with what belongs to it.
+/// A stroke with its attributes.
 struct JsonStroke(StrokeFields);
 
 #[derive(Default, Deserialize)]
@@ -272,7 +272,7 @@ impl<'de> Deserialize<'de> for Points {
     }
 }
 
-/// The list of points in a stroke.
+/// The list of points of a stroke.
 struct PointList;
 
 impl<'de> Visitor<'de> for PointList {
@@ -374,7 +374,7 @@ fn parts(color: &str) -> Option<[u8; 3]> {
     Some([red, green, blue])
 }
 
-/// Reads a `T` from a list, which reads as `L`, or from an object, which reads as `M`.
+/// Reads a `T` from a list by `L`, or from an object by `M`.
 struct ListOr<T, L, M> {
     expected: &'static str,
     kinds: PhantomData<(T, L, M)>,

@@ -1,4 +1,4 @@
-//! Points that a program has calculated.
+//! Calculated points.
 
 use dobot_geometry::Point;
 
@@ -9,7 +9,7 @@ use crate::options::ReadOptions;
 use crate::sketch::{Sketch, Y};
 use crate::warning::Warning;
 
-/// Takes lines of points; an error tells the line and the point in it, both counted from 1.
+/// Reads lines of points; an error has the line and the point in it, both counted from 1.
 pub(crate) fn read(
     lines: &[Vec<Point>],
     options: &ReadOptions,
