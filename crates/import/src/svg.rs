@@ -1,4 +1,4 @@
-//! Reading SVG files: visible outlines as strokes, fills as areas, in true millimetres.
+//! The SVG reader: visible outlines as strokes, fills as areas, in true millimetres.
 
 mod check;
 mod color;
@@ -52,12 +52,12 @@ use crate::options::{LayersBy, ReadOptions};
 use crate::warning::Warning;
 use crate::xml::{self, malformed};
 
-/// Reads an SVG file as a browser does, at 96 dots per inch.
+/// Reads an SVG file like a browser, at 96 dots per inch.
 ///
-/// Every visible shape with a stroke or a fill gives its outline, dashed where its stroke is
-/// dashed, and a filled one its area too; white fills are paper. Text gives the outlines of its
-/// letters. What a clip path hides is cut off, and what lies beyond the page, if that is wanted. What a pen cannot show comes
-/// back as warnings.
+/// Every visible shape with a stroke or a fill gives its outline, dashed if its stroke is dashed,
+/// and a filled one its area too; white fills count as paper. Text gives the outlines of its
+/// letters. Shapes are clipped to their clip paths, and to the page if requested. Warnings describe
+/// what a pen cannot show.
 pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
@@ -68,12 +68,12 @@ pub(crate) fn read(
     Ok((artwork, warnings))
 }
 
-/// Whether a text that begins so is an SVG file, whatever its name says.
+/// Whether a text with this start is an SVG file, whatever its name is.
 pub(crate) fn is_certain(start: &str) -> bool {
     start.starts_with("<svg") || (start.starts_with("<?xml") && start.contains("<svg"))
 }
 
-/// Whether a text that begins so is an SVG file if its name says nothing.
+/// Whether a text with this start is an SVG file if its name does not identify it.
 pub(crate) fn is_likely(start: &str) -> bool {
     start.contains("<svg") || start.starts_with("<?xml")
 }
@@ -100,9 +100,9 @@ fn draw(
     Ok((artwork, warnings.chain(others).collect()))
 }
 
-/// What only the file itself tells, before it is written otherwise.
+/// Facts about the original file, collected before it is rewritten.
 struct Told {
-    /// What there is of points without y.
+    /// The warning about points without y.
     lone: Option<Warning>,
     unread: UnreadPlaces,
 }
@@ -150,7 +150,7 @@ impl<'a> TreeWarnings<'a> {
         }
     }
 
-    /// As a browser, takes any font rather than none.
+    /// Like a browser, takes any font rather than none.
     fn font_resolver(&self) -> FontResolver<'_> {
         let by_name = FontResolver::default_font_selector();
         let by_character = FontResolver::default_fallback_selector();
@@ -172,7 +172,7 @@ impl<'a> TreeWarnings<'a> {
         }
     }
 
-    /// Counts what the library leaves out without a word.
+    /// Counts what the library drops silently.
     fn note_unread(&self, doc: &Document<'_>, rules: &StyleSheet<'_>) {
         let elements = || doc.descendants().filter(Node::is_element);
         let named = |it: &Node<'_, '_>, name: &str| it.tag_name().name() == name;
@@ -234,7 +234,8 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
     None
 }
 
-/// The tree of shapes, the names of its outermost groups where they are layers, and what else the file tells.
+/// The tree of shapes, the names of its outermost groups if they are layers, and facts about the
+/// file.
 fn parse(
     text: &str,
     options: &ReadOptions,
@@ -263,7 +264,7 @@ fn parse(
         let (tree, groups) = tree_of(doc, text, options, tree_warnings)?;
         return Ok((tree, groups, told));
     };
-    // There is no room for two.
+    // There is no memory for two.
     drop(doc);
     let doc = xml::tree(&text, true)?;
     styles::check(&doc)?;
@@ -271,7 +272,7 @@ fn parse(
     Ok((tree, groups, told))
 }
 
-/// The same of a file whose words the library knows and whose styles were checked.
+/// The tree of a rewritten file whose styles were checked.
 fn tree_of(
     doc: Document<'_>,
     text: &str,
@@ -297,7 +298,7 @@ fn tree_of(
     let tree = match text {
         Cow::Borrowed(_) => Tree::from_xmltree(&doc, &usvg_options),
         Cow::Owned(text) => {
-            // It is read anew, and there is no room for two.
+            // It is parsed again, because there is no memory for two.
             drop(doc);
             Tree::from_str(&text, &usvg_options)
         }
@@ -340,7 +341,7 @@ fn nothing_to_draw(warnings: &[WarningCount], others: Vec<Warning>) -> SourceErr
 
 /// Properties that move an element.
 const MOVES: [&str; 4] = ["transform", "translate", "rotate", "scale"];
-/// Shapes, and what of them a style may tell since SVG 2.
+/// Shapes, and their geometry properties since SVG 2.
 const SHAPES: [&str; 4] = ["circle", "ellipse", "path", "rect"];
 const SIZES: [&str; 10] = [
     "cx", "cy", "d", "height", "r", "rx", "ry", "width", "x", "y",

@@ -1,4 +1,4 @@
-//! XML as a tree, unless the tree would fill the memory or take for ever to build.
+//! XML as a tree, within limits of memory and time.
 
 use std::collections::HashSet;
 
@@ -7,9 +7,9 @@ use usvg::roxmltree::{Document, Error, ParsingOptions};
 use crate::error::{SourceError, SvgError};
 use crate::place::{Place, place, printable};
 
-/// Reads a text as a tree.
+/// Parses a text as a tree.
 ///
-/// A tree takes far more memory than the text that it comes from, so that it is measured first.
+/// A tree takes far more memory than its text, so its size is computed first.
 pub(crate) fn tree(text: &str, allow_dtd: bool) -> Result<Document<'_>, SourceError> {
     Measure::new(text).whole()?;
     let options = ParsingOptions {
@@ -32,7 +32,7 @@ pub(crate) fn tree(text: &str, allow_dtd: bool) -> Result<Document<'_>, SourceEr
     })
 }
 
-/// Tells where XML goes wrong.
+/// The error of malformed XML.
 pub(crate) fn malformed(error: &Error) -> SvgError {
     let at = error.pos();
     let problem = error.to_string();
@@ -43,7 +43,7 @@ pub(crate) fn malformed(error: &Error) -> SvgError {
     }
 }
 
-/// The innermost element that a text does not close, if that is what is wrong with it.
+/// The innermost unclosed element, if it is the cause of an error.
 fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
     let mut open = Vec::new();
     let mut at = 0;
@@ -57,7 +57,7 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
         let Some(end) = tag_end(tag) else {
             let begins = place(text.as_bytes(), start);
             let is_tag = !tag.starts_with("<!") && !tag.starts_with("<?");
-            // A quote that is missing leads to the next tag.
+            // A missing quote extends to the next tag.
             is_cut = !(is_tag && tag[1..].contains('<'));
             is_cut &= ends || begins <= Place::from(error.pos());
             if !tag.starts_with("</") {
@@ -77,7 +77,7 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
     }
     let start = *open.last()?;
     let part = match &text[start + 1..] {
-        // What its brackets hold is not looked into.
+        // The content of its brackets is not examined.
         doctype if doctype.starts_with("!DOCTYPE") => return None,
         mark if mark.starts_with("!--") => "a comment".to_owned(),
         mark if mark.starts_with(['!', '?']) => "<".to_owned() + &mark[..1],
@@ -90,7 +90,7 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
     Some(SvgError::EndsTooSoon { place, part })
 }
 
-/// Where a tag ends, or a comment or whatever else a text begins with.
+/// The end of a tag, a comment or another markup at the start of a text.
 fn tag_end(text: &str) -> Option<usize> {
     let behind = |mark: &str| text.find(mark).map(|it| it + mark.len());
     if text.starts_with("<!--") {
@@ -102,7 +102,7 @@ fn tag_end(text: &str) -> Option<usize> {
     if text.starts_with("<?") {
         return behind("?>");
     }
-    // A DOCTYPE holds declarations between brackets.
+    // A DOCTYPE has declarations between brackets.
     let (mut quote, mut depth) = (None, 0_usize);
     for (at, sign) in text.bytes().enumerate() {
         match (quote, sign) {
@@ -117,16 +117,16 @@ fn tag_end(text: &str) -> Option<usize> {
     None
 }
 
-/// Counts what becomes of a text, comments included: at least as much as there is.
+/// An upper bound of the nodes of a text, including comments.
 struct Measure<'a> {
     text: &'a [u8],
-    /// How many elements, texts and attributes there are so far; what has to be copied counts as more.
+    /// The number of elements, texts and attributes; copied ones count as more.
     parts: usize,
     most: usize,
-    /// Where the element in hand begins, and how many attributes it has.
+    /// The start of the current element, and the number of its attributes.
     element: usize,
     attributes: usize,
-    /// The short names of namespaces; each element that declares one keeps all that are known there.
+    /// The namespace prefixes; each element that declares one stores all known ones.
     prefixes: HashSet<&'a [u8]>,
 }
 
@@ -152,19 +152,19 @@ impl<'a> Measure<'a> {
         Ok(())
     }
 
-    /// Counts the text that begins there, and tells where it ends.
+    /// Counts the text at an offset, and returns its end.
     fn characters(&mut self, at: usize) -> Result<usize, SourceError> {
         let length = self.text[at..].iter().position(|&it| it == b'<');
         let end = length.map_or(self.text.len(), |it| at + it);
         self.count(at, usize::from(end > at))?;
         self.copied(at, end, b"&\r")?;
-        // The library makes room for as many attributes as there are of these signs.
+        // The library reserves an attribute for each of these signs.
         let signs = self.text[at..end].iter().filter(|&&it| it == b'=');
         self.count(at, signs.count())?;
         Ok(end)
     }
 
-    /// Counts the element, or whatever else begins with `<` there, and tells where it ends.
+    /// Counts the element or other markup with `<` at an offset, and returns its end.
     fn tag(&mut self, start: usize) -> Result<usize, SourceError> {
         (self.element, self.attributes) = (start, 0);
         let kind = self.text.get(start + 1);
@@ -189,7 +189,7 @@ impl<'a> Measure<'a> {
         Ok(at)
     }
 
-    /// Counts the value that begins there with a quote, and tells where it ends.
+    /// Counts the value with its quote at an offset, and returns its end.
     fn value(&mut self, at: usize, quote: u8) -> Result<usize, SourceError> {
         let rest = &self.text[at + 1..];
         let length = rest.iter().position(|&it| it == quote || it == b'<');
@@ -226,10 +226,10 @@ impl<'a> Measure<'a> {
         Ok(())
     }
 
-    /// A text with one of these bytes is copied, others are read where they stand.
+    /// Whether a text has a byte for which it is copied instead of borrowed.
     fn copied(&mut self, at: usize, end: usize, bytes: &[u8]) -> Result<(), SourceError> {
         let text = &self.text[at..end];
-        // A few quick looks, not one at each byte.
+        // A few fast searches, not a test of each byte.
         if bytes.iter().any(|it| text.contains(it)) {
             // While it is copied there are two.
             self.count(at, (2 * text.len()).div_ceil(PART_BYTES))?;
@@ -259,7 +259,7 @@ impl<'a> Measure<'a> {
     }
 }
 
-/// The name of the attribute whose sign `=` stands at an offset.
+/// The name of the attribute whose sign `=` is at an offset.
 fn name_before(text: &[u8], at: usize) -> &[u8] {
     let name = text[at.saturating_sub(LONGEST_NAME)..at].trim_ascii_end();
     let before = name.iter().rposition(|it| b" \n\t\r\"'".contains(it));
@@ -267,18 +267,18 @@ fn name_before(text: &[u8], at: usize) -> &[u8] {
 }
 
 const XMLNS: &[u8] = b"xmlns:";
-/// Longer names of namespaces are not looked for.
+/// Longer prefixes are not tracked.
 const LONGEST_NAME: usize = 60;
 const MOST_PREFIXES: usize = 50;
-/// All names of namespaces weigh as much as that many attributes.
+/// The cost of all prefixes, in attributes.
 const NAMESPACE_PARTS: usize = 2;
 /// Each is compared with all the others.
 const MOST_ATTRIBUTES: usize = 250;
-/// What an element, a text or an attribute takes in the memory, in bytes.
+/// The memory of an element, a text or an attribute, in bytes.
 const PART_BYTES: usize = 80;
-/// What a file and its tree may take together; the rest of what a reader may take is for what it draws.
+/// The memory limit of a file and its tree; the rest of a reader's memory is for its drawing.
 const MOST_BYTES: usize = 100_000_000;
-/// No tree of an element and its attributes, texts and comments has more.
+/// The largest number of attributes, texts and comments in an element.
 #[expect(clippy::cast_possible_truncation, reason = "some millions")]
 const MOST_NODES: u32 = (MOST_BYTES / PART_BYTES) as u32;
 

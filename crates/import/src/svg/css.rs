@@ -1,4 +1,4 @@
-//! Values of CSS that are newer than what the library reads, in words that it knows.
+//! Rewriting of CSS values that are newer than the library.
 //!
 //! ```text
 //!   stroke: light-dark(black, white)        stroke: black
@@ -12,12 +12,12 @@ use std::cell::Cell;
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// What custom properties stand for, by their names (`--sea`). Of several values the first counts: the others are for a dark screen,
-/// or for another part of the page.
+/// The values of custom properties, by name (`--sea`). Of several values the first counts: the
+/// others are for a dark screen, or for another part of the page.
 #[derive(Debug)]
 pub(super) struct Variables<'a> {
     values: HashMap<&'a str, &'a str>,
-    /// How many bytes may still be looked at in the brackets of functions, and put in their places.
+    /// The number of bytes in function arguments that may still be processed.
     left: Cell<usize>,
 }
 
@@ -29,14 +29,14 @@ impl<'a> Variables<'a> {
         }
     }
 
-    /// Takes those of a sheet, or of the style of an element.
+    /// Collects those of a sheet, or of the style of an element.
     pub(super) fn read(&mut self, css: &'a str) {
         for Custom { name, value, .. } in custom(css) {
             self.values.entry(name).or_insert(value);
         }
     }
 
-    /// A value, or the declarations of a style, in words that the library knows.
+    /// Rewrites a value, or the declarations of a style, for the library.
     pub(super) fn readable<'t>(&self, css: &'t str) -> Cow<'t, str> {
         let css = if css.contains('(') {
             self.without_functions(css, 0)
@@ -51,7 +51,7 @@ impl<'a> Variables<'a> {
         })
     }
 
-    /// Puts the values of functions in their places.
+    /// Replaces functions by their values.
     fn without_functions<'t>(&self, css: &'t str, depth: u32) -> Cow<'t, str> {
         let (mut whole, mut done, mut at) = (String::new(), 0, 0);
         while let Some(open) = css[at..].find('(').map(|it| at + it) {
@@ -71,8 +71,8 @@ impl<'a> Variables<'a> {
         Cow::Owned(whole + &css[done..])
     }
 
-    /// What a function gives, where the library does not know it itself, and where its brackets are closed, with which the
-    /// text begins.
+    /// The value of a function unknown to the library, at the start of a text after its name, if
+    /// its brackets are closed.
     fn value(&self, name: &str, text: &str, depth: u32) -> Option<(String, usize)> {
         if depth == MOST_DEPTH || !FUNCTIONS.contains(&name) {
             return None;
@@ -93,7 +93,7 @@ impl<'a> Variables<'a> {
             "color-mix" => {
                 let other = other?;
                 let mixed = deeper(&other[..comma(other)]);
-                // How much of it there is.
+                // The alpha value.
                 let share = mixed.rfind(' ').filter(|_| mixed.ends_with('%'));
                 share.map_or(mixed.clone(), |it| mixed[..it].to_owned())
             }
@@ -109,7 +109,7 @@ impl<'a> Variables<'a> {
     }
 }
 
-/// What declares a custom property.
+/// The declarations of a custom property.
 struct Custom<'a> {
     name: &'a str,
     value: &'a str,
@@ -143,7 +143,7 @@ fn custom(css: &str) -> impl Iterator<Item = Custom<'_>> {
     })
 }
 
-/// Leaves out the custom properties, with which the library would leave out what stands beside them.
+/// Removes the custom properties, which would make the library drop the declarations beside them.
 fn without_custom(css: &str) -> Option<String> {
     let (mut whole, mut done) = (String::new(), 0);
     for Custom { range, .. } in custom(css) {
@@ -153,7 +153,7 @@ fn without_custom(css: &str) -> Option<String> {
     (done > 0).then(|| whole + &css[done..])
 }
 
-/// Where the brackets with which a text begins are closed, behind them.
+/// The end of the bracketed text at the start, after the closing bracket.
 pub(super) fn closed(text: &str, [open, close]: [char; 2]) -> usize {
     let mut depth = 0_usize;
     for (at, sign) in text.char_indices() {
@@ -169,7 +169,7 @@ pub(super) fn closed(text: &str, [open, close]: [char; 2]) -> usize {
     text.len()
 }
 
-/// Where the first argument ends.
+/// The end of the first argument.
 fn comma(arguments: &str) -> usize {
     let mut depth = 0_i32;
     let is_end = |sign: char| {
@@ -179,7 +179,7 @@ fn comma(arguments: &str) -> usize {
     arguments.find(is_end).unwrap_or(arguments.len())
 }
 
-/// Channels from 0 to 1 in percent, as `rgb` has them.
+/// Converts channels from 0 to 1 to percent, as in `rgb`.
 fn percent(channels: &str) -> String {
     let (colors, alpha) = channels.split_once('/').unwrap_or((channels, "1"));
     let colors = colors.split_whitespace().map(|it| match it.parse::<f64>() {
@@ -190,13 +190,13 @@ fn percent(channels: &str) -> String {
     format!("{} / {alpha}", colors.join(" "))
 }
 
-/// The digits of a colour.
+/// The hexadecimal digits of a colour.
 fn hex(color: &str) -> Option<String> {
     let color = csscolorparser::parse(color).ok()?;
     Some(color.to_css_hex().to_string())
 }
 
-/// Lengths in the font size of the page, which is 16 px.
+/// Converts lengths in the font size of the page, which is 16 px.
 fn rem_to_px(css: &str) -> Option<String> {
     let mut whole = String::new();
     let mut done = 0;
@@ -214,7 +214,7 @@ fn rem_to_px(css: &str) -> Option<String> {
     (done > 0).then(|| whole + &css[done..])
 }
 
-/// Takes the line heights out of what tells all of a font.
+/// Removes line heights from `font` shorthands.
 fn without_line_heights(css: &str) -> String {
     let mut whole = String::new();
     let mut rest = css;
@@ -237,7 +237,7 @@ fn without_line_heights(css: &str) -> String {
     whole + rest
 }
 
-/// Puts the names of fonts into quotes that are no names without them.
+/// Quotes font names that are invalid without quotes.
 fn with_quoted_families(css: &str) -> Option<String> {
     let (mut whole, mut done) = (String::new(), 0);
     for (at, property) in css.match_indices("font-family") {
@@ -256,8 +256,8 @@ fn with_quoted_families(css: &str) -> Option<String> {
     (done > 0).then(|| whole + &css[done..])
 }
 
-/// A list of fonts in which names with a word that begins with a digit stand in quotes (`Hershey Sans 1-stroke`): many
-/// programs leave them out. `None` where there is no such name.
+/// Quotes the fonts of a list that have a word starting with a digit (`Hershey Sans 1-stroke`):
+/// many programs omit the quotes. `None` if there is no such name.
 pub(super) fn quoted_families(list: &str) -> Option<String> {
     let is_quote = |sign: char| sign == '"' || sign == '\'';
     let has_number = |name: &str| {
@@ -293,11 +293,11 @@ fn is_of_name(sign: char) -> bool {
     sign.is_alphanumeric() || sign == '-' || sign == '_'
 }
 
-/// What variables stand for may hold others, to that depth.
+/// The largest depth of variables in variables.
 pub(super) const MOST_DEPTH: u32 = 8;
 /// More would fill the memory.
 const MOST_BYTES: usize = 20_000_000;
-/// The functions whose values are put in their places.
+/// The functions that are replaced by their values.
 const FUNCTIONS: [&str; 13] = [
     "color",
     "color-mix",

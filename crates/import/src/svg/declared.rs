@@ -1,11 +1,11 @@
-//! What styles declare of the elements: those of an element itself, and the rules of all sheets.
+//! The styles of elements: their own ones, and the rules of all sheets.
 
 use simplecss::{AttributeOperator, PseudoClass, Selector, StyleSheet};
 use usvg::roxmltree::{Document, Node};
 
 use super::styles::sheets;
 
-/// Tells of which elements a style declares a property.
+/// The elements for which a style declares a property.
 pub(super) struct Declared<'a> {
     /// Whether a name and a value are the property.
     is_it: fn(&str, &str) -> bool,
@@ -42,7 +42,8 @@ impl<'a> Declared<'a> {
     }
 }
 
-/// What a property of an element is by the styles; what the element itself has comes before the rules, of which the last one counts.
+/// The value of a property by the styles; the element's own style precedes the rules, of which the
+/// last one counts.
 pub(super) fn value_of<'a>(
     sheet: &'a StyleSheet<'a>,
     node: Node<'a, '_>,
@@ -59,7 +60,7 @@ pub(super) fn value_of<'a>(
     own.next_back().or_else(|| declared.into_iter().next())
 }
 
-/// What a property of an element is: by the styles, and else by its attribute.
+/// The value of a property by the styles, or else by its attribute.
 pub(super) fn property_of<'a>(
     sheet: &'a StyleSheet<'a>,
     node: Node<'a, '_>,
@@ -69,7 +70,7 @@ pub(super) fn property_of<'a>(
     value.split('!').next().map(str::trim)
 }
 
-/// What a property is on each element, by the number of its node: its own, and else that of what holds it.
+/// The value of a property on each element, by node number: its own, or else the inherited one.
 pub(super) fn inherited<'a>(
     sheet: &'a StyleSheet<'a>,
     doc: &'a Document<'_>,
@@ -84,7 +85,7 @@ pub(super) fn inherited<'a>(
     values
 }
 
-/// An element as the rules of a sheet see it.
+/// An element for matching the selectors of a sheet.
 pub(super) struct Element<'a, 'input>(pub(super) Node<'a, 'input>);
 
 impl simplecss::Element for Element<'_, '_> {

@@ -1,4 +1,4 @@
-//! A file in words that the library knows: what is newer in it, or what it would leave out without need, is written otherwise.
+//! Rewriting of a file for the library: newer syntax, and what it would drop needlessly.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -20,16 +20,16 @@ use super::selectors::Marks;
 use super::sheets::{readable_sheet, unread_rules};
 use super::styles::sheets;
 
-/// What is written otherwise in a file, and what of it is still not read as a browser does.
+/// The rewritten parts of a file, and what is still unsupported.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Readable {
-    /// The whole file, if anything of it is.
+    /// The whole file, if anything changed.
     pub(super) text: Option<String>,
-    /// How many rules of sheets are not read.
+    /// The number of ignored sheet rules.
     pub(super) unread_rules: usize,
-    /// How many sizes of the page are not read.
+    /// The number of ignored page sizes.
     pub(super) unread_sizes: usize,
-    /// How many lines are solid whose dashes are told in shares of a path.
+    /// The number of lines drawn solid whose dashes are given as fractions of a path.
     pub(super) solid: usize,
 }
 
@@ -96,16 +96,16 @@ impl Readable {
     }
 }
 
-/// Tells what elements need besides, so that the library draws them as a browser does.
+/// Collects the additions to elements, so that the library draws them like a browser.
 struct Rewriter<'a> {
     rules: &'a StyleSheet<'a>,
     /// Whether anything has dashes.
     dashes: bool,
-    /// What has markers, by the numbers of the nodes; empty where nothing has.
+    /// The elements with markers, by node number; empty if there are none.
     marked: Vec<bool>,
-    /// How texts are anchored from now on, by the numbers of their nodes; empty where they stay.
+    /// The new anchors of texts, by node number; empty if unchanged.
     anchors: Vec<Option<&'static str>>,
-    /// How many lines have become solid.
+    /// The number of lines made solid.
     solid: usize,
 }
 
@@ -120,7 +120,7 @@ impl<'a> Rewriter<'a> {
         }
     }
 
-    /// The path of an element in other words, where it needs them.
+    /// The rewritten path of an element, if needed.
     fn path(&self, node: Node<'_, '_>) -> Option<Edit> {
         let is_marked = self.marked.get(node.id().get_usize()) == Some(&true);
         let freed = || freed(node);
@@ -150,7 +150,7 @@ impl<'a> Rewriter<'a> {
     }
 }
 
-/// Which elements have markers, their own or those of what holds them, by their numbers; empty where none has.
+/// The elements with their own or inherited markers, by number; empty if there are none.
 fn marked(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<bool> {
     let is_marker = |it: Node<'_, '_>| it.tag_name().name() == "marker";
     if !doc.descendants().any(is_marker) {
@@ -167,7 +167,7 @@ fn marked(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<bool> {
     marked
 }
 
-/// An attribute in words that the library knows. A filter that is not in the file would hide what has it.
+/// Rewrites an attribute for the library. A missing filter would hide its element.
 fn readable(
     attribute: Attribute<'_, '_>,
     variables: &Variables<'_>,
@@ -192,7 +192,7 @@ fn readable(
     }
 }
 
-/// A length without the blanks around it, which the library does not read.
+/// A length without surrounding blanks, which the library rejects.
 fn trimmed(node: Node<'_, '_>, attribute: Attribute<'_, '_>) -> Option<Edit> {
     let (name, value) = (attribute.name(), attribute.value());
     let has_blanks = value.trim() != value && Length::from_str(value.trim()).is_ok();
@@ -202,12 +202,12 @@ fn trimmed(node: Node<'_, '_>, attribute: Attribute<'_, '_>) -> Option<Edit> {
     })
 }
 
-/// The element of this file that is meant by `url(#name)`.
+/// The element of this file that `url(#name)` refers to.
 fn linked(value: &str) -> Option<&str> {
     let inner = value.trim().strip_prefix("url(")?.strip_suffix(')')?;
     inner.trim_matches(['"', '\'', ' ']).strip_prefix('#')
 }
 
 const DASHES: &str = "stroke-dasharray";
-/// Attributes that hold no CSS: names, and what may be long.
+/// Attributes without CSS: names, and long values.
 const PLAIN: [&str; 6] = ["id", "class", "href", "d", "points", "transform"];

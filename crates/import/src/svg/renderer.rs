@@ -1,4 +1,4 @@
-//! From the tree of shapes to the page.
+//! The renderer from the tree of shapes to the page.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -14,15 +14,15 @@ use super::warning_count::WarningKind;
 use crate::clip::{ClipArea, Region};
 use crate::error::SvgError;
 
-/// Goes through a tree and draws on a page what it meets.
+/// A visitor of a tree that draws on a page.
 pub(crate) struct TreeRenderer<'a> {
     page: &'a mut SvgPage,
     tolerance_mm: f64,
-    /// The names of the outermost groups, by their `id`.
+    /// The names of the outermost groups, by `id`.
     groups: &'a HashMap<String, String>,
-    /// Inside one of them.
+    /// Whether it is inside one of them.
     in_group: bool,
-    /// Inside a group that is not opaque.
+    /// Whether it is inside a transparent group.
     is_faint: bool,
 }
 
@@ -108,7 +108,7 @@ impl<'a> TreeRenderer<'a> {
         }
     }
 
-    /// In letters of single lines where the file wants them, in outlines otherwise.
+    /// Draws a text in single-line letters if the file asks for them, otherwise in outlines.
     fn text(
         &mut self,
         text: &Text,
@@ -188,7 +188,7 @@ impl<'a> TreeRenderer<'a> {
         flatten(path.data(), tolerance, &mut self.page.budget)
     }
 
-    /// The regions of which all must show a point.
+    /// The clip regions; all must contain a visible point.
     fn regions(
         &mut self,
         clip: &ClipPath,
@@ -286,7 +286,7 @@ fn read_fill(fill: &usvg::Fill, is_faint: bool) -> FillPaint {
     }
 }
 
-/// A gradient counts as the first of its colours that shows on white paper.
+/// The colour of a gradient: the first one visible on white paper.
 fn rgb(paint: &Paint) -> Option<[u8; 3]> {
     if let Paint::Color(color) = paint {
         return Some([color.red, color.green, color.blue]);
@@ -307,13 +307,13 @@ fn stops(paint: &Paint) -> &[Stop] {
     }
 }
 
-/// Whether anything of it is seen, if it is a gradient.
+/// Whether a gradient is visible at all.
 fn is_seen(paint: &Paint) -> bool {
     let mut stops = stops(paint).iter().peekable();
     stops.peek().is_none() || stops.any(|it| it.opacity().get() > 0.0)
 }
 
-/// Whether nothing shows through it. What a pattern leaves free is not known.
+/// Whether it is opaque. The gaps of a pattern are unknown.
 fn is_opaque(paint: &Paint) -> bool {
     let solid = stops(paint).iter().all(|it| it.opacity().get() == 1.0);
     solid && !matches!(paint, Paint::Pattern(_))
@@ -326,5 +326,5 @@ const fn rule(rule: usvg::FillRule) -> FillRule {
     }
 }
 
-/// A browser's pixel: 96 to the inch.
+/// A browser's pixel: 96 per inch.
 pub(crate) const MM_PER_PX: f64 = 25.4 / 96.0;

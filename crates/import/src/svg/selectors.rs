@@ -1,5 +1,5 @@
-//! Selectors that the library does not know, as marks: each element that one means gets an attribute of its own, for which the
-//! sheet asks instead.
+//! Selectors that the library does not support, replaced by marks: each matching element gets an
+//! attribute, which the sheet selects instead.
 //!
 //! ```text
 //!   [id^=a] { fill: red }             [marked-1] { fill: red }
@@ -13,34 +13,34 @@ use usvg::roxmltree::{Document, Node};
 
 use super::declared::Element;
 
-/// What elements are asked for, and by which attribute each is known then.
+/// The tests of elements, and the mark attribute of each.
 #[derive(Debug, Default)]
 pub(super) struct Marks {
     questions: Vec<Question>,
 }
 
-/// Something about an element that only this file knows to ask.
+/// A test of an element that needs the document.
 #[derive(Clone, Debug, PartialEq)]
 enum Question {
-    /// `[name^=value]` and the like; the sign tells which part of the attribute must be the value.
+    /// `[name^=value]` and similar; the sign selects the part of the attribute to compare.
     Part {
         name: String,
         sign: char,
         value: String,
     },
-    /// `:nth-child(an+b)` and what is short for it.
+    /// `:nth-child(an+b)` and its short forms.
     Place {
         step: i64,
         offset: i64,
         of_type: bool,
         from_end: bool,
     },
-    /// `:not(...)`, of classes, attributes and the like.
+    /// `:not(...)`, of classes, attributes and similar.
     Not(Vec<String>),
 }
 
 impl Marks {
-    /// A list of selectors in words that the library knows; `None` where one has still others.
+    /// Rewrites a list of selectors for the library; `None` if one is still unsupported.
     pub(super) fn readable(&mut self, selectors: &str) -> Option<String> {
         let before = self.questions.len();
         let whole = self.rewritten(selectors);
@@ -71,7 +71,7 @@ impl Marks {
         Some(whole + rest)
     }
 
-    /// The attribute that marks what a question is answered with yes for.
+    /// The mark attribute of a test.
     fn mark(&mut self, question: Question) -> Option<String> {
         let known = self.questions.iter().position(|it| *it == question);
         let number = known.unwrap_or(self.questions.len());
@@ -81,7 +81,7 @@ impl Marks {
         (number < MOST).then(|| name(number))
     }
 
-    /// The marks of all elements, by the numbers of their nodes; empty where nothing is asked for.
+    /// The marks of all elements, by node number; empty without tests.
     pub(super) fn of(&self, doc: &Document<'_>) -> Vec<Vec<String>> {
         if self.questions.is_empty() {
             return Vec::new();
@@ -101,7 +101,7 @@ impl Marks {
 }
 
 impl Question {
-    /// The places of all elements among those beside them, counted from 1, if that is what is asked for.
+    /// The sibling indexes of all elements, counted from 1, if a test needs them.
     fn places(&self, doc: &Document<'_>) -> Vec<i64> {
         let Self::Place {
             of_type, from_end, ..
@@ -155,7 +155,7 @@ impl Question {
     }
 }
 
-/// What a part of a selector asks, if the library cannot.
+/// The test of a part of a selector, if the library does not support it.
 fn question(part: &str) -> Option<Question> {
     if let Some(inner) = part.strip_prefix('[') {
         return attribute(inner.strip_suffix(']')?);
@@ -184,7 +184,7 @@ fn question(part: &str) -> Option<Question> {
     })
 }
 
-/// `name^=value`, with quotes around the value or without.
+/// Parses `name^=value`, with or without quotes around the value.
 fn attribute(inner: &str) -> Option<Question> {
     let (name, value) = inner.split_once('=')?;
     let sign = name.chars().next_back().filter(|it| "^$*".contains(*it))?;
@@ -206,7 +206,7 @@ fn attribute(inner: &str) -> Option<Question> {
     })
 }
 
-/// Selectors that count as much as an attribute, for the mark is one.
+/// Whether a selector has the specificity of an attribute, as the mark has.
 fn not(argument: &str) -> Option<Question> {
     let selectors = split(argument).map(str::trim);
     let count_alike =
@@ -217,7 +217,7 @@ fn not(argument: &str) -> Option<Question> {
     all.then(|| Question::Not(selectors.into_iter().map(str::to_owned).collect()))
 }
 
-/// `2n+1`, `odd`, `even`, `n` or a number, as a step and an offset.
+/// Parses `2n+1`, `odd`, `even`, `n` or a number, as a step and an offset.
 fn numbers(text: &str) -> Option<(i64, i64)> {
     let text: String = text
         .split_whitespace()
@@ -241,7 +241,8 @@ fn numbers(text: &str) -> Option<(i64, i64)> {
     Some((step, offset))
 }
 
-/// Where a part of a selector ends that begins with `[` or `:`; `None` where it is anything else, or not closed.
+/// The end of a selector part that starts with `[` or `:`; `None` for other parts, or unclosed
+/// ones.
 fn part_end(text: &str) -> Option<usize> {
     match text.as_bytes()[0] {
         b'[' => text.find(']').map(|it| it + 1),
@@ -270,14 +271,14 @@ fn name(number: usize) -> String {
     format!("marked-{}", number + 1)
 }
 
-/// Of more the rules stay unread.
+/// The largest number of tests; with more, rules are ignored.
 const MOST: usize = 20;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The names of the elements that a selector means, if it is read.
+    /// The names of the elements that a selector matches, if it is supported.
     fn meant(selector: &str) -> Option<String> {
         let text = "<svg><a id='one' class='x'/><b id='two'/><a id='onetwo'><c/><c class='x y'/></a></svg>";
         let doc = Document::parse(text).expect("XML");

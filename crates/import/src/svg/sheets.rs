@@ -1,4 +1,4 @@
-//! Sheets of styles in words that the library knows.
+//! Rewriting of style sheets for the library.
 //!
 //! ```text
 //!   @media screen { .a { fill: red } }      .a { fill: red }
@@ -13,7 +13,7 @@ use simplecss::Selector;
 use super::css::{MOST_DEPTH, Variables, closed, replaced};
 use super::selectors::Marks;
 
-/// A sheet in words that the library knows.
+/// A rewritten sheet.
 pub(super) fn readable_sheet<'t>(
     css: &'t str,
     variables: &Variables<'_>,
@@ -36,7 +36,7 @@ pub(super) fn readable_sheet<'t>(
     }
 }
 
-/// A sheet with marks for the selectors that the library does not know.
+/// Replaces unsupported selectors of a sheet by marks.
 fn marked(css: &str, marks: &mut Marks) -> String {
     let rule = |it: Statement<'_>| {
         let selectors = if is_unread(&it) {
@@ -52,7 +52,7 @@ fn marked(css: &str, marks: &mut Marks) -> String {
     statements(css).map(rule).collect()
 }
 
-/// The rules of a sheet that hold as long as nobody points at anything, but that the library does not know.
+/// The rules of a sheet for an idle pointer that the library does not support.
 pub(super) fn unread_rules(css: &str) -> usize {
     statements(css).filter(is_unread).count()
 }
@@ -68,14 +68,14 @@ fn is_unread(it: &Statement<'_>) -> bool {
 
 /// A rule or an at-rule of a sheet.
 struct Statement<'a> {
-    /// What stands before its block, or all of it where it has none.
+    /// The text before its block, or the whole rule without one.
     prelude: &'a str,
-    /// What its braces hold.
+    /// The content of its braces.
     body: Option<&'a str>,
     whole: &'a str,
 }
 
-/// The outermost statements of a sheet, comments before them among their preludes.
+/// The outermost statements of a sheet, with the comments before them in their preludes.
 fn statements(css: &str) -> impl Iterator<Item = Statement<'_>> {
     let mut rest = css;
     std::iter::from_fn(move || {
@@ -102,7 +102,7 @@ fn statements(css: &str) -> impl Iterator<Item = Statement<'_>> {
     })
 }
 
-/// A block without the brace that closes it.
+/// A block without its closing brace.
 fn inside(block: &str) -> &str {
     block.strip_suffix('}').unwrap_or(block)
 }
@@ -117,7 +117,7 @@ fn without_comments(mut css: &str) -> &str {
     }
 }
 
-/// The sheet with the rules that stand in blocks of at-rules which hold for a page on a light screen.
+/// Flattens the blocks of at-rules that apply to a page on a light screen.
 fn unwrapped(css: &str, depth: u32) -> String {
     let unwrap = |it: Statement<'_>| match it.body {
         Some(body) if depth < MOST_DEPTH && holds(it.prelude) => unwrapped(body, depth + 1),
@@ -141,13 +141,13 @@ fn holds(prelude: &str) -> bool {
     }
 }
 
-/// Comment signs of HTML, which old editors write around a sheet, mean nothing.
+/// Removes HTML comment signs, which old editors write around a sheet.
 fn without_html_signs(css: &str) -> Option<String> {
     let is_marked = css.contains("<!--") || css.contains("-->");
     is_marked.then(|| css.replace("<!--", "").replace("-->", ""))
 }
 
-/// What of a rule changes the drawing.
+/// The declarations of a rule that change the drawing.
 const VISIBLE: [&str; 8] = [
     "display",
     "visibility",

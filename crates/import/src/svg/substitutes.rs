@@ -1,4 +1,4 @@
-//! Fonts that a file asks for and that are not here.
+//! Substitutes for fonts that are not installed.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -9,12 +9,12 @@ use usvg::{Font, FontFamily, FontStyle};
 use crate::place::printable;
 use crate::warning::Warning;
 
-/// For each family that is not here the one that is taken instead.
+/// The substitute of each family that is not installed.
 #[derive(Debug, Default)]
 pub(super) struct Substitutes(Mutex<BTreeMap<String, String>>);
 
 impl Substitutes {
-    /// Takes down what a file asks for by name, where it got none of that.
+    /// Records a named font of the file that is not installed.
     pub(super) fn note(&self, asked: &Font, fonts: &Database, got: ID) {
         let taken = fonts.face(got).and_then(|it| it.families.first());
         if let (Some(named), Some((taken, _))) = (missing(asked, fonts, got), taken) {
@@ -33,7 +33,7 @@ impl Substitutes {
     }
 }
 
-/// The face that comes nearest to a font that is not here: of the kind of letters that its name tells.
+/// The face that is closest to a missing font, by the kind of letters in its name.
 pub(super) fn nearest(asked: &Font, fonts: &Database, got: ID) -> ID {
     let Some(kind) = missing(asked, fonts, got).and_then(|it| kind_of(it)) else {
         return got;
@@ -51,7 +51,7 @@ pub(super) fn nearest(asked: &Font, fonts: &Database, got: ID) -> ID {
     fonts.query(&query).unwrap_or(got)
 }
 
-/// The family that was asked for by name, where the face that was got is of none that was asked for.
+/// The requested family if the selected face is of none of the requested families.
 fn missing<'a>(asked: &'a Font, fonts: &Database, got: ID) -> Option<&'a String> {
     let face = fonts.face(got)?;
     let is_got = |name: &str| face.families.iter().any(|it| it.0 == name);
@@ -62,7 +62,7 @@ fn missing<'a>(asked: &'a Font, fonts: &Database, got: ID) -> Option<&'a String>
     {
         return None;
     }
-    // Where a file names none, the default is asked for; nobody misses that.
+    // A file without a font name requests the default, which nobody misses.
     let default = fonts.family_name(&Family::Serif);
     names.iter().find_map(|it| match it {
         FontFamily::Named(name) if name != default => Some(name),
@@ -70,7 +70,7 @@ fn missing<'a>(asked: &'a Font, fonts: &Database, got: ID) -> Option<&'a String>
     })
 }
 
-/// The kind of letters that a family's name tells, where they have no serifs as the default has.
+/// The kind of letters in a family's name, if it differs from the default with serifs.
 fn kind_of(name: &str) -> Option<Family<'static>> {
     let name = name.to_lowercase();
     let kinds = [

@@ -1,4 +1,4 @@
-//! Where a file tells of its texts what letters of single lines do not have.
+//! Text properties that single-line letters do not support.
 
 use dobot_lettering::StrokeFont;
 use usvg::roxmltree::{Document, Node};
@@ -8,7 +8,7 @@ use super::warning_count::{WarningCount, WarningKind};
 use crate::place::Place;
 use crate::warning::Warning;
 
-/// The first place of each property that is not read of letters of single lines.
+/// The first place of each unsupported property.
 #[derive(Debug, Default)]
 pub(super) struct UnreadPlaces(Vec<(WarningKind, Place)>);
 
@@ -32,7 +32,7 @@ impl UnreadPlaces {
                 property_of(&rules, *it, name).is_some_and(|it| !AS_WRITTEN.contains(&it))
             };
             let mut having = doc.descendants().filter(has_it);
-            // Fonts may be told in other ways.
+            // Fonts may be given in other ways.
             let any = having.clone().next();
             let node = having.find(|it| it.descendants().any(is_in_single_lines));
             Some(doc.text_pos_at(node.or(any)?.range().start).into())
@@ -40,7 +40,7 @@ impl UnreadPlaces {
         Self(told.filter_map(|it| Some((it.0, first(it.1)?))).collect())
     }
 
-    /// A warning with its place, where that is known.
+    /// Adds the place to a warning, if known.
     pub(super) fn warning(&self, count: WarningCount) -> Warning {
         let place = self.0.iter().find(|it| it.0 == count.kind);
         Warning {
@@ -50,7 +50,7 @@ impl UnreadPlaces {
     }
 }
 
-/// The font of single lines that a list of families begins with.
+/// The single-line font at the start of a list of families.
 fn first_font(families: &str) -> Option<StrokeFont> {
     let first = families.split(',').next()?;
     StrokeFont::of_family(first.trim().trim_matches(['"', '\'']))
@@ -62,7 +62,7 @@ const PROPERTIES: [(WarningKind, &str); 4] = [
     (WarningKind::LettersBaseline, "dominant-baseline"),
     (WarningKind::LettersAlignment, "alignment-baseline"),
 ];
-/// Values with which letters stand as they are written.
+/// Values that leave letters unchanged.
 const AS_WRITTEN: [&str; 13] = [
     "auto",
     "alphabetic",

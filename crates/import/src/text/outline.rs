@@ -1,4 +1,4 @@
-//! Text in the outlines of a font: a page with that text, read as an SVG file.
+//! Text in the outlines of a font: a page with the text, read as an SVG file.
 
 use std::fmt::Write as _;
 
@@ -39,7 +39,7 @@ pub(super) fn read(
     Ok((shown, warnings))
 }
 
-/// A font's name with its style, as an SVG file says it.
+/// A font's name and style in SVG.
 struct Face {
     family: String,
     weight: u16,
@@ -47,7 +47,7 @@ struct Face {
 }
 
 impl Face {
-    /// `DejaVu Sans` or `dejavu sans bold italic`.
+    /// Parses `DejaVu Sans` or `dejavu sans bold italic`.
     fn named(name: &str, fonts: &Database) -> Result<Self, TextError> {
         let (mut weight, mut style) = (400, "normal");
         let mut rest = name.trim();
@@ -102,7 +102,7 @@ fn unknown(name: &str, fonts: &Database) -> TextError {
     }
 }
 
-/// How many characters must be changed, added or left out to come from one text to the other.
+/// The edit distance of two texts (Levenshtein).
 fn difference(from: &str, to: &str) -> usize {
     let to: Vec<char> = to.chars().take(LONGEST_NAME).collect();
     let mut row: Vec<usize> = (0..=to.len()).collect();
@@ -117,12 +117,12 @@ fn difference(from: &str, to: &str) -> usize {
     row[to.len()]
 }
 
-/// How tall capitals are in letters of [`SIZE_MM`].
+/// The height of capitals in letters of [`SIZE_MM`].
 fn capital_mm(face: &Face, options: &ReadOptions) -> f64 {
     let page = page(&Text::new("H"), face, 1.0);
     let ink = svg::read(&page, options).map(|(artwork, _)| bounds(one(artwork).points()));
     let height = ink.ok().map(|it| it.height());
-    // A font of symbols has no capitals; the usual share serves it.
+    // A symbol font has no capitals; the usual ratio serves it.
     height.filter(|it| *it > 0.0).unwrap_or(0.72 * SIZE_MM)
 }
 
@@ -162,7 +162,7 @@ fn page(text: &Text, face: &Face, spacing_mm: f64) -> String {
     svg + "</svg>"
 }
 
-/// As XML; what XML cannot hold shows as the font's box for missing letters.
+/// Escapes for XML; characters not allowed in XML show as the font's box for missing letters.
 fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {
@@ -188,7 +188,7 @@ fn one(artwork: Artwork) -> Layer {
 
 /// The size at which letters are read: large enough for the reader's single precision.
 const SIZE_MM: f64 = 10.0;
-/// No page is larger than that.
+/// The largest page.
 const MOST_MM: f64 = 500_000.0;
 const NEAREST: usize = 3;
 const LONGEST_NAME: usize = 64;
