@@ -278,7 +278,7 @@ const MOST_ATTRIBUTES: usize = 250;
 const PART_BYTES: usize = 80;
 /// The memory limit of a file and its tree; the rest of a reader's memory is for its drawing.
 const MOST_BYTES: usize = 100_000_000;
-/// The largest number of attributes, texts and comments in an element.
+/// The largest number of nodes of a tree: elements, attributes, texts and comments.
 #[expect(clippy::cast_possible_truncation, reason = "some millions")]
 const MOST_NODES: u32 = (MOST_BYTES / PART_BYTES) as u32;
 
