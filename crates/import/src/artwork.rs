@@ -33,7 +33,7 @@ impl Artwork {
     pub fn add(&mut self, other: Self) {
         for mut layer in other.layers {
             let same = |it: &&mut Layer| {
-                let pen = |it: &Layer| (it.color, it.speed_mm_s, it.is_burned);
+                let pen = |layer: &Layer| (layer.color, layer.speed_mm_s, layer.is_burned);
                 it.name == layer.name && pen(it) == pen(&layer)
             };
             match self.layers.iter_mut().find(same) {
@@ -73,21 +73,27 @@ impl Layer {
 
     /// The corners of its lines and areas.
     pub fn points(&self) -> impl Iterator<Item = Point> {
-        let lines = self.strokes.iter().flat_map(|it| it.points.iter().copied());
+        let lines = self
+            .strokes
+            .iter()
+            .flat_map(|stroke| stroke.points.iter().copied());
         let areas = self
             .areas
             .iter()
-            .flat_map(|it| it.rings.iter().flatten().copied());
+            .flat_map(|area| area.rings.iter().flatten().copied());
         lines.chain(areas)
     }
 
     /// Mutable references to the corners of its lines and areas.
     pub fn points_mut(&mut self) -> impl Iterator<Item = &mut Point> {
-        let lines = self.strokes.iter_mut().flat_map(|it| &mut it.points);
+        let lines = self
+            .strokes
+            .iter_mut()
+            .flat_map(|stroke| &mut stroke.points);
         lines.chain(
             self.areas
                 .iter_mut()
-                .flat_map(|it| it.rings.iter_mut().flatten()),
+                .flat_map(|area| area.rings.iter_mut().flatten()),
         )
     }
 }

@@ -101,8 +101,11 @@ impl ClipArea {
     /// Creates the inside of these outlines; open ones are closed, as filling does.
     pub(crate) fn new(outlines: &[Stroke], rule: FillRule, within: Vec<Rc<Region>>) -> Self {
         Self {
-            rings: outlines.iter().map(|it| it.points.clone()).collect(),
-            corners: outlines.iter().map(|it| it.points.len()).sum(),
+            rings: outlines
+                .iter()
+                .map(|outline| outline.points.clone())
+                .collect(),
+            corners: outlines.iter().map(|outline| outline.points.len()).sum(),
             edges: OnceCell::new(),
             rule,
             within,
@@ -245,7 +248,9 @@ impl ClipArea {
     fn edges(&self) -> impl Iterator<Item = (Point, Point)> {
         let edges = self.rings.iter().flat_map(|ring| {
             let closing = ring.last().map(|&last| (last, ring[0]));
-            ring.windows(2).map(|it| (it[0], it[1])).chain(closing)
+            ring.windows(2)
+                .map(|pair| (pair[0], pair[1]))
+                .chain(closing)
         });
         edges.filter(|(a, b)| a != b)
     }

@@ -15,7 +15,7 @@ pub(crate) fn dash(
     offset: f64,
     budget: &mut Budget,
 ) -> Result<Vec<Stroke>, OverBudget> {
-    let lengths: Vec<f64> = lengths.iter().map(|it| it.max(0.0)).collect();
+    let lengths: Vec<f64> = lengths.iter().map(|length| length.max(0.0)).collect();
     let period: f64 = 2.0 * lengths.iter().sum::<f64>();
     if period <= 0.0 || !period.is_finite() {
         return Ok(vec![stroke]);
@@ -58,7 +58,10 @@ pub(crate) fn fitted_dashes(
         let pieces = if turn < least || turns > most {
             vec![line]
         } else {
-            let fitted: Vec<f64> = lengths.iter().map(|it| it * turn / period).collect();
+            let fitted: Vec<f64> = lengths
+                .iter()
+                .map(|length| length * turn / period)
+                .collect();
             dash(line, &fitted, 0.5 * fitted[0], budget)?
         };
         // The half dashes at a corner are joined.
@@ -211,11 +214,11 @@ mod tests {
             let budget = &mut Budget::new(1000);
             fitted_dashes(Stroke::open(points), &[4.0, 2.0], limits, budget).unwrap()
         };
-        let ends = |it: &Stroke| [it.points[0], it.last().unwrap()].map(|p| (p.x, p.y));
+        let ends = |stroke: &Stroke| [stroke.points[0], stroke.last().unwrap()].map(|p| (p.x, p.y));
         let found: Vec<_> = fitted(&[(0.0, 0.0), (6.0, 0.3), (12.0, 0.0), (12.0, 3.0)])
             .iter()
             .map(ends)
-            .map(|it| it.map(|(x, y)| (x.round(), y.round())))
+            .map(|fitted| fitted.map(|(x, y)| (x.round(), y.round())))
             .collect();
         assert_eq!(
             found,

@@ -114,7 +114,7 @@ fn too_far(from_origin: SourceError, from_there: &SourceError) -> SourceError {
 /// Pairs of lines at the start: a section or a comment.
 pub(crate) fn is_likely(start: &str) -> bool {
     let lines = start.split(['\r', '\n']).map(str::trim);
-    let mut lines = lines.filter(|it| !it.is_empty());
+    let mut lines = lines.filter(|line| !line.is_empty());
     let first = (lines.next(), lines.next());
     let is_binary = start.starts_with("AutoCAD Binary DXF") || start.starts_with("AC10");
     is_binary || first == (Some("0"), Some("SECTION")) || first.0 == Some("999")

@@ -38,9 +38,13 @@ fn encoding_of(bytes: &[u8]) -> Result<Option<&'static Encoding>, SourceError> {
 fn declared(bytes: &[u8]) -> Result<&'static Encoding, SourceError> {
     let start = String::from_utf8_lossy(&bytes[..bytes.len().min(MOST_OF_A_FIRST_LINE)]);
     let line = start.strip_prefix("<?xml");
-    let line = line.and_then(|it| it.split_once("?>")).map(|it| it.0);
-    let value = line.and_then(|it| it.split_once("encoding")).map(|it| it.1);
-    let Some(quoted) = value.and_then(|it| it.trim_start().strip_prefix('=')) else {
+    let line = line
+        .and_then(|line| line.split_once("?>"))
+        .map(|line| line.0);
+    let value = line
+        .and_then(|line| line.split_once("encoding"))
+        .map(|line| line.1);
+    let Some(quoted) = value.and_then(|value| value.trim_start().strip_prefix('=')) else {
         return Ok(UTF_8);
     };
     let name = quoted.split(['"', '\'']).nth(1).unwrap_or_default();

@@ -16,8 +16,8 @@ pub fn system_fonts() -> Database {
 fn name_generic(fonts: &mut Database) {
     let here = |names: &str| {
         let has = |name: &&str| {
-            let mut families = fonts.faces().flat_map(|it| &it.families);
-            families.any(|it| it.0 == *name)
+            let mut families = fonts.faces().flat_map(|face| &face.families);
+            families.any(|family| family.0 == *name)
         };
         names.split(", ").find(has).map(str::to_owned)
     };

@@ -86,7 +86,7 @@ const MOST_MOVES: usize = MAX_SEGMENTS / 2 * 3;
 pub(crate) fn is_likely(start: &str) -> bool {
     let mut letters = start.chars();
     let first = letters.next().unwrap_or_default().to_ascii_uppercase();
-    let second = letters.find(|it| *it != ' ').unwrap_or_default();
+    let second = letters.find(|letter| *letter != ' ').unwrap_or_default();
     "%(;$/".contains(first)
         || ("FGMNSTXYZ".contains(first) && (second.is_ascii_digit() || "-.".contains(second)))
 }

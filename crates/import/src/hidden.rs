@@ -57,13 +57,13 @@ impl Covers {
             }
             shown.push(sight.layer(layer, heights, budget)?);
         }
-        shown.retain(|it| !it.is_empty());
+        shown.retain(|stroke| !stroke.is_empty());
         Ok((shown, sight.unknown))
     }
 
     fn sight(self) -> Sight {
-        let corners = |it: &Cover| {
-            let Rect { x0, y0, x1, y1 } = it.bounds;
+        let corners = |cover: &Cover| {
+            let Rect { x0, y0, x1, y1 } = cover.bounds;
             (Point::new(x0, y0), Point::new(x1, y1))
         };
         Sight {
@@ -231,7 +231,7 @@ fn seen(area: &Area, covers: &[&Cover]) -> Option<Area> {
     let (mut rest, mut count) = (covers, 2);
     while !rest.is_empty() && !seen.is_empty() {
         let (some, others) = rest.split_at(count.min(rest.len()));
-        let some: Option<Vec<&Polygons>> = some.iter().map(|it| it.polygons()).collect();
+        let some: Option<Vec<&Polygons>> = some.iter().map(|item| item.polygons()).collect();
         seen = seen.without(some?)?;
         (rest, count) = (others, 2 * count);
     }

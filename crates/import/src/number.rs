@@ -19,7 +19,7 @@ pub(crate) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
 pub(crate) fn real(text: &[u8]) -> Option<(f64, usize)> {
     let digits = |from: usize| {
         let rest = text.get(from..).unwrap_or_default();
-        from + rest.iter().take_while(|it| it.is_ascii_digit()).count()
+        from + rest.iter().take_while(|byte| byte.is_ascii_digit()).count()
     };
     let signed = |from: usize| match text.get(from) {
         Some(b'+' | b'-') => from + 1,

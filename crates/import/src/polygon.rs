@@ -32,14 +32,14 @@ impl Polygons {
     /// The union.
     pub(crate) fn union(all: Vec<Self>) -> Option<Self> {
         // The rings of each go around their inside once, so that together they cover all of it.
-        let all = Self(all.into_iter().flat_map(|it| it.0).collect());
+        let all = Self(all.into_iter().flat_map(|item| item.0).collect());
         all.joined(&Self::default(), OverlayRule::Union)
     }
 
     /// The part outside all others.
     pub(crate) fn without<'p>(self, others: impl IntoIterator<Item = &'p Self>) -> Option<Self> {
         // The rings of each go around their inside once, so that together they cover all of it.
-        let others = others.into_iter().flat_map(|it| it.0.iter().cloned());
+        let others = others.into_iter().flat_map(|other| other.0.iter().cloned());
         self.joined(&Self(others.collect()), OverlayRule::Difference)
     }
 
@@ -213,7 +213,7 @@ mod tests {
                 .map(|turned| Polygons::new(&[comb(teeth, turned)], FillRule::NonZero).unwrap());
             one.and(&other)
         };
-        assert!(cut(30).is_some_and(|it| it.corners() > 3000));
+        assert!(cut(30).is_some_and(|cut| cut.corners() > 3000));
         assert!(cut(300).is_none());
     }
 
@@ -237,7 +237,7 @@ mod tests {
             let both = a.clone().and(&b).unwrap().into_area();
             let any = Polygons::union(vec![a, b]).unwrap().into_area();
             for p in ring(&points) {
-                if areas.iter().any(|it| distance(it, p) < 1e-4) {
+                if areas.iter().any(|area| distance(area, p) < 1e-4) {
                     continue;
                 }
                 let [in_a, in_b] = [inside(&areas[0], p), inside(&areas[1], p)];

@@ -126,7 +126,7 @@ impl<'a> Sketch<'a> {
         let last = self
             .layers
             .get(self.current)
-            .and_then(|it| it.strokes.last());
+            .and_then(|layer| layer.strokes.last());
         self.goes_on && last.and_then(Stroke::last) == Some(p)
     }
 
@@ -192,7 +192,9 @@ impl<'a> Sketch<'a> {
     /// Adds an elliptic arc as lines, joined to the previous one if that ended at its start.
     pub(super) fn arc(&mut self, at: usize, arc: &Arc) -> Result<(), SourceError> {
         let points = self.arc_points(at, arc)?;
-        points.windows(2).try_for_each(|it| self.line(it[0], it[1]))
+        points
+            .windows(2)
+            .try_for_each(|pair| self.line(pair[0], pair[1]))
     }
 
     /// The corners of an arc, both ends included.
@@ -255,7 +257,7 @@ impl<'a> Sketch<'a> {
 
     /// A mark in the drawing: everything after it can be [clipped](Self::cut_since).
     pub(super) fn mark(&self) -> SketchMark {
-        let counts = |it: &Layer| [it.strokes.len(), it.areas.len()];
+        let counts = |layer: &Layer| [layer.strokes.len(), layer.areas.len()];
         SketchMark {
             layers: self.layers.iter().map(counts).collect(),
             borders: self.borders.len(),
@@ -334,7 +336,7 @@ impl<'a> Sketch<'a> {
             let of_areas = heights.areas.split_off(areas);
             for (area, height) in layer.areas.split_off(areas).into_iter().zip(of_areas) {
                 let cut = Polygons::new(&area.rings, area.rule)
-                    .and_then(|it| it.and(inside.polygons()?))
+                    .and_then(|polygon| polygon.and(inside.polygons()?))
                     .map(Polygons::into_area);
                 match cut {
                     Some(cut) if cut.rings.is_empty() => {}
@@ -352,8 +354,8 @@ impl<'a> Sketch<'a> {
         }
         for border in self.borders.split_off(mark.borders) {
             let pieces = inside.cut(Stroke::open(border.points), &mut self.budget)?;
-            let piece = |it: Stroke| Border {
-                points: it.points,
+            let piece = |stroke: Stroke| Border {
+                points: stroke.points,
                 ..border
             };
             self.borders.extend(pieces.into_iter().map(piece));
@@ -471,7 +473,10 @@ impl<'a> Sketch<'a> {
         };
         let points = artwork.layers.iter_mut().flat_map(Layer::points_mut);
         points.for_each(place);
-        let strokes = artwork.layers.iter_mut().flat_map(|it| &mut it.strokes);
+        let strokes = artwork
+            .layers
+            .iter_mut()
+            .flat_map(|layer| &mut layer.strokes);
         strokes.for_each(close);
         [artwork.width_mm, artwork.height_mm] = [ink.width(), ink.height()];
         Ok((artwork, self.warnings.into_list()))

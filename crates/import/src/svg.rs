@@ -96,7 +96,9 @@ fn draw(
     if artwork.layers.is_empty() {
         return Err(nothing_to_draw(&warnings, others.collect()));
     }
-    let warnings = warnings.into_iter().map(|it| told.unread.warning(it));
+    let warnings = warnings
+        .into_iter()
+        .map(|warning| told.unread.warning(warning));
     Ok((artwork, warnings.chain(others).collect()))
 }
 
@@ -157,7 +159,7 @@ impl<'a> TreeWarnings<'a> {
         FontResolver {
             select_font: Box::new(move |font, fonts| {
                 let found = by_name(font, fonts);
-                let found = found.map(|it| nearest(font, fonts, it));
+                let found = found.map(|found| nearest(font, fonts, found));
                 let found = found.or_else(|| fonts.faces().next().map(|face| face.id));
                 match found {
                     Some(_) if single_line::font(font).is_some() => {}
@@ -175,34 +177,38 @@ impl<'a> TreeWarnings<'a> {
     /// Counts what the library drops silently.
     fn note_unread(&self, doc: &Document<'_>, rules: &StyleSheet<'_>) {
         let elements = || doc.descendants().filter(Node::is_element);
-        let named = |it: &Node<'_, '_>, name: &str| it.tag_name().name() == name;
-        let flowed = elements().filter(|it| named(it, "flowRoot"));
+        let named = |node: &Node<'_, '_>, name: &str| node.tag_name().name() == name;
+        let flowed = elements().filter(|element| named(element, "flowRoot"));
         self.flowed.store(flowed.count(), Ordering::Relaxed);
         let has_text = |it: &Node<'_, '_>| {
-            let mut texts = it.descendants().filter_map(|it| it.text());
-            texts.any(|it| !it.trim().is_empty())
+            let mut texts = it.descendants().filter_map(|node| node.text());
+            texts.any(|text| !text.trim().is_empty())
         };
-        let foreign = elements().filter(|it| named(it, "foreignObject") && has_text(it));
+        let foreign =
+            elements().filter(|element| named(element, "foreignObject") && has_text(element));
         self.foreign.store(foreign.count(), Ordering::Relaxed);
         let moves = Declared::of(rules, |name, value| {
             MOVES.contains(&name) && value != "none"
         });
-        let moved = elements().filter(|it| moves.of_element(*it));
+        let moved = elements().filter(|element| moves.of_element(*element));
         self.moved.store(moved.count(), Ordering::Relaxed);
         let clips = Declared::of(rules, |name, value| {
             name == "clip-path" && value != "none" && !value.starts_with("url")
         });
-        let clipped = elements().filter(|it| clips.of_element(*it));
+        let clipped = elements().filter(|element| clips.of_element(*element));
         self.clipped.store(clipped.count(), Ordering::Relaxed);
-        let links = |it: &Node<'_, '_>| {
-            let target = it.attributes().find(|it| it.name() == "href");
-            target.is_some_and(|it| !it.value().trim().starts_with('#'))
+        let links = |node: &Node<'_, '_>| {
+            let target = node
+                .attributes()
+                .find(|attribute| attribute.name() == "href");
+            target.is_some_and(|target| !target.value().trim().starts_with('#'))
         };
-        let linked = elements().filter(|it| named(it, "use") && links(it));
+        let linked = elements().filter(|element| named(element, "use") && links(element));
         self.linked.store(linked.count(), Ordering::Relaxed);
         let sizes = Declared::of(rules, |name, _| SIZES.contains(&name));
-        let sized = elements()
-            .filter(|it| SHAPES.iter().any(|name| named(it, name)) && sizes.of_element(*it));
+        let sized = elements().filter(|element| {
+            SHAPES.iter().any(|name| named(element, name)) && sizes.of_element(*element)
+        });
         self.sized.store(sized.count(), Ordering::Relaxed);
     }
 
@@ -335,7 +341,7 @@ fn nothing_to_draw(warnings: &[WarningCount], others: Vec<Warning>) -> SourceErr
         return SvgError::NoFont.into();
     }
     let told = warnings.iter().copied().map(Warning::from).chain(others);
-    let texts = told.map(|it| it.to_string());
+    let texts = told.map(|message| message.to_string());
     SourceError::nothing_to_draw(texts)
 }
 

@@ -82,7 +82,7 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
         mark if mark.starts_with("!--") => "a comment".to_owned(),
         mark if mark.starts_with(['!', '?']) => "<".to_owned() + &mark[..1],
         tag => {
-            let end = tag.find(|it: char| it.is_whitespace() || "<>/".contains(it));
+            let end = tag.find(|c: char| c.is_whitespace() || "<>/".contains(c));
             format!("<{}>", printable(&tag[..end.unwrap_or(tag.len())]))
         }
     };
@@ -92,7 +92,7 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
 
 /// The end of a tag, a comment or another markup at the start of a text.
 fn tag_end(text: &str) -> Option<usize> {
-    let behind = |mark: &str| text.find(mark).map(|it| it + mark.len());
+    let behind = |mark: &str| text.find(mark).map(|at| at + mark.len());
     if text.starts_with("<!--") {
         return behind("-->");
     }
@@ -154,12 +154,12 @@ impl<'a> Measure<'a> {
 
     /// Counts the text at an offset, and returns its end.
     fn characters(&mut self, at: usize) -> Result<usize, SourceError> {
-        let length = self.text[at..].iter().position(|&it| it == b'<');
+        let length = self.text[at..].iter().position(|&byte| byte == b'<');
         let end = length.map_or(self.text.len(), |it| at + it);
         self.count(at, usize::from(end > at))?;
         self.copied(at, end, b"&\r")?;
         // The library reserves an attribute for each of these signs.
-        let signs = self.text[at..end].iter().filter(|&&it| it == b'=');
+        let signs = self.text[at..end].iter().filter(|&&byte| byte == b'=');
         self.count(at, signs.count())?;
         Ok(end)
     }
@@ -192,10 +192,10 @@ impl<'a> Measure<'a> {
     /// Counts the value with its quote at an offset, and returns its end.
     fn value(&mut self, at: usize, quote: u8) -> Result<usize, SourceError> {
         let rest = &self.text[at + 1..];
-        let length = rest.iter().position(|&it| it == quote || it == b'<');
+        let length = rest.iter().position(|&byte| byte == quote || byte == b'<');
         let end = at + 1 + length.unwrap_or(rest.len());
         self.copied(at, end, b"&\r\n\t")?;
-        let signs = self.text[at..end].iter().filter(|&&it| it == b'=');
+        let signs = self.text[at..end].iter().filter(|&&byte| byte == b'=');
         self.count(at, signs.count())?;
         Ok(if self.text.get(end) == Some(&quote) {
             end + 1
@@ -230,7 +230,7 @@ impl<'a> Measure<'a> {
     fn copied(&mut self, at: usize, end: usize, bytes: &[u8]) -> Result<(), SourceError> {
         let text = &self.text[at..end];
         // A few fast searches, not a test of each byte.
-        if bytes.iter().any(|it| text.contains(it)) {
+        if bytes.iter().any(|byte| text.contains(byte)) {
             // While it is copied there are two.
             self.count(at, (2 * text.len()).div_ceil(PART_BYTES))?;
         }
@@ -262,7 +262,7 @@ impl<'a> Measure<'a> {
 /// The name of the attribute whose sign `=` is at an offset.
 fn name_before(text: &[u8], at: usize) -> &[u8] {
     let name = text[at.saturating_sub(LONGEST_NAME)..at].trim_ascii_end();
-    let before = name.iter().rposition(|it| b" \n\t\r\"'".contains(it));
+    let before = name.iter().rposition(|item| b" \n\t\r\"'".contains(item));
     &name[before.map_or(0, |it| it + 1)..]
 }
 
@@ -407,7 +407,7 @@ mod tests {
     #[test]
     fn elements_of_more_attributes_and_names_than_anybody_writes_are_refused() {
         let attributes = |count: usize| {
-            let each: Vec<String> = (0..count).map(|it| format!(" a{it}=\"\"")).collect();
+            let each: Vec<String> = (0..count).map(|i| format!(" a{i}=\"\"")).collect();
             each.concat()
         };
         assert!(tree(&format!("<x>\n<a{}/></x>", attributes(250)), false).is_ok());
@@ -415,9 +415,7 @@ mod tests {
             &format!("<x>\n<a{}/></x>", attributes(251)),
             &["2:1: found an element with more than 250 attributes; expected at most 250"],
         );
-        let names: Vec<String> = (0..51)
-            .map(|it| format!("<a xmlns:n{it}=\"u\"/>"))
-            .collect();
+        let names: Vec<String> = (0..51).map(|i| format!("<a xmlns:n{i}=\"u\"/>")).collect();
         refused(
             &format!("<x>{}</x>", names.concat()),
             &["more than 50 namespace prefixes"],

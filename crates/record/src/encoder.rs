@@ -128,14 +128,14 @@ impl Encoder {
             return Vec::new();
         };
         let ink = self.scene.ink_so_far(&time.stamp());
-        ink.iter().map(|it| time.own(INK, it)).collect()
+        ink.iter().map(|item| time.own(INK, item)).collect()
     }
 
     /// Returns the messages for what is held back.
     pub(crate) fn write_held<'t>(&mut self) -> Vec<Message<'t>> {
         let held = self.repeats.as_mut().map(Repeats::take_held);
         // Held-back data starts with a packet: the rest of this one is not held back.
-        self.repeats.take_if(|it| !it.is_between_packets());
+        self.repeats.take_if(|repeat| !repeat.is_between_packets());
         held.map(|held| self.repeat_messages(&held))
             .unwrap_or_default()
     }
@@ -169,7 +169,7 @@ impl Encoder {
 
     /// A time in nanoseconds since 1970; `None` if it is centuries in the future.
     pub(crate) fn at_ns(&self, at: Duration) -> Option<u64> {
-        self.time(at).map(|it| it.at_ns)
+        self.time(at).map(|time| time.at_ns)
     }
 
     fn time(&self, at: Duration) -> Option<MessageTime> {
@@ -177,7 +177,7 @@ impl Encoder {
         let at_ns = self
             .start_ns
             .checked_add(nanos)
-            .filter(|it| *it < LATEST_NS)?;
+            .filter(|sum| *sum < LATEST_NS)?;
         Some(MessageTime { at, at_ns })
     }
 
@@ -217,7 +217,7 @@ impl Encoder {
                 self.scene.handle_status(time.at, &truly(status));
             }
             let repeats = self.repeats.as_mut();
-            if repeats.is_some_and(|it| it.take(at_ns, piece, is_end)) {
+            if repeats.is_some_and(|repeat| repeat.take(at_ns, piece, is_end)) {
                 let news: Vec<_> = self.news(time).collect();
                 if !news.is_empty() || self.repeats.as_ref().is_some_and(Repeats::is_due) {
                     messages.extend(self.write_held());
@@ -276,7 +276,7 @@ impl Encoder {
             }
             [first_ns, .., last_ns] => {
                 let time = self.time_at(last_ns);
-                let gaps_ns = held.ends_ns.windows(2).map(|it| it[1] - it[0]);
+                let gaps_ns = held.ends_ns.windows(2).map(|pair| pair[1] - pair[0]);
                 let message = FromArm {
                     gaps_ns: Some(gaps_ns.collect()),
                     ..FromArm::new(time.at_s(), &held.packet, Some(held.status))
@@ -405,7 +405,8 @@ fn pieces<'b, D: dobot_wire::Direction>(
 /// The text of a [`ParseError`](dobot_wire::ParseError) if it is not a command.
 #[must_use]
 pub fn meaning(packet: &Packet, dialect: Option<Dialect>) -> Option<Result<Command, String>> {
-    let read = |dialect: Dialect| Command::parse(packet, &dialect).map_err(|it| it.to_string());
+    let read =
+        |dialect: Dialect| Command::parse(packet, &dialect).map_err(|error| error.to_string());
     if let Some(dialect) = dialect {
         return Some(read(dialect));
     }
@@ -523,7 +524,10 @@ mod tests {
         let mut encoder = encoder();
         let record = Record::FromArm(status().emit().to_bytes().to_vec());
         let messages = encoder.write(Duration::from_millis(1500), &record).unwrap();
-        let topics: Vec<_> = messages.iter().map(|it| it.topic.name()).collect();
+        let topics: Vec<_> = messages
+            .iter()
+            .map(|message| message.topic.name())
+            .collect();
         assert_eq!(topics, [FROM_ARM, POSE, TRANSFORMS, JOINTS]);
         let pose = value(&messages[1]);
         assert_eq!(pose["timestamp"]["nsec"], 500_000_000);

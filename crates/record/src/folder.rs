@@ -51,7 +51,7 @@ pub fn recordings(folder: &Path) -> io::Result<Vec<RecordedFile>> {
             Err(error) => return Err(error),
         }
     }
-    entries.sort_by_key(|it| (it.begin, it.number));
+    entries.sort_by_key(|entry| (entry.begin, entry.number));
     Ok(entries)
 }
 
@@ -107,7 +107,7 @@ pub(crate) fn tidy(folder: &Path) -> io::Result<()> {
     for file in folder.read_dir()? {
         let file = file?;
         let name = file.file_name();
-        let recording = name.to_str().and_then(|it| it.strip_suffix(REPAIRED));
+        let recording = name.to_str().and_then(|text| text.strip_suffix(REPAIRED));
         if recording.and_then(parse).is_some() && !is_being_written(&file.path()) {
             std::fs::remove_file(file.path())?;
         }
@@ -136,7 +136,7 @@ pub(crate) fn create(folder: &Path, begin: Timestamp) -> io::Result<(PathBuf, Fi
 /// Deletes the oldest recordings until `bytes` more fit into `total`.
 pub(crate) fn make_room(folder: &Path, bytes: u64, total: u64) -> io::Result<()> {
     let entries = recordings(folder)?;
-    let mut kept: u64 = entries.iter().map(|it| it.bytes).sum();
+    let mut kept: u64 = entries.iter().map(|entry| entry.bytes).sum();
     for entry in entries {
         if kept + bytes <= total {
             break;
@@ -220,7 +220,7 @@ mod tests {
         let listed = recordings(folder.path()).unwrap();
         assert_eq!(
             names,
-            listed.into_iter().map(|it| it.path).collect::<Vec<_>>()
+            listed.into_iter().map(|item| item.path).collect::<Vec<_>>()
         );
     }
 

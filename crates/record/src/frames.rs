@@ -41,8 +41,8 @@ impl Frames {
         // Without the length of the tool its tip is unknown.
         let known = links
             .iter()
-            .filter(|it| mounted.is_some() || it.child != "tip");
-        json!({ "transforms": known.map(|it| transform(it, time)).collect::<Vec<_>>() })
+            .filter(|link| mounted.is_some() || link.child != "tip");
+        json!({ "transforms": known.map(|known| transform(known, time)).collect::<Vec<_>>() })
     }
 
     fn mounted(&self, tool: Tool) -> Option<MountedTool> {
@@ -67,7 +67,7 @@ fn of_any_length(tool: Tool) -> Option<MountedTool> {
 fn transform(link: &LinkFrame, time: &Value) -> Value {
     let at = link.at_mm.map(metres);
     let (sin, cos) = (link.angle.0.to_radians() / 2.0).sin_cos();
-    let [x, y, z] = link.axis.map(|it| rounded(it * sin, TURN));
+    let [x, y, z] = link.axis.map(|axis| rounded(axis * sin, TURN));
     json!({
         "timestamp": time,
         "parent_frame_id": link.parent,
@@ -108,7 +108,7 @@ mod tests {
         let (mut point, mut frame) = ([0.0; 3], frame.to_owned());
         while frame != BASE {
             let mut all = transforms["transforms"].as_array().unwrap().iter();
-            let link = all.find(|it| it["child_frame_id"] == *frame).unwrap();
+            let link = all.find(|item| item["child_frame_id"] == *frame).unwrap();
             let part = |name: &str, axis: &str| link[name][axis].as_f64().unwrap();
             let [x, y, z, w] = ["x", "y", "z", "w"].map(|it| part("rotation", it));
             // p + 2w (q x p) + 2 q x (q x p)
@@ -144,7 +144,7 @@ mod tests {
                 }
                 // Only the length of the laser is known.
                 let all = transforms["transforms"].as_array().unwrap();
-                let has_tip = all.iter().any(|it| it["child_frame_id"] == "tip");
+                let has_tip = all.iter().any(|item| item["child_frame_id"] == "tip");
                 prop_assert_eq!(has_tip, tool == Tool::Laser);
                 if has_tip {
                     let below = place(&transforms, "tip")[2] - expected[2];

@@ -55,7 +55,8 @@ impl Ink {
         is_vector: bool,
         pen_below_mm: Option<f64>,
     ) {
-        let is_low = |place: Position| pen_below_mm.is_some_and(|it| place.z.0 < it);
+        let is_low =
+            |place: Position| pen_below_mm.is_some_and(|pen_below_mm| place.z.0 < pen_below_mm);
         let Ok(from) = way.place_at(0.0) else {
             return self.end_line();
         };
@@ -72,7 +73,7 @@ impl Ink {
             }
             last = place;
         }
-        if self.open.as_ref().is_some_and(|it| it.is_full(at)) {
+        if self.open.as_ref().is_some_and(|open| open.is_full(at)) {
             self.cut();
         }
     }
@@ -85,7 +86,7 @@ impl Ink {
 
     /// Handles time: a growing line is reported now and then.
     pub(crate) fn handle_time(&mut self, at: Duration) {
-        if self.open.as_ref().is_some_and(|it| it.is_due(at)) {
+        if self.open.as_ref().is_some_and(|open| open.is_due(at)) {
             self.cut();
         }
     }
@@ -96,9 +97,12 @@ impl Ink {
             return None;
         }
         let new = self.kept.len() - std::mem::take(&mut self.untold);
-        let entities = self.kept.range(new..).map(|it| it.entity(time, tip_mm));
+        let entities = self
+            .kept
+            .range(new..)
+            .map(|range| range.entity(time, tip_mm));
         let gone = std::mem::take(&mut self.gone);
-        let deletions = gone.iter().map(|it| removal(time, &name(*it)));
+        let deletions = gone.iter().map(|item| removal(time, &name(*item)));
         Some(json!({
             "deletions": deletions.collect::<Vec<_>>(),
             "entities": entities.collect::<Vec<_>>(),
@@ -123,7 +127,7 @@ impl Ink {
     }
 
     fn line_to(&mut self, at: Duration, from: Position, to: Position, burns: bool) {
-        let goes_on = |it: &Line| it.burns == burns && it.ends_at(from);
+        let goes_on = |line: &Line| line.burns == burns && line.ends_at(from);
         if !self.open.as_ref().is_some_and(goes_on) {
             self.end_line();
         }
@@ -182,7 +186,7 @@ impl Line {
 
     fn ends_at(&self, point: Position) -> bool {
         let last = self.points_mm.last();
-        last.is_some_and(|it| it.distance(point).0 <= SAME_MM)
+        last.is_some_and(|last| last.distance(point).0 <= SAME_MM)
     }
 
     fn is_full(&self, at: Duration) -> bool {
@@ -265,13 +269,13 @@ mod tests {
         fn told(&mut self) -> Vec<Value> {
             let told = self.ink.poll(&json!({}), 60.0);
             told.into_iter()
-                .flat_map(|it| it["entities"].as_array().unwrap().clone())
+                .flat_map(|item| item["entities"].as_array().unwrap().clone())
                 .collect()
         }
     }
 
     fn lines(entities: &[Value]) -> Vec<usize> {
-        let points = |it: &Value| it["lines"][0]["points"].as_array().map(Vec::len);
+        let points = |value: &Value| value["lines"][0]["points"].as_array().map(Vec::len);
         entities.iter().filter_map(points).collect()
     }
 
@@ -319,7 +323,7 @@ mod tests {
         pieces.extend(hand.told());
         // One second each, of ten vectors.
         assert!((4..=6).contains(&pieces.len()), "{}", pieces.len());
-        let total: usize = lines(&pieces).iter().map(|it| it - 1).sum();
+        let total: usize = lines(&pieces).iter().map(|line| line - 1).sum();
         assert_eq!(total, 50);
         for pair in pieces.windows(2) {
             let [before, after] = [0, 1].map(|n| pair[n]["lines"][0]["points"].as_array().unwrap());
@@ -351,12 +355,12 @@ mod tests {
         let so_far = hand.ink.so_far(&json!({}), 0.0);
         let entities = so_far
             .iter()
-            .flat_map(|it| it["entities"].as_array().unwrap());
+            .flat_map(|item| item["entities"].as_array().unwrap());
         let late: std::collections::BTreeSet<_> = entities
-            .map(|it| it["id"].as_str().unwrap().to_owned())
+            .map(|entity| entity["id"].as_str().unwrap().to_owned())
             .collect();
         assert_eq!(late, there);
-        let longest = so_far.iter().map(|it| it.to_string().len()).max();
+        let longest = so_far.iter().map(|item| item.to_string().len()).max();
         assert!(longest.unwrap() < 500_000, "{longest:?} bytes");
     }
 }

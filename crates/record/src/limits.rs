@@ -81,8 +81,8 @@ mod tests {
             };
             limits.check().map_err(|error| error.to_string())
         };
-        assert!(text(1000, 10_000).is_err_and(|it| it.contains("1048576")));
-        assert!(text(2 << 20, 3 << 20).is_err_and(|it| it.contains("twice file_bytes")));
+        assert!(text(1000, 10_000).is_err_and(|text| text.contains("1048576")));
+        assert!(text(2 << 20, 3 << 20).is_err_and(|text| text.contains("twice file_bytes")));
         assert_eq!(text(1 << 20, 2 << 20), Ok(()));
         assert!(Limits::DEFAULT.check().is_ok());
     }

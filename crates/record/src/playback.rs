@@ -60,7 +60,7 @@ impl Playback {
 
     /// Handles bytes from the client.
     pub(crate) fn handle_bytes(&mut self, bytes: &[u8]) {
-        let packets: Vec<_> = self.sent.feed(bytes).map(|it| it.to_bytes()).collect();
+        let packets: Vec<_> = self.sent.feed(bytes).map(|feed| feed.to_bytes()).collect();
         for packet in packets {
             self.compare(packet);
         }

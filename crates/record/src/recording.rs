@@ -215,7 +215,7 @@ impl ReadChannel {
             return None;
         }
         let Repeated { bytes, gaps_ns } = serde_json::from_slice(data).ok()?;
-        let packet = bytes_of(&bytes).filter(|it| !it.is_empty())?;
+        let packet = bytes_of(&bytes).filter(|bytes| !bytes.is_empty())?;
         let mut gaps = gaps_ns.iter();
         let lasted_ns = gaps.try_fold(0, |sum: u64, gap_ns| sum.checked_add(*gap_ns))?;
         let first_ns = last_ns.checked_sub(lasted_ns)?;

@@ -50,7 +50,7 @@ impl Repeats {
 
     /// Accepts the next piece if it continues the repetition; `is_end` if it completes a packet.
     pub(crate) fn take(&mut self, at_ns: u64, bytes: &[u8], is_end: bool) -> bool {
-        let last_ns = self.pieces.last().map(|it| it.at_ns);
+        let last_ns = self.pieces.last().map(|piece| piece.at_ns);
         let last_ns = last_ns.or_else(|| self.ends_ns.last().copied());
         let end = self.place + bytes.len();
         let is_same = self.packet[self.place..].starts_with(bytes) && is_end == (end == LEN);

@@ -133,7 +133,7 @@ impl Rotation {
     pub(crate) fn health(&self) -> Health {
         Health {
             file: self.open.as_ref().map(|open| open.path.clone()),
-            trouble: self.trouble.as_ref().map(|it| it.reason.clone()),
+            trouble: self.trouble.as_ref().map(|trouble| trouble.reason.clone()),
             lost: self.lost,
             ..Health::default()
         }
@@ -165,7 +165,11 @@ impl Rotation {
             return;
         }
         let count = std::mem::take(&mut self.held);
-        if let Some(trouble) = self.trouble.as_ref().filter(|it| self.now < it.retry) {
+        if let Some(trouble) = self
+            .trouble
+            .as_ref()
+            .filter(|trouble| self.now < trouble.retry)
+        {
             let reason = trouble.reason.clone();
             return self.count_lost(count, &reason);
         }

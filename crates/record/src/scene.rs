@@ -90,8 +90,8 @@ impl Scene {
         let ways = self.observer.iter().flat_map(Observer::in_flight);
         let target = self.target.poll(at, time, ways, tip_mm);
         let ink = self.ink.poll(time, tip_mm);
-        let target = target.map(|it| (TARGET, it));
-        target.into_iter().chain(ink.map(|it| (INK, it)))
+        let target = target.map(|target| (TARGET, target));
+        target.into_iter().chain(ink.map(|ink| (INK, ink)))
     }
 
     /// Where each link of the arm is that a status tells.
@@ -161,8 +161,8 @@ pub(crate) fn sphere(at: &Value, size_m: f64, color: &Value) -> Value {
 
 /// The places of a tip that hangs so far below these, in metres.
 pub(crate) fn points(places: &[Position], tip_mm: f64) -> Vec<Value> {
-    let point = |it: &Position| {
-        let [x, y, z] = [it.x.0, it.y.0, it.z.0 - tip_mm].map(metres);
+    let point = |position: &Position| {
+        let [x, y, z] = [position.x.0, position.y.0, position.z.0 - tip_mm].map(metres);
         json!({ "x": x, "y": y, "z": z })
     };
     places.iter().map(point).collect()

@@ -118,10 +118,10 @@ impl Thinning {
             now.saturating_sub(first) / u32::try_from(self.most / 2).unwrap_or(u32::MAX).max(1);
         *spacing = even.max(*spacing * 2);
         let mut kept = None;
-        samples.retain(|it| {
-            let far = kept.is_none_or(|kept| it.at.saturating_sub(kept) >= *spacing);
+        samples.retain(|sample| {
+            let far = kept.is_none_or(|kept| sample.at.saturating_sub(kept) >= *spacing);
             if far {
-                kept = Some(it.at);
+                kept = Some(sample.at);
             }
             far
         });
@@ -150,7 +150,7 @@ mod tests {
     fn xs(track: &Track) -> Vec<(u128, f32)> {
         let samples = track.samples.iter();
         samples
-            .map(|it| (it.at.as_millis(), it.status.x_mm))
+            .map(|sample| (sample.at.as_millis(), sample.status.x_mm))
             .collect()
     }
 
@@ -179,7 +179,7 @@ mod tests {
             found.samples.len()
         );
         let ends = [found.samples[0], found.samples[found.samples.len() - 1]];
-        assert_eq!(ends.map(|it| it.status.x_mm), [0.0, 9_999.0]);
+        assert_eq!(ends.map(|end| end.status.x_mm), [0.0, 9_999.0]);
         for pair in found.samples.windows(2) {
             let gap = pair[1].at.saturating_sub(pair[0].at);
             assert!(gap <= found.spacing * 2, "{gap:?} with {:?}", found.spacing);

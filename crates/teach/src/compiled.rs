@@ -45,7 +45,7 @@ impl Compiled {
     /// Returns the step that contains a command.
     #[must_use]
     pub fn step_of(&self, command: usize) -> Option<usize> {
-        let begun = self.steps.partition_point(|it| it.first <= command);
+        let begun = self.steps.partition_point(|step| step.first <= command);
         begun.checked_sub(1)
     }
 
@@ -64,7 +64,7 @@ impl Compiled {
     /// The program as a job. If it draws, a pause lifts the tool.
     #[must_use]
     pub fn job(&self) -> NewJob {
-        let draws = |it: &Command| matches!(it, Command::WriteVector(_));
+        let draws = |command: &Command| matches!(command, Command::WriteVector(_));
         let lift_mm = if self.commands.iter().any(draws) {
             LIFT_MM
         } else {
@@ -77,7 +77,7 @@ impl Compiled {
             lift_mm,
             pauses: self.pauses.clone(),
             program: JobProgram {
-                steps: self.steps.iter().map(|it| it.first).collect(),
+                steps: self.steps.iter().map(|step| step.first).collect(),
                 repeat: self.repeat,
             },
         }

@@ -14,7 +14,9 @@ impl Compiled {
     #[must_use]
     pub fn from_step(&self, step: usize) -> Option<Self> {
         let first = self.steps.get(step)?.first;
-        let settings = self.commands[..first].iter().filter(|it| is_setting(it));
+        let settings = self.commands[..first]
+            .iter()
+            .filter(|command| is_setting(command));
         let mut rest = Self {
             title: self.title.clone(),
             commands: settings.copied().collect(),
@@ -34,7 +36,7 @@ impl Compiled {
 
     /// Appends the whole cycle after the rest of this one, if it runs again.
     fn append_cycle(&mut self, whole: &Self, repeat: JobRepeat) -> Option<JobRepeat> {
-        let times = repeat.times.map(|it| it.saturating_sub(1));
+        let times = repeat.times.map(|time| time.saturating_sub(1));
         if times == Some(0) {
             return None;
         }
@@ -46,18 +48,21 @@ impl Compiled {
     /// Appends some commands of a program with their steps and pauses.
     fn append(&mut self, whole: &Self, part: Range<usize>) {
         let at = |index: usize| index - part.start + self.commands.len();
-        let steps = whole.steps.iter().filter(|it| part.contains(&it.first));
+        let steps = whole.steps.iter().filter(|step| part.contains(&step.first));
         let steps: Vec<CompiledStep> = steps
-            .map(|it| CompiledStep {
-                first: at(it.first),
-                ..it.clone()
+            .map(|step| CompiledStep {
+                first: at(step.first),
+                ..step.clone()
             })
             .collect();
-        let pauses = whole.pauses.iter().filter(|it| part.contains(&it.before));
+        let pauses = whole
+            .pauses
+            .iter()
+            .filter(|pause| part.contains(&pause.before));
         let pauses: Vec<JobPause> = pauses
-            .map(|it| JobPause {
-                before: at(it.before),
-                ..it.clone()
+            .map(|pause| JobPause {
+                before: at(pause.before),
+                ..pause.clone()
             })
             .collect();
         self.steps.extend(steps);
@@ -150,7 +155,11 @@ mod tests {
     fn speeds_that_were_set_before_still_hold() {
         let whole = compiled("1");
         let last = whole.from_step(whole.steps.len() - 1).unwrap();
-        let set = whole.commands.iter().find(|it| is_setting(it)).unwrap();
+        let set = whole
+            .commands
+            .iter()
+            .find(|command| is_setting(command))
+            .unwrap();
         assert!(last.commands.contains(set), "{:?}", last.commands);
     }
 
@@ -167,7 +176,7 @@ mod tests {
             assert!(
                 rest.pauses
                     .iter()
-                    .all(|it| it.before <= rest.commands.len())
+                    .all(|pause| pause.before <= rest.commands.len())
             );
         }
         assert!(whole.from_step(whole.steps.len()).is_none());

@@ -113,10 +113,14 @@ mod tests {
             let written = form.write(&program).unwrap();
             assert!(written.warnings.is_empty(), "{form:?}");
             let read = form.read(written.it.as_bytes()).unwrap();
-            let ways = |it: &Program| -> Vec<_> {
-                let steps = it.steps.0.iter().map(|it| it.get_ref().clone());
+            let ways = |program: &Program| -> Vec<_> {
+                let steps = program
+                    .steps
+                    .0
+                    .iter()
+                    .map(|program| program.get_ref().clone());
                 steps
-                    .map(|it| match it {
+                    .map(|step| match step {
                         crate::Action::Go(go) => (go.to, go.path, go.then.suction.unwrap_or(true)),
                         other => panic!("{other:?}"),
                     })

@@ -60,7 +60,7 @@ pub(super) fn in_utf8(text: &[u8]) -> (Cow<'_, [u8]>, Option<String>) {
         }
     }
     let unknown = header.code_page.filter(|_| told.is_none());
-    let unknown = unknown.map(|it| String::from_utf8_lossy(it).into_owned());
+    let unknown = unknown.map(|unknown| String::from_utf8_lossy(unknown).into_owned());
     (Cow::Owned(decoded), unknown)
 }
 
@@ -108,7 +108,7 @@ impl CodePage {
 fn encoding(name: &[u8]) -> Option<&'static Encoding> {
     let number = name.strip_prefix(b"ansi_");
     let Some(number) = number.or_else(|| name.strip_prefix(b"dos")) else {
-        return Encoding::for_label(name).filter(|it| it.is_ascii_compatible());
+        return Encoding::for_label(name).filter(|encoding| encoding.is_ascii_compatible());
     };
     match number {
         b"874" => Encoding::for_label(b"windows-874"),
@@ -146,7 +146,7 @@ mod tests {
     fn each_byte_of_dos_is_a_letter() {
         for (name, letters) in DOS {
             assert_eq!(letters.chars().count(), 128, "{name}");
-            assert!(letters.chars().all(|it| !it.is_ascii()), "{name}");
+            assert!(letters.chars().all(|c| !c.is_ascii()), "{name}");
         }
     }
 }

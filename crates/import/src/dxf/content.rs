@@ -76,7 +76,7 @@ impl<'a> CodeReader<'a> {
     /// Parses `%%c` after its first percent sign.
     fn percent(&mut self) {
         self.next();
-        let number = self.rest.get(..3).and_then(|it| it.parse::<u8>().ok());
+        let number = self.rest.get(..3).and_then(|rest| rest.parse::<u8>().ok());
         if let Some(number) = number {
             self.rest = &self.rest[3..];
             return self.push(char::from(number));
@@ -95,8 +95,8 @@ impl<'a> CodeReader<'a> {
 
     /// Parses `\U+00E4` after its backslash; returns whether it is one.
     fn unicode(&mut self) -> bool {
-        let digits = self.rest.strip_prefix("U+").and_then(|it| it.get(..4));
-        let number = digits.and_then(|it| u32::from_str_radix(it, 16).ok());
+        let digits = self.rest.strip_prefix("U+").and_then(|rest| rest.get(..4));
+        let number = digits.and_then(|digit| u32::from_str_radix(digit, 16).ok());
         let Some(number) = number else {
             return false;
         };

@@ -25,7 +25,7 @@ impl EntityRenderer<'_, '_> {
         let own = it.flags(440)?;
         let shows_nothing = |value: u32| value >> 24 != BY_VALUE || value & 0xff == OPAQUE;
         Ok(match own >> 24 {
-            BY_LAYER => layer.is_none_or(|it| shows_nothing(it.transparency)),
+            BY_LAYER => layer.is_none_or(|layer| shows_nothing(layer.transparency)),
             BY_BLOCK => self.block_is_opaque,
             _ => shows_nothing(own),
         })

@@ -36,7 +36,7 @@ impl<'a> Entity<'a> {
     }
 
     pub(super) fn find(&self, code: i32) -> Option<&Pair<'a>> {
-        self.pairs.iter().find(|it| it.code == code)
+        self.pairs.iter().find(|pair| pair.code == code)
     }
 
     /// A required number.
@@ -78,7 +78,7 @@ impl<'a> Entity<'a> {
 
     /// All values of a group.
     pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, SourceError> {
-        let pairs = self.pairs.iter().filter(|it| it.code == code);
+        let pairs = self.pairs.iter().filter(|pair| pair.code == code);
         pairs.map(Pair::number).collect()
     }
 
@@ -101,7 +101,11 @@ impl<'a> Entity<'a> {
 }
 
 fn own_pairs(text: &[u8], from: usize) -> Result<Vec<Pair<'_>>, SourceError> {
-    let is_own = |it: &Result<Pair<'_>, _>| it.as_ref().map_or(true, |it| it.code != EMBEDDED);
+    let is_own = |result: &Result<Pair<'_>, _>| {
+        result
+            .as_ref()
+            .map_or(true, |result| result.code != EMBEDDED)
+    };
     let mut own = Vec::new();
     for pair in pairs(text, from).take_while(is_own) {
         let pair = pair?;

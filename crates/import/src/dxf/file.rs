@@ -45,7 +45,7 @@ pub(super) struct LayerInfo {
 
 impl LayerInfo {
     pub(super) fn is_off(&self) -> bool {
-        self.color.is_some_and(|it| it < 0)
+        self.color.is_some_and(|color| color < 0)
     }
 
     pub(super) fn rgb(&self) -> Option<[u8; 3]> {
@@ -333,7 +333,7 @@ impl<'a> SectionReader<'a> {
             let rest = &self.file.text[span.begin..];
             span.begin += rest
                 .iter()
-                .position(|&it| it == b'\n')
+                .position(|&byte| byte == b'\n')
                 .map_or(rest.len(), |it| it + 1);
             match (&mut self.block, handle) {
                 (Some((_, block)), _) => block.entities.push(span),
@@ -366,7 +366,7 @@ fn unit_mm(code: f64) -> Option<f64> {
         (14.0, 100.0),
         (21.0, 304.800_609_601_219),
     ];
-    CODES.iter().find(|it| it.0 == code).map(|it| it.1)
+    CODES.iter().find(|it| it.0 == code).map(|at| at.1)
 }
 
 /// Each object takes about 100 bytes, and a line as much again when drawn.

@@ -65,17 +65,17 @@ fn distinct(points: &[Point]) -> Vec<Point> {
 ///
 /// with the distance `h[i]` to the next point and the direction `v[i]` there.
 fn slopes(points: &[Point], ends: Ends) -> Vec<Vec2> {
-    let ways: Vec<Vec2> = points.windows(2).map(|it| it[1] - it[0]).collect();
+    let ways: Vec<Vec2> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let (Some(first), Some(last)) = (ways.first(), ways.last()) else {
         return Vec::new();
     };
-    let inner = ways.windows(2).map(|it| {
-        let [a, b] = [it[0].length().recip(), it[1].length().recip()];
+    let inner = ways.windows(2).map(|pair| {
+        let [a, b] = [pair[0].length().recip(), pair[1].length().recip()];
         Row {
             before: a,
             own: 2.0 * (a + b),
             after: b,
-            sum: (it[0] * (a * a) + it[1] * (b * b)) * 3.0,
+            sum: (pair[0] * (a * a) + pair[1] * (b * b)) * 3.0,
         }
     });
     let begin = end_row(ends.first, *first);
@@ -149,7 +149,7 @@ mod tests {
     fn off(pieces: &[CubicBez]) -> f64 {
         let points = pieces
             .iter()
-            .flat_map(|it| (0..=8).map(|i| it.eval(f64::from(i) / 8.0)));
+            .flat_map(|piece| (0..=8).map(|i| piece.eval(f64::from(i) / 8.0)));
         points
             .map(|p| (p.to_vec2().length() - 1.0).abs())
             .fold(0.0, f64::max)
@@ -167,12 +167,12 @@ mod tests {
         let points = points.map(Point::from);
         let found = pieces(&points, Ends::default());
         assert_eq!(found.len(), 3);
-        let bend = |it: &CubicBez, [a, b, c]: [Point; 3]| {
+        let bend = |piece: &CubicBez, [a, b, c]: [Point; 3]| {
             let way = (a.to_vec2() - b.to_vec2() * 2.0 + c.to_vec2()) * 6.0;
-            way / it.p0.distance(it.p3).powi(2)
+            way / piece.p0.distance(piece.p3).powi(2)
         };
-        let begin = |it: &CubicBez| bend(it, [it.p0, it.p1, it.p2]);
-        let end = |it: &CubicBez| bend(it, [it.p3, it.p2, it.p1]);
+        let begin = |piece: &CubicBez| bend(piece, [piece.p0, piece.p1, piece.p2]);
+        let end = |piece: &CubicBez| bend(piece, [piece.p3, piece.p2, piece.p1]);
         for both in found.windows(2) {
             assert_eq!(both[0].p3, both[1].p0);
             let jump = (end(&both[0]) - begin(&both[1])).length();
@@ -180,7 +180,7 @@ mod tests {
         }
         // It is straight at its ends.
         let ends = [begin(&found[0]), end(&found[2])].map(Vec2::length);
-        assert!(ends.iter().all(|it| *it < 1e-9), "{ends:?}");
+        assert!(ends.iter().all(|end| *end < 1e-9), "{ends:?}");
     }
 
     #[test]

@@ -120,7 +120,7 @@ impl EntityRenderer<'_, '_> {
         frame: Affine,
     ) -> Result<Vec<Point>, SourceError> {
         // Fit points follow, which repeat the curve.
-        let end = edge.iter().position(|it| it.code == 97);
+        let end = edge.iter().position(|pair| pair.code == 97);
         let own = Entity {
             pairs: edge[..end.unwrap_or(edge.len())].to_vec(),
             ..*it
@@ -137,13 +137,13 @@ impl EntityRenderer<'_, '_> {
 
 /// The edges of a boundary that is not a polyline: each starts with its kind.
 fn edges<'p, 't>(path: &'p [Pair<'t>]) -> impl Iterator<Item = &'p [Pair<'t>]> {
-    let end = path.iter().position(|it| it.code == 75);
+    let end = path.iter().position(|pair| pair.code == 75);
     let path = &path[..end.unwrap_or(path.len())];
-    let first = path.iter().position(|it| it.code == 72);
+    let first = path.iter().position(|pair| pair.code == 72);
     let mut rest = &path[first.unwrap_or(path.len())..];
     std::iter::from_fn(move || {
         let after = rest.get(1..)?;
-        let next = after.iter().position(|it| it.code == 72);
+        let next = after.iter().position(|pair| pair.code == 72);
         let (edge, others) = rest.split_at(next.map_or(rest.len(), |it| it + 1));
         rest = others;
         Some(edge)
@@ -162,7 +162,7 @@ fn corners(path: &[Pair<'_>]) -> Result<Option<Vec<Corner>>, SourceError> {
 
 /// A boundary without the groups after it: its sources, the pattern, the seeds.
 fn before_sources<'p, 't>(path: &'p [Pair<'t>]) -> &'p [Pair<'t>] {
-    let end = path.iter().position(|it| matches!(it.code, 97 | 75));
+    let end = path.iter().position(|pair| matches!(pair.code, 97 | 75));
     &path[..end.unwrap_or(path.len())]
 }
 

@@ -17,9 +17,9 @@ impl LineType {
     ///   0.5 -0.25 0 -0.25      ----    .    ----    .    ----
     /// ```
     pub(super) fn of(elements: &[f64]) -> Option<Self> {
-        let is_gap = |it: &f64| *it < 0.0;
-        let first = elements.iter().position(|it| !is_gap(it))?;
-        elements.iter().find(|it| is_gap(it))?;
+        let is_gap = |x: &f64| *x < 0.0;
+        let first = elements.iter().position(|element| !is_gap(element))?;
+        elements.iter().find(|element| is_gap(element))?;
         let (begin, from_dash) = elements.split_at(first);
         let mut lengths: Vec<f64> = Vec::new();
         for &element in from_dash.iter().chain(begin) {
@@ -45,7 +45,7 @@ impl LineType {
     pub(super) fn scaled(&self, factor: f64) -> Option<Self> {
         let is_sane = factor.is_finite() && factor > 0.0;
         is_sane.then(|| Self {
-            lengths: self.lengths.iter().map(|it| it * factor).collect(),
+            lengths: self.lengths.iter().map(|length| length * factor).collect(),
             offset: self.offset * factor,
         })
     }
@@ -57,7 +57,9 @@ mod tests {
 
     #[test]
     fn dashes_and_gaps_take_turns_wherever_the_type_begins() {
-        let of = |elements: &[f64]| LineType::of(elements).map(|it| (it.lengths, it.offset));
+        let of = |elements: &[f64]| {
+            LineType::of(elements).map(|line_type| (line_type.lengths, line_type.offset))
+        };
         assert_eq!(of(&[0.5, -0.25]), Some((vec![0.5, 0.25], 0.0)));
         let dash_dot = [0.5, -0.25, 0.0, -0.25];
         assert_eq!(of(&dash_dot), Some((vec![0.5, 0.25, 0.0, 0.25], 0.0)));

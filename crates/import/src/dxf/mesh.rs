@@ -145,7 +145,7 @@ fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, So
             return Ok::<_, SourceError>(None);
         };
         let text = pair.text();
-        let number = text.parse().ok().filter(|it: &usize| *it <= allowed);
+        let number = text.parse().ok().filter(|n: &usize| *n <= allowed);
         let found = || it.refused(format!("{:?} in the faces of MESH", shortened(&text)), what);
         Ok(Some(number.ok_or_else(found)?))
     };

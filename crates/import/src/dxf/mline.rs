@@ -43,7 +43,7 @@ impl<'a> EntityRenderer<'_, 'a> {
         if has_gaps {
             self.left_out(it, "drawn without its gaps");
         }
-        let lines = corners.iter().map(|it| it.offsets.len()).min();
+        let lines = corners.iter().map(|corner| corner.offsets.len()).min();
         for line in 0..lines.unwrap_or(0) {
             let place = |corner: &Corner| corner.at + corner.mitre * corner.offsets[line];
             let mut points: Vec<Point> = corners.iter().map(place).collect();

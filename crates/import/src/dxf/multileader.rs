@@ -64,8 +64,8 @@ impl<'a> Parts<'a> {
         let pairs = match place {
             Place::Outside => None,
             Place::Note => Some(&mut self.note),
-            Place::Leader => leader.map(|it| &mut it.own),
-            Place::Line => leader.and_then(|it| it.lines.last_mut()),
+            Place::Leader => leader.map(|leader| &mut leader.own),
+            Place::Line => leader.and_then(|leader| leader.lines.last_mut()),
         };
         if let Some(pairs) = pairs {
             pairs.push(pair);

@@ -20,7 +20,7 @@ pub(super) fn sort(file: &mut File<'_>) -> Result<(), SourceError> {
     if places.is_empty() {
         return Ok(());
     }
-    let blocks = file.blocks.values_mut().map(|it| &mut it.entities);
+    let blocks = file.blocks.values_mut().map(|block| &mut block.entities);
     for entities in blocks.chain([&mut file.entities]) {
         let sorted = sorted(file.text, entities, &places)?;
         *entities = sorted;

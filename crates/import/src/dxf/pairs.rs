@@ -38,8 +38,8 @@ impl<'a> Pair<'a> {
         };
         let number = std::str::from_utf8(self.value)
             .ok()
-            .and_then(|it| it.parse().ok());
-        let number = number.filter(|it: &f64| it.abs() <= most);
+            .and_then(|from_utf8| from_utf8.parse().ok());
+        let number = number.filter(|x: &f64| x.abs() <= most);
         number.ok_or_else(|| self.refused(expected))
     }
 
@@ -90,7 +90,7 @@ pub(super) fn pairs(
         let code = next_line(text, &mut at);
         let Some(code) = std::str::from_utf8(code)
             .ok()
-            .and_then(|it| it.parse().ok())
+            .and_then(|from_utf8| from_utf8.parse().ok())
         else {
             at = text.len();
             let expected = "a group code such as 0 or 10";

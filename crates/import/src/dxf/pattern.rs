@@ -63,7 +63,7 @@ impl PatternLine {
         ];
         let [first, last] = extent(corners.map(|p| along.cross(p - base) / apart_mm));
         let [begin_mm, end_mm] = extent(corners.map(|p| along.dot(p - base)));
-        let period_mm: f64 = self.dashes.iter().map(|it| it.abs() * unit_mm).sum();
+        let period_mm: f64 = self.dashes.iter().map(|dash| dash.abs() * unit_mm).sum();
         let is_dashed = period_mm > 0.0;
         let per_line = if is_dashed {
             (end_mm - begin_mm) / period_mm + 2.0

@@ -51,8 +51,8 @@ pub(super) const fn from_above([x, y, _]: [f64; 3]) -> Vec2 {
 }
 
 fn unit(way: [f64; 3]) -> Option<[f64; 3]> {
-    let length = way.iter().map(|it| it * it).sum::<f64>().sqrt();
-    (length > 0.0).then(|| way.map(|it| it / length))
+    let length = way.iter().map(|pair| pair * pair).sum::<f64>().sqrt();
+    (length > 0.0).then(|| way.map(|way| way / length))
 }
 
 fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {

@@ -74,7 +74,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
                 _ => None,
             };
             let rest = spans.as_slice();
-            let parts = rest.iter().take_while(|it| Some(it.kind) == part);
+            let parts = rest.iter().take_while(|byte| Some(byte.kind) == part);
             let count = parts.count();
             let is_shown = self.entity(span, &rest[..count], copy)?;
             // The visible attributes of a block are separate entities.
@@ -161,11 +161,11 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         if self.file.line_types.is_empty() {
             return String::new();
         }
-        let own = it.find(6).map(|it| it.text().to_uppercase());
+        let own = it.find(6).map(|at| at.text().to_uppercase());
         match own.as_deref() {
             None | Some("BYLAYER") => {
                 let info = self.file.layers.get(layer);
-                info.map(|it| it.line_type.clone()).unwrap_or_default()
+                info.map(|info| info.line_type.clone()).unwrap_or_default()
             }
             Some("BYBLOCK") => of_block.to_owned(),
             Some(own) => own.to_owned(),
@@ -236,8 +236,8 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         // A layer of a block that is off hides only the entities on layer 0, which inherit it.
         let is_block = it.kind == b"INSERT";
         let is_off = !is_block && info.is_some_and(LayerInfo::is_off);
-        let is_unplotted = is_for_points || info.is_some_and(|it| it.is_unplotted);
-        let (what, instead) = if is_off || info.is_some_and(|it| it.is_frozen) {
+        let is_unplotted = is_for_points || info.is_some_and(|info| info.is_unplotted);
+        let (what, instead) = if is_off || info.is_some_and(|info| info.is_frozen) {
             (
                 "hidden object",
                 "left out, because its layer is off or frozen",

@@ -28,11 +28,11 @@ impl Spline {
                 "a spline of degree {degree} with {points} control points and {knots} knots"
             ));
         }
-        if knots.windows(2).any(|it| it[0] > it[1]) {
+        if knots.windows(2).any(|pair| pair[0] > pair[1]) {
             return Err("knots in descending order".to_owned());
         }
         let all_count = weights.is_empty() || weights.len() == points.len();
-        if !all_count || weights.iter().any(|&it| it <= 0.0) {
+        if !all_count || weights.iter().any(|&weight| weight <= 0.0) {
             return Err(
                 "a number of weights other than that of control points, or a weight of 0 or less"
                     .to_owned(),

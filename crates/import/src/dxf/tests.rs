@@ -24,7 +24,7 @@ fn file(tables: &str, blocks: &str, entities: &str) -> String {
     let all = header + &section("TABLES", tables) + &section("BLOCKS", blocks);
     let all = all + &section("ENTITIES", entities) + "0 EOF";
     all.split_whitespace()
-        .map(|it| it.to_owned() + "\n")
+        .map(|word| word.to_owned() + "\n")
         .collect()
 }
 
@@ -39,8 +39,14 @@ fn draw(entities: &str) -> (Artwork, Vec<String>) {
 
 fn corners(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
     let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
-    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
-    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    let corners = |stroke: &Stroke| {
+        stroke
+            .points
+            .iter()
+            .map(|p| (round(p.x), round(p.y)))
+            .collect()
+    };
+    let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     strokes.map(corners).collect()
 }
 
@@ -85,7 +91,7 @@ fn a_text_that_nobody_reads_is_refused() {
 fn the_last_of_the_groups_of_a_layer_count_and_so_many_layers_are_refused() {
     let layers = |count: usize| {
         let names: Vec<String> = (0..count)
-            .map(|it| format!("0 LAYER 2 {it} 62 1 62 5"))
+            .map(|i| format!("0 LAYER 2 {i} 62 1 62 5"))
             .collect();
         let tables = format!("0 TABLE 2 LAYER {} 0 ENDTAB", names.join(" "));
         file(&tables, "", "0 CIRCLE 8 3 10 0 20 0 40 9")
@@ -200,7 +206,7 @@ fn on_circle(artwork: &Artwork, radius: f64) -> (f64, f64) {
     let center = bounds_of_strokes(strokes).center();
     let middles = strokes
         .iter()
-        .flat_map(|it| it.segments().map(|(a, b)| a.lerp(b, 0.5)));
+        .flat_map(|stroke| stroke.segments().map(|(a, b)| a.lerp(b, 0.5)));
     let off = middles
         .map(|p| (p.distance(center) - radius).abs())
         .fold(0.0, f64::max);
@@ -316,7 +322,7 @@ fn a_spline_by_its_points_passes_them_in_curves() {
         assert!(found.len() > 30, "{found:?}");
         let near = |(x, y): (f64, f64)| {
             let p = Point::new(x, height - y);
-            found.iter().any(|it| it.distance(p) < 1e-6)
+            found.iter().any(|pair| pair.distance(p) < 1e-6)
         };
         points.into_iter().all(near)
     };
@@ -409,7 +415,7 @@ fn each_line_of_an_mline_is_drawn_beside_its_corners() {
         )
     );
     let (closed, _) = draw(&text.replace("71 1", "71 3"));
-    assert!(closed.layers[0].strokes.iter().all(|it| it.closed));
+    assert!(closed.layers[0].strokes.iter().all(|stroke| stroke.closed));
     let (_, warnings) = draw(&text.replacen("74 2 41 0 41 0", "74 4 41 0 41 0 41 3 41 4", 1));
     assert!(warnings[0].ends_with("1 MLINE: drawn without its gaps"));
 }
@@ -426,7 +432,7 @@ fn layers_have_names_and_colors_and_hidden_ones_are_left_out() {
     let found: Vec<_> = artwork
         .layers
         .iter()
-        .map(|it| (it.name.as_str(), it.color, it.strokes.len()))
+        .map(|layer| (layer.name.as_str(), layer.color, layer.strokes.len()))
         .collect();
     assert_eq!(
         found,
@@ -523,7 +529,10 @@ fn names_of_layers_and_blocks_are_the_same_in_capitals() {
     let entities = "0 LINE 8 walls 10 0 20 0 11 9 21 0 0 INSERT 8 TÜREN 2 foo 10 0 20 0
         0 INSERT 8 türen 2 Foo 10 0 20 0";
     let (artwork, warnings) = draw_text(&file(tables, blocks, entities));
-    let found = artwork.layers.iter().map(|it| (it.name.as_str(), it.color));
+    let found = artwork
+        .layers
+        .iter()
+        .map(|layer| (layer.name.as_str(), layer.color));
     let found: Vec<_> = found.collect();
     // Programs that tell such names apart are not AutoCAD, and may have both.
     let wanted = [("Türen", Some([255, 0, 0])), ("türen", Some([0, 0, 255]))];
@@ -624,7 +633,7 @@ fn what_is_left_out_is_named_with_its_count() {
     let (_, warnings) = draw(entities);
     let texts: Vec<&str> = warnings
         .iter()
-        .map(|it| it.split_once(": ").unwrap().1)
+        .map(|warning| warning.split_once(": ").unwrap().1)
         .collect();
     assert_eq!(
         texts,
@@ -756,7 +765,7 @@ fn names_of_old_files_are_western() {
     let text = file("", "", "0 LINE 8 Fr?ser 10 0 20 0 11 9 21 0");
     let bytes: Vec<u8> = text
         .bytes()
-        .map(|it| if it == b'?' { 0xE4 } else { it })
+        .map(|byte| if byte == b'?' { 0xE4 } else { byte })
         .collect();
     let (artwork, _) = super::read(&bytes, &ReadOptions::default()).unwrap();
     assert_eq!(artwork.layers[0].name, "Fräser");
@@ -767,7 +776,7 @@ fn layer_name(header: &str, name: &[u8]) -> (String, Vec<String>) {
     let text = file("", "", "0 LINE 8 ? 10 0 20 0 11 9 21 0");
     let header: String = header
         .split_whitespace()
-        .map(|it| it.to_owned() + "\n")
+        .map(|word| word.to_owned() + "\n")
         .collect();
     let text = text.replace("HEADER\n", &format!("HEADER\n{header}"));
     let (before, after) = text.split_once('?').unwrap();
@@ -884,7 +893,7 @@ fn lines_have_the_dashes_of_their_type_as_large_as_the_file_says() {
     let dashes = |entities: &str| {
         let (artwork, warnings) = draw_text(&file(types, "", entities));
         assert_eq!(warnings, [""; 0]);
-        let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+        let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
         strokes.map(Stroke::length_mm).collect::<Vec<_>>()
     };
     let near = |found: Vec<f64>, expected: &[f64]| {

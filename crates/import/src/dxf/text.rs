@@ -25,7 +25,7 @@ struct LineExtent {
 impl LineExtent {
     fn of(text: &str, lettering: &mut Lettering) -> Self {
         let mut extent = Self::default();
-        let rooms = text.chars().filter_map(|it| lettering.extent(it));
+        let rooms = text.chars().filter_map(|c| lettering.extent(c));
         for (i, room) in rooms.enumerate() {
             if i == 0 {
                 extent.begin = room.ink[0];
@@ -299,7 +299,7 @@ fn paragraph_directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
 /// The position of the point of an MTEXT: the fractions before it and above it.
 fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
     let number = it.number_or(71, 1.0)?;
-    let index = (1..=9_u8).find(|&it| f64::from(it) == number);
+    let index = (1..=9_u8).find(|&i| f64::from(i) == number);
     let index = index.ok_or_else(|| {
         let found = format!("MTEXT attached at {number}");
         it.refused(found, "an attachment point from 1 to 9")

@@ -16,8 +16,8 @@ impl<'a> EntityRenderer<'_, 'a> {
     /// ```
     pub(super) fn clip(&mut self, it: &Entity<'a>) -> Result<Option<Vec<Point>>, SourceError> {
         let mut own = it.pairs.iter();
-        own.find(|it| it.is(102, b"{ACAD_XDICTIONARY"));
-        let Some(own) = own.find(|it| it.code == 360) else {
+        own.find(|value| value.is(102, b"{ACAD_XDICTIONARY"));
+        let Some(own) = own.find(|value| value.code == 360) else {
             return Ok(None);
         };
         let Some(filters) = self.entry(own, b"ACAD_FILTER")? else {
@@ -42,8 +42,10 @@ impl<'a> EntityRenderer<'_, 'a> {
             return Ok(None);
         };
         let mut entries = it.pairs.iter();
-        entries.find(|it| it.is(3, name));
-        Ok(entries.find(|it| matches!(it.code, 350 | 360)).copied())
+        entries.find(|entry| entry.is(3, name));
+        Ok(entries
+            .find(|entry| matches!(entry.code, 350 | 360))
+            .copied())
     }
 
     /// The object with a handle.
@@ -63,7 +65,7 @@ fn ring(it: &Entity<'_>) -> Result<Vec<Point>, SourceError> {
     let numbers = it.numbers(40)?;
     // The last groups are two matrices of twelve numbers: the first is from the world to the block.
     let Some(&[xx, xy, _, x, yx, yy, _, y, ..]) =
-        numbers.len().checked_sub(24).map(|it| &numbers[it..])
+        numbers.len().checked_sub(24).map(|n| &numbers[n..])
     else {
         let found = format!("a clip with {} numbers (group 40)", numbers.len());
         return Err(it.refused(found, "two matrices of 12 numbers"));

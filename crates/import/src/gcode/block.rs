@@ -200,20 +200,20 @@ impl BlockLexer<'_> {
     /// Whether only a comment follows this character.
     fn is_last_word(&self) -> bool {
         let mut rest = self.text[self.at + 1..].iter();
-        let next = rest.find(|it| !b" \t".contains(it));
-        next.is_none_or(|it| b"\r\n(;".contains(it))
+        let next = rest.find(|rest| !b" \t".contains(rest));
+        next.is_none_or(|next| b"\r\n(;".contains(next))
     }
 
     /// Skips `O1234` or `:1234` with at most a comment: the name of the program. With another word
     /// it is a subroutine.
     fn program_number(&mut self) -> Result<(), SourceError> {
         let at = self.at;
-        let is_digit = |it: &u8| it.is_ascii_digit();
-        let digits = self.text[at + 1..].iter().take_while(|it| is_digit(it));
+        let is_digit = |byte: &u8| byte.is_ascii_digit();
+        let digits = self.text[at + 1..].iter().take_while(|byte| is_digit(byte));
         let end = at + 1 + digits.count();
         let rest = &self.text[end..];
-        let behind = rest.iter().find(|it| !b" \t".contains(it));
-        if end == at + 1 || !behind.is_none_or(|it| b"\r\n(;".contains(it)) {
+        let behind = rest.iter().find(|byte| !b" \t".contains(byte));
+        if end == at + 1 || !behind.is_none_or(|after| b"\r\n(;".contains(after)) {
             return Err(self.found(at, WORD));
         }
         self.at = end;

@@ -83,7 +83,7 @@ impl GrblServoStatistics {
         let has_both = self.rapids.first.is_some() && self.feeds.first.is_some();
         let is_told_by_haste = has_both && !is_mixed && self.rapids.first != self.feeds.first;
         let fits = self.turns >= LEAST_TURNS && (!self.is_hasty || is_told_by_haste);
-        let is_zero = |it: Option<f64>| it == Some(0.0);
+        let is_zero = |x: Option<f64>| x == Some(0.0);
         // A laser that is off at 0 draws the same; 0 lowers a pen only without another indication.
         let has_zero = is_zero(self.held) || is_zero(self.other);
         let is_laser = has_zero && (!is_told_by_haste || is_zero(self.rapids.first));

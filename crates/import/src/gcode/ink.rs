@@ -73,16 +73,19 @@ impl<'s, 'a> Inker<'s, 'a> {
 
     /// Reports what the whole drawing has shown.
     pub(super) fn finish(mut self) -> Result<(), SourceError> {
-        if let Some(waits) = self.lowered.take_if(|it| it.kind == MoveKind::Dwell) {
+        if let Some(waits) = self
+            .lowered
+            .take_if(|lowered| lowered.kind == MoveKind::Dwell)
+        {
             self.dot(waits)?;
         }
         if self.switch.is_none() {
             return Ok(());
         }
-        let strong = self
-            .dim
-            .iter()
-            .filter(|it| it.speed_mm_s.is_none_or(|it| it > FASTEST_MM_S));
+        let strong = self.dim.iter().filter(|item| {
+            item.speed_mm_s
+                .is_none_or(|speed_mm_s| speed_mm_s > FASTEST_MM_S)
+        });
         let too_strong = strong.min_by(|a, b| a.share.total_cmp(&b.share));
         if let Some(first) = self.dim.first() {
             let instead = "burned faster instead, because this laser is only on or off";
@@ -200,8 +203,8 @@ impl<'s, 'a> Inker<'s, 'a> {
                 by: [first, second],
             } => {
                 let corners = [it.from, first, second, it.to];
-                let mut lines = corners.windows(2).filter(|it| it[0] != it[1]);
-                lines.try_for_each(|it| self.sketch.line(it[0], it[1]))
+                let mut lines = corners.windows(2).filter(|pair| pair[0] != pair[1]);
+                lines.try_for_each(|line| self.sketch.line(line[0], line[1]))
             }
             _ => self.sketch.line(it.from, it.to),
         }
@@ -219,8 +222,11 @@ impl<'s, 'a> Inker<'s, 'a> {
         };
         let name = [("T", tool.number), ("S", tool.power), ("F", tool.feed)];
         let share = tool.power.map_or(1.0, |it| it / full);
-        let speed_mm_s = tool.speed_mm_s.map(|it| it / share);
-        let is_new = self.use_layer(&name, speed_mm_s.map(|it| it.min(FASTEST_MM_S)))?;
+        let speed_mm_s = tool.speed_mm_s.map(|speed_mm_s| speed_mm_s / share);
+        let is_new = self.use_layer(
+            &name,
+            speed_mm_s.map(|speed_mm_s| speed_mm_s.min(FASTEST_MM_S)),
+        )?;
         if is_new && share < FULL {
             self.dim.push(DimLayer {
                 at: it.at,

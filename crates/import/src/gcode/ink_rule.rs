@@ -300,8 +300,8 @@ impl MoveStatistics {
     }
 
     fn servo(&self, text: &[u8], end: &ToolState) -> Option<InkRule> {
-        let of = |it: &ServoStatistics, code| {
-            let (up, source) = it.up(text, code, end.angle(code))?;
+        let of = |servo: &ServoStatistics, code| {
+            let (up, source) = servo.up(text, code, end.angle(code))?;
             Some(InkRule::Servo { code, up, source })
         };
         of(&self.m280, ServoCode::M280).or_else(|| of(&self.m300, ServoCode::M300))
@@ -431,18 +431,23 @@ fn told_full(text: &[u8]) -> Option<f64> {
             let before = line
                 .split("% power")
                 .next()
-                .filter(|it| it.len() < line.len());
-            let number = before.and_then(|it| it.rsplit([' ', ',']).next());
-            percent = number.and_then(|it| it.parse::<f64>().ok()).or(percent);
+                .filter(|part| part.len() < line.len());
+            let number = before.and_then(|before| before.rsplit([' ', ',']).next());
+            percent = number
+                .and_then(|number| number.parse::<f64>().ok())
+                .or(percent);
             continue;
         }
         let power = line.split_once('S').map(|(_, rest)| rest.trim_end());
-        let digits =
-            power.and_then(|it| it.split(|c: char| c != '.' && !c.is_ascii_digit()).next());
+        let digits = power.and_then(|power| {
+            power
+                .split(|c: char| c != '.' && !c.is_ascii_digit())
+                .next()
+        });
         let power = digits
-            .and_then(|it| it.parse::<f64>().ok())
-            .filter(|it| *it > 0.0);
-        if let (Some(percent), Some(power)) = (percent.filter(|it| *it > 0.0), power) {
+            .and_then(|digit| digit.parse::<f64>().ok())
+            .filter(|digit| *digit > 0.0);
+        if let (Some(percent), Some(power)) = (percent.filter(|percent| *percent > 0.0), power) {
             return Some((100.0 * power / percent).round());
         }
     }

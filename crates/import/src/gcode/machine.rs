@@ -325,7 +325,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         if block.m.has(2800) {
             self.tool.m280 = block.value(b'S').or(self.tool.m280);
         }
-        let angle = servo_angle(block).filter(|it| *it != SERVO_OFF);
+        let angle = servo_angle(block).filter(|servo_angle| *servo_angle != SERVO_OFF);
         self.tool.m300 = angle.or(self.tool.m300);
         let is_m3 = block.m.has(30) && !block.has_any(b"XYZ");
         let angle = block.value(b'S').filter(|_| is_m3);
@@ -347,7 +347,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             }
         }
         let power = self.laser.power;
-        self.tool.power = power.filter(|it| self.is_on() && *it > 0.0);
+        self.tool.power = power.filter(|power| self.is_on() && *power > 0.0);
         self.tool.is_on_without_power = self.is_on() && power.is_none();
     }
 
@@ -380,8 +380,11 @@ impl<'a, 'w> Machine<'a, 'w> {
         };
         self.z_mm = z_mm;
         if self.motion < 20 && block.has_any(b"IJR") {
-            let places = b"IJR".iter().filter(|it| block.value(**it).is_some());
-            let at = places.map(|&it| block.place(it)).min().unwrap_or(block.at);
+            let places = b"IJR".iter().filter(|c| block.value(**c).is_some());
+            let at = places
+                .map(|&place| block.place(place))
+                .min()
+                .unwrap_or(block.at);
             let expected = "I, J and R only with G2 or G3";
             let found = format!(
                 "the center of an arc with {}",
@@ -464,7 +467,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         let center = self.center(block, ends, origin, clockwise)?;
         let found = |found| self.found(block.at, found, "ends that fit the arc");
         let sweep_rad = sweep_rad(center, ends[0], ends[1], clockwise).map_err(found)?;
-        if let Some(turns) = block.value(b'P').filter(|&it| it != 1.0) {
+        if let Some(turns) = block.value(b'P').filter(|&value| value != 1.0) {
             let turns = format!("an arc of {turns} turns (P)");
             return Err(self.found(block.place(b'P'), turns, "at most one turn"));
         }
@@ -489,7 +492,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             let [i, j] = letters.map(char::from);
             return Err(self.found(block.at, found, &format!("{i} and {j}, or R")));
         }
-        let [i, j] = letters.map(|it| block.value(it).map(|it| it * self.unit_mm));
+        let [i, j] = letters.map(|letter| block.value(letter).map(|value| value * self.unit_mm));
         Ok(if self.centers_are_absolute {
             let x = i.map_or(from.x, |i| origin.x + i);
             Point::new(x, j.map_or(from.y, |j| origin.y + j))
@@ -522,7 +525,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             let expected = "Z (the depth) and R (the start height)";
             return Err(self.found(block.at, "a drilling cycle without a depth", expected));
         };
-        if let Some(times) = block.value(b'L').filter(|&it| it != 1.0) {
+        if let Some(times) = block.value(b'L').filter(|&value| value != 1.0) {
             let times = format!("a drilling cycle of {times} times (L)");
             return Err(self.found(block.place(b'L'), times, "single holes"));
         }
@@ -553,7 +556,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         if !block.has_any(b"XYZE") {
             return Err(self.found(block.at, "G92 without an axis", "X, Y or Z after it"));
         }
-        let value = |letter| block.value(letter).map(|it| it * self.unit_mm);
+        let value = |letter| block.value(letter).map(|value| value * self.unit_mm);
         let [x, y, z] = [b'X', b'Y', b'Z'].map(value);
         let origin = Point::new(
             x.map_or(self.origin.x, |x| self.at.x - x),
@@ -629,7 +632,7 @@ struct DrillCycle {
 fn servo_angle(block: &Block) -> Option<f64> {
     let s = block
         .value(b'S')
-        .filter(|it| (0.0..=180.0).contains(it) || *it == SERVO_OFF);
+        .filter(|value| (0.0..=180.0).contains(value) || *value == SERVO_OFF);
     s.filter(|_| block.m.has(3000) && block.value(b'P').is_none())
 }
 

@@ -107,20 +107,23 @@ impl ServoStatistics {
         end: Option<f64>,
     ) -> Option<(f64, UpSource)> {
         let first = self.angles.first()?;
-        let end = end.filter(|it| *it != first.angle);
+        let end = end.filter(|end| *end != first.angle);
         let last = end.filter(|_| self.has_moved_before);
         if self.angles.len() == 1 && last.is_none() {
             return None;
         }
-        let angles = || self.angles.iter().map(|it| it.angle).chain(last);
-        if let Some(told) = told_up(text, code).filter(|up| angles().any(|it| it == *up)) {
+        let angles = || self.angles.iter().map(|angle| angle.angle).chain(last);
+        if let Some(told) = told_up(text, code).filter(|up| angles().any(|angle| angle == *up)) {
             return Some((told, UpSource::Comment));
         }
         // The first one with the largest share.
         let shares = || self.angles.iter().map(AngleUse::share_of_rapids);
         let most = shares().fold(0.0, f64::max);
         if shares().any(|share| share < most) {
-            let up = self.angles.iter().find(|it| it.share_of_rapids() == most)?;
+            let up = self
+                .angles
+                .iter()
+                .find(|angle| angle.share_of_rapids() == most)?;
             return Some((up.angle, UpSource::Rapids));
         }
         Some(match (code, last) {
@@ -152,9 +155,9 @@ fn told_up(text: &[u8], code: ServoCode) -> Option<f64> {
         let comment = line.iter().position(|byte| b"(;".contains(byte))?;
         let (words, comment) = line.split_at(comment);
         let name = code.name().as_bytes();
-        let is_named = |it: &[u8]| {
-            it.strip_prefix(name)
-                .is_some_and(|it| !it.first().is_some_and(u8::is_ascii_digit))
+        let is_named = |byte: &[u8]| {
+            byte.strip_prefix(name)
+                .is_some_and(|rest| !rest.first().is_some_and(u8::is_ascii_digit))
         };
         if !(0..words.len()).any(|i| is_named(&words[i..])) || !calls_up(comment) {
             return None;

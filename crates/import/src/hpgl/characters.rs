@@ -86,7 +86,7 @@ impl Default for Characters {
 impl Characters {
     pub(super) fn cell(&self, transform: &PlotTransform) -> Cell {
         let [p1, p2] = transform.corners;
-        let percent = |it: Vec2| Vec2::new(it.x * (p2.x - p1.x), it.y * (p2.y - p1.y)) * 0.01;
+        let percent = |vec2: Vec2| Vec2::new(vec2.x * (p2.x - p1.x), vec2.y * (p2.y - p1.y)) * 0.01;
         let size_mm = match self.size {
             Size::Default => DEFAULT_CM * MM_PER_CM,
             Size::Absolute(cm) => cm * MM_PER_CM,
@@ -128,7 +128,7 @@ impl Origin {
     pub(super) fn of(number: f64) -> Option<Self> {
         let gap = if number > 10.0 { 0.5 } else { 0.0 };
         let base = number - 20.0 * gap;
-        let base = (1..=9_u8).find(|&it| f64::from(it) == base)? - 1;
+        let base = (1..=9_u8).find(|&i| f64::from(i) == base)? - 1;
         let share = Vec2::new(f64::from(base / 3), f64::from(base % 3)) * 0.5;
         Some(Self { share, gap })
     }

@@ -54,7 +54,7 @@ pub(super) fn commands(text: &[u8]) -> impl Iterator<Item = Result<Command<'_>, 
 /// start.
 fn number(text: &[u8]) -> Option<(f64, usize)> {
     let plain = decimal(text)?;
-    Some(real(text).filter(|it| it.1 > plain.1).unwrap_or(plain))
+    Some(real(text).filter(|x| x.1 > plain.1).unwrap_or(plain))
 }
 
 struct CommandLexer<'a> {
@@ -128,7 +128,7 @@ impl<'a> CommandLexer<'a> {
             let rest = rest.get(from..).unwrap_or_default();
             from + rest
                 .iter()
-                .take_while(|it| b"-0123456789;".contains(it))
+                .take_while(|byte| b"-0123456789;".contains(byte))
                 .count()
         };
         match rest.get(1) {
@@ -192,7 +192,7 @@ impl<'a> CommandLexer<'a> {
     /// Skips to a byte, and returns what was skipped.
     fn until(&mut self, end: u8) -> &'a [u8] {
         let rest = &self.text[self.at..];
-        let length = rest.iter().position(|&it| it == end);
+        let length = rest.iter().position(|&byte| byte == end);
         self.at += length.map_or(rest.len(), |length| length + 1);
         &rest[..length.unwrap_or(rest.len())]
     }
@@ -202,7 +202,7 @@ impl<'a> CommandLexer<'a> {
         let rest = &self.text[self.at..];
         if let Some(quote) = rest
             .iter()
-            .position(|&it| it != b' ')
+            .position(|&byte| byte != b' ')
             .filter(|&i| rest[i] == b'"')
         {
             self.at += quote + 1;
@@ -242,7 +242,7 @@ impl<'a> CommandLexer<'a> {
     /// A single character as an optional parameter.
     fn character(&mut self) -> &'a [u8] {
         let rest = &self.text[self.at..];
-        let length = usize::from(rest.first().is_some_and(|&it| it != b';'));
+        let length = usize::from(rest.first().is_some_and(|&rest| rest != b';'));
         self.at += length;
         &rest[..length]
     }

@@ -81,8 +81,8 @@ impl Decoder<'_> {
         let (bits, last) = if self.has_7_bits { (5, 95) } else { (6, 191) };
         let mut value = 0_u64;
         for shift in (0..MOST_BITS).step_by(bits) {
-            let digit = self.peek().map(|it| it & self.mask());
-            let digit = digit.filter(|&it| it >= 63 && it < last + (1 << bits));
+            let digit = self.peek().map(|next| next & self.mask());
+            let digit = digit.filter(|&digit| digit >= 63 && digit < last + (1 << bits));
             let digit = digit.ok_or((self.at, DIGIT))?;
             self.at += 1;
             let is_last = digit >= last;

@@ -53,7 +53,7 @@ impl Plotter<'_> {
         let mut unlike = |what, instead| labels.unlike.push((it.at, what, instead));
         match &it.name {
             b"BL" => labels.kept = decoded(it.bytes),
-            b"SM" => labels.symbol = decoded(it.bytes).chars().find(|it| *it > ' '),
+            b"SM" => labels.symbol = decoded(it.bytes).chars().find(|c| *c > ' '),
             b"SL" => labels.characters.slant = first,
             b"ES" if numbers.len() < 3 => {
                 labels.characters.extra = Point::new(first, it.number(1).unwrap_or_default());

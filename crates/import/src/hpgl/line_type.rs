@@ -66,7 +66,7 @@ impl Plotter<'_> {
     pub(super) fn set_line_type(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         self.end_dashes()?;
         let types = &mut self.line_types;
-        if let Some(number) = it.number(1).filter(|it| *it > 0.0) {
+        if let Some(number) = it.number(1).filter(|number| *number > 0.0) {
             types.length.number = number;
         }
         if let Some(mode) = it.number(2) {
@@ -101,7 +101,7 @@ impl Plotter<'_> {
                     );
                 };
                 let is_pattern =
-                    gaps.iter().all(|it| *it >= 0.0) && gaps.iter().any(|it| *it > 0.0);
+                    gaps.iter().all(|gap| *gap >= 0.0) && gaps.iter().any(|gap| *gap > 0.0);
                 patterns[pattern] = match gaps {
                     [] => PATTERNS[pattern].to_vec(),
                     _ if is_pattern && gaps.len() <= MOST_GAPS => gaps.to_vec(),
@@ -138,7 +138,7 @@ impl Plotter<'_> {
         };
         let shares = &types.patterns[line_type.pattern];
         let factor = types.length.mm(&self.transform) / shares.iter().sum::<f64>();
-        let lengths: Vec<f64> = shares.iter().map(|it| it * factor).collect();
+        let lengths: Vec<f64> = shares.iter().map(|share| share * factor).collect();
         if line_type.is_adaptive {
             return self.sketch.fit_dashes_since(&mark, &lengths);
         }

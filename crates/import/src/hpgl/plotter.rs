@@ -260,7 +260,7 @@ impl<'a> Plotter<'a> {
         if self.select(it)? {
             self.begin_dashes();
             let mut lines = points.windows(2);
-            lines.try_for_each(|it| self.sketch.line(it[0], it[1]))?;
+            lines.try_for_each(|line| self.sketch.line(line[0], line[1]))?;
         }
         Ok(())
     }
@@ -339,14 +339,17 @@ impl<'a> Plotter<'a> {
             reason = "a shade; saturates"
         )]
         let color = [red, green, blue].map(|it| it as u8);
-        self.colors.retain(|it| it.0 != pen);
+        self.colors.retain(|color| color.0 != pen);
         if self.colors.len() < MOST_PENS {
             self.colors.push((pen, color));
         }
     }
 
     fn color_of(&self, pen: f64) -> Option<[u8; 3]> {
-        self.colors.iter().find(|it| it.0 == pen).map(|it| it.1)
+        self.colors
+            .iter()
+            .find(|color| color.0 == pen)
+            .map(|at| at.1)
     }
 
     fn color(&self) -> Option<[u8; 3]> {
@@ -360,7 +363,9 @@ impl<'a> Plotter<'a> {
         self.lift(it)?;
         self.pen = match number {
             // Pen 0 is white, and draws nothing, unless it has an explicit colour.
-            Some(0.0) if self.color_of(0.0).is_some_and(|it| it != WHITE) => PenChoice::Number(0.0),
+            Some(0.0) if self.color_of(0.0).is_some_and(|color| color != WHITE) => {
+                PenChoice::Number(0.0)
+            }
             None | Some(0.0) => PenChoice::None,
             Some(number) => PenChoice::Number(number),
         };
@@ -371,7 +376,7 @@ impl<'a> Plotter<'a> {
     /// VS: the speed, in centimetres per second.
     fn set_speed(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         let speed_mm_s = it.number(0).map(|cm_s| cm_s * 10.0);
-        if speed_mm_s.is_some_and(|it| it <= 0.0) {
+        if speed_mm_s.is_some_and(|speed_mm_s| speed_mm_s <= 0.0) {
             return Err(self.refused(it, "a speed above 0 cm/s"));
         }
         if self.speed_mm_s != speed_mm_s {

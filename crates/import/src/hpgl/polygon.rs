@@ -28,7 +28,7 @@ impl Ring {
             *begin = end;
             Some(line)
         });
-        lines.filter(|it| it.len() > 1)
+        lines.filter(|line| line.len() > 1)
     }
 }
 
@@ -46,7 +46,7 @@ impl Polygon {
 
     /// The rings that FP fills.
     pub(super) fn filled(&self) -> Vec<Vec<Point>> {
-        self.rings.iter().map(|it| it.points.clone()).collect()
+        self.rings.iter().map(|ring| ring.points.clone()).collect()
     }
 
     /// PM0: clears the buffer.

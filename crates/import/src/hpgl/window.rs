@@ -51,7 +51,7 @@ impl Plotter<'_> {
 
     /// Starts drawing: everything from here on is in the window.
     pub(super) fn begin_window(&mut self) {
-        if let Some(window) = self.window.as_mut().filter(|it| it.since.is_none()) {
+        if let Some(window) = self.window.as_mut().filter(|window| window.since.is_none()) {
             window.since = Some(self.sketch.mark());
         }
     }
@@ -74,7 +74,7 @@ impl Plotter<'_> {
 
     /// Clips what was drawn up to here, and continues with the same window.
     pub(super) fn renew_window(&mut self) -> Result<(), SourceError> {
-        let corners = self.window.as_ref().map(|it| it.corners);
+        let corners = self.window.as_ref().map(|window| window.corners);
         self.end_window()?;
         self.window = corners.map(|corners| Window {
             corners,

@@ -58,7 +58,11 @@ impl Cut {
 
     fn read(file: &str, node: Node<'_, '_>, index: u32) -> Result<Self, SourceError> {
         let mode = node.attribute("type").unwrap_or_default();
-        let flag = |name| Field::value(node, name).map(|it| it.flag(file)).transpose();
+        let flag = |name| {
+            Field::value(node, name)
+                .map(|field| field.flag(file))
+                .transpose()
+        };
         let is_tool = mode == "Tool" || TOOLS.contains(&index);
         let output = match (is_tool, flag("doOutput")?, flag("hide")?) {
             (true, ..) => Output::Tool,
@@ -66,19 +70,19 @@ impl Cut {
             (.., Some(true)) => Output::Hidden,
             _ => Output::On,
         };
-        let filling = match Field::value(node, "scanOpt").map(|it| it.text) {
+        let filling = match Field::value(node, "scanOpt").map(|field| field.text) {
             Some("byGroup") => Filling::Group,
             Some("individual") => Filling::Shape,
             _ => Filling::Layer,
         };
         let fills = mode.contains("Scan") || mode.contains("Offset");
-        let name = Field::value(node, "name").map(|it| printable(it.text.trim()));
-        let priority = Field::value(node, "priority").map(|it| it.number(file));
+        let name = Field::value(node, "name").map(|field| printable(field.text.trim()));
+        let priority = Field::value(node, "priority").map(|field| field.number(file));
         #[expect(clippy::cast_possible_truncation, reason = "at most 1e9")]
-        let priority = priority.transpose()?.map(|it| it as i64);
+        let priority = priority.transpose()?.map(|result| result as i64);
         Ok(Self {
             name: name
-                .filter(|it| !it.is_empty())
+                .filter(|name| !name.is_empty())
                 .unwrap_or_else(|| code(index)),
             color: palette::color(index),
             filling: fills.then_some(filling),
@@ -109,7 +113,10 @@ pub(super) struct Cuts(BTreeMap<u32, Cut>);
 impl Cuts {
     pub(super) fn read(file: &str, root: Node<'_, '_>) -> Result<Self, SourceError> {
         let mut cuts = BTreeMap::new();
-        for node in root.children().filter(|it| it.has_tag_name("CutSetting")) {
+        for node in root
+            .children()
+            .filter(|child| child.has_tag_name("CutSetting"))
+        {
             let index = Field::value(node, "index").ok_or_else(|| {
                 let at = node.range().start;
                 let found = "a <CutSetting> without an <index>";
@@ -132,9 +139,9 @@ impl Cuts {
 
     /// The burned layers, in order.
     pub(super) fn in_order(&self) -> Vec<&Cut> {
-        let is_burned = |it: &&Cut| matches!(it.output, Output::On | Output::Hidden);
+        let is_burned = |cut: &&Cut| matches!(cut.output, Output::On | Output::Hidden);
         let mut cuts: Vec<&Cut> = self.0.values().filter(is_burned).collect();
-        cuts.sort_by_key(|it| it.priority);
+        cuts.sort_by_key(|cut| cut.priority);
         cuts
     }
 
@@ -145,7 +152,7 @@ impl Cuts {
 
 /// The name of a layer without a name in `LightBurn`.
 fn code(index: u32) -> String {
-    match TOOLS.iter().position(|it| *it == index) {
+    match TOOLS.iter().position(|tool| *tool == index) {
         Some(tool) => format!("T{}", tool + 1),
         None => format!("C{index:02}"),
     }

@@ -26,16 +26,16 @@ impl<'d> Field<'d> {
 
     /// The value of a child such as `<index Value="0"/>`.
     pub(super) fn value(node: Node<'d, '_>, name: &str) -> Option<Self> {
-        let child = node.children().find(|it| it.has_tag_name(name))?;
+        let child = node.children().find(|child| child.has_tag_name(name))?;
         Self::attribute(child, "Value")
     }
 
     /// The content of a child such as `<XForm>1 0 0 1 0 0</XForm>`; empty if it has none.
     pub(super) fn content(node: Node<'d, '_>, name: &str) -> Option<Self> {
-        let child = node.children().find(|it| it.has_tag_name(name))?;
+        let child = node.children().find(|child| child.has_tag_name(name))?;
         let text = child.first_child().filter(Node::is_text);
         Some(Self {
-            text: text.and_then(|it| it.text()).unwrap_or_default(),
+            text: text.and_then(|text| text.text()).unwrap_or_default(),
             at: text.map_or(child.range().start, |it| it.range().start),
         })
     }
@@ -43,7 +43,7 @@ impl<'d> Field<'d> {
     /// A number of at most 1e9.
     pub(super) fn number(self, file: &str) -> Result<f64, SourceError> {
         let number = self.text.trim().parse().ok();
-        let number = number.filter(|it: &f64| it.abs() <= MAX_NUMBER);
+        let number = number.filter(|x: &f64| x.abs() <= MAX_NUMBER);
         number.ok_or_else(|| self.refused(file, "a number of at most 1e9"))
     }
 

@@ -108,12 +108,12 @@ pub(super) fn old_vertices(
         let at = Point::new(number(file, node, "vx")?, number(file, node, "vy")?);
         let pull = |name| {
             let field = Field::attribute(node, name);
-            field.map(|it| it.number(file)).transpose()
+            field.map(|field| field.number(file)).transpose()
         };
         let pulls = [pull("c0x")?, pull("c0y")?, pull("c1x")?, pull("c1y")?];
         Ok(vertex(at, pulls))
     };
-    let nodes = shape.children().filter(|it| it.has_tag_name("V"));
+    let nodes = shape.children().filter(|child| child.has_tag_name("V"));
     nodes.map(read).collect()
 }
 
@@ -144,7 +144,7 @@ pub(super) fn old_joints(
             at,
         })
     };
-    let nodes = shape.children().filter(|it| it.has_tag_name("P"));
+    let nodes = shape.children().filter(|child| child.has_tag_name("P"));
     nodes
         .map(read)
         .collect::<Result<_, _>>()
@@ -195,7 +195,11 @@ impl<'d> List<'d> {
     }
 
     fn skip(&mut self, is_skipped: impl Fn(&u8) -> bool) {
-        self.offset += self.rest().iter().take_while(|it| is_skipped(it)).count();
+        self.offset += self
+            .rest()
+            .iter()
+            .take_while(|rest| is_skipped(rest))
+            .count();
     }
 
     fn goes_on(&mut self) -> bool {
@@ -214,7 +218,7 @@ impl<'d> List<'d> {
         let rest = self.rest();
         let which = words
             .iter()
-            .position(|it| rest.starts_with(it.as_bytes()))?;
+            .position(|word| rest.starts_with(word.as_bytes()))?;
         self.offset += words[which].len();
         Some(which)
     }
@@ -239,7 +243,7 @@ impl<'d> List<'d> {
         self.skip_spaces();
         let start = self.offset;
         let rest = self.rest();
-        let length = rest.iter().take_while(|it| it.is_ascii_digit()).count();
+        let length = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
         let count = self.field.text[start..start + length].parse();
         let count = count.map_err(|_| self.refused())?;
         self.offset += length;

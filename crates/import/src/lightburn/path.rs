@@ -110,7 +110,7 @@ impl<'d, T> ListsOf<'d, T> {
             return Err(number.refused(file, &expected));
         };
         // It has its own list with the same number.
-        if let Some(own) = own.filter(|it| it.at != of_number.field.at) {
+        if let Some(own) = own.filter(|value| value.at != of_number.field.at) {
             return (self.read)(file, own, budget).map(Rc::new);
         }
         if let Some(list) = &of_number.list {

@@ -109,7 +109,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
     }
 
     fn shape(&mut self, shape: Node<'d, '_>, pose: Pose) -> Result<(), SourceError> {
-        let cut = Field::attribute(shape, "CutIndex").map(|it| it.count(self.file));
+        let cut = Field::attribute(shape, "CutIndex").map(|field| field.count(self.file));
         let pose = Pose {
             cut: cut.transpose()?.unwrap_or(pose.cut),
             ..pose
@@ -155,7 +155,9 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
             depth: pose.depth + 1,
             ..pose
         };
-        let lists = group.children().filter(|it| it.has_tag_name("Children"));
+        let lists = group
+            .children()
+            .filter(|child| child.has_tag_name("Children"));
         for shape in lists.flat_map(shapes_in) {
             self.shape(shape, pose)?;
         }
@@ -165,7 +167,10 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
     /// Draws a text by the outlines stored in the file, in project coordinates whatever group the
     /// text is in.
     fn text(&mut self, text: Node<'d, '_>, pose: Pose) -> Result<(), SourceError> {
-        if let Some(outlines) = text.children().find(|it| it.has_tag_name("BackupPath")) {
+        if let Some(outlines) = text
+            .children()
+            .find(|child| child.has_tag_name("BackupPath"))
+        {
             let pose = Pose {
                 frame: self.frame,
                 // A text in the outlines of a text would recurse forever.
@@ -235,11 +240,11 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         let Some(field) = Field::content(shape, "XForm") else {
             return Ok(outer);
         };
-        let numbers = field.text.split_whitespace().map(|it| it.parse().ok());
-        let numbers = numbers.map(|it| it.filter(|it: &f64| it.abs() <= MAX_NUMBER));
+        let numbers = field.text.split_whitespace().map(|word| word.parse().ok());
+        let numbers = numbers.map(|number| number.filter(|x: &f64| x.abs() <= MAX_NUMBER));
         // One more than allowed.
         let numbers: Option<Vec<f64>> = numbers.take(7).collect();
-        let numbers = numbers.and_then(|it| <[f64; 6]>::try_from(it).ok());
+        let numbers = numbers.and_then(|number| <[f64; 6]>::try_from(number).ok());
         let numbers =
             numbers.ok_or_else(|| field.refused(self.file, "six numbers of at most 1e9"))?;
         Ok(outer * Affine::new(numbers))
@@ -281,7 +286,9 @@ impl LeftOut {
 }
 
 fn shapes_in<'d, 'i>(parent: Node<'d, 'i>) -> impl Iterator<Item = Node<'d, 'i>> {
-    parent.children().filter(|it| it.has_tag_name("Shape"))
+    parent
+        .children()
+        .filter(|child| child.has_tag_name("Shape"))
 }
 
 /// The largest nesting depth of groups.

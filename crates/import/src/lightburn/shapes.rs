@@ -123,7 +123,9 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
         for &joint in joints {
             let points = self.joint_points(frame, &vertices, joint)?;
             match contours.last_mut() {
-                Some(contour) if !contour.closed && last.is_some_and(|it| it.to == joint.from) => {
+                Some(contour)
+                    if !contour.closed && last.is_some_and(|last| last.to == joint.from) =>
+                {
                     contour.points.extend(&points[1..]);
                     contour.closed = is_closed(&contour.points);
                 }

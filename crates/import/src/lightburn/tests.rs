@@ -46,7 +46,7 @@ fn draw(inside: &str) -> Artwork {
     let (artwork, warnings) = read_text(&project(&(cut(0, "Cut", "") + inside)));
     let others = warnings
         .into_iter()
-        .filter(|it| !it.contains("laser layer"));
+        .filter(|warning| !warning.contains("laser layer"));
     assert_eq!(others.collect::<Vec<_>>(), [""; 0]);
     artwork
 }
@@ -57,17 +57,30 @@ fn error(text: &str) -> String {
 }
 
 fn strokes(artwork: &Artwork) -> Vec<&Stroke> {
-    artwork.layers.iter().flat_map(|it| &it.strokes).collect()
+    artwork
+        .layers
+        .iter()
+        .flat_map(|layer| &layer.strokes)
+        .collect()
 }
 
 fn corners(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
     let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
-    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+    let corners = |stroke: &Stroke| {
+        stroke
+            .points
+            .iter()
+            .map(|p| (round(p.x), round(p.y)))
+            .collect()
+    };
     strokes(artwork).into_iter().map(corners).collect()
 }
 
 fn length_mm(artwork: &Artwork) -> f64 {
-    strokes(artwork).iter().map(|it| it.length_mm()).sum()
+    strokes(artwork)
+        .iter()
+        .map(|stroke| stroke.length_mm())
+        .sum()
 }
 
 #[track_caller]
@@ -95,8 +108,8 @@ fn a_rectangle_lies_about_its_middle_and_y_points_up() {
     assert_eq!([artwork.width_mm, artwork.height_mm], [10.0, 10.0]);
     let boxes: Vec<_> = strokes(&artwork)
         .into_iter()
-        .map(|it| bounds_of_strokes(std::slice::from_ref(it)))
-        .map(|it| (it.x0, it.y0, it.x1, it.y1))
+        .map(|stroke| bounds_of_strokes(std::slice::from_ref(stroke)))
+        .map(|stroke| (stroke.x0, stroke.y0, stroke.x1, stroke.y1))
         .collect();
     assert_eq!(boxes, [(0.0, 6.0, 2.0, 10.0), (8.0, 0.0, 10.0, 2.0)]);
 }

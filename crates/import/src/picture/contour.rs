@@ -81,7 +81,10 @@ impl EdgeMap<'_> {
     }
 
     fn middle_is_dark(&self, corners: [usize; 4]) -> bool {
-        let sum: f64 = corners.map(|it| f64::from(self.tone.ink[it])).iter().sum();
+        let sum: f64 = corners
+            .map(|corner| f64::from(self.tone.ink[corner]))
+            .iter()
+            .sum();
         sum / 4.0 >= self.threshold
     }
 
@@ -185,7 +188,7 @@ mod tests {
         fn every_line_ends_at_the_border_or_in_itself(
             ink in prop::collection::vec(0..4_u8, 64), threshold in 0.05..0.95,
         ) {
-            let ink: Vec<f32> = ink.into_iter().map(|it| f32::from(it) / 3.0).collect();
+            let ink: Vec<f32> = ink.into_iter().map(|item| f32::from(item) / 3.0).collect();
             let tone = tone(8, ink);
             let at_border = |p: Point| p.x == 0.5 || p.y == 0.5 || p.x == 7.5 || p.y == 7.5;
             let mut crossings = 0;
@@ -195,7 +198,7 @@ mod tests {
                 prop_assert!(first == last || at_border(first) && at_border(last), "{:?}", line);
             }
             // Each edge between a darker and a lighter cell is crossed exactly once.
-            let dark: Vec<bool> = tone.ink.iter().map(|&it| f64::from(it) >= threshold).collect();
+            let dark: Vec<bool> = tone.ink.iter().map(|&item| f64::from(item) >= threshold).collect();
             let right = (0..64).filter(|i| i % 8 < 7 && dark[*i] != dark[i + 1]).count();
             let down = (0..56).filter(|i| dark[*i] != dark[i + 8]).count();
             prop_assert!(crossings >= right + down, "{} of {}", crossings, right + down);

@@ -77,7 +77,7 @@ pub(crate) fn format(bytes: &[u8]) -> Option<ImageFormat> {
             bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*"),
         ),
     ];
-    formats.into_iter().find(|it| it.1).map(|it| it.0)
+    formats.into_iter().find(|format| format.1).map(|at| at.0)
 }
 
 fn known_format(bytes: &[u8]) -> Result<ImageFormat, ImageError> {
@@ -90,8 +90,8 @@ fn known_format(bytes: &[u8]) -> Result<ImageFormat, ImageError> {
 /// Reads the header only.
 pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
     match known_format(bytes)? {
-        ImageFormat::Png => png(bytes).map(|it| it.header),
-        ImageFormat::Jpeg => jpeg(bytes).map(|it| it.header),
+        ImageFormat::Png => png(bytes).map(|png| png.header),
+        ImageFormat::Jpeg => jpeg(bytes).map(|jpeg| jpeg.header),
         format => others::header(bytes, format),
     }
 }
@@ -172,11 +172,17 @@ fn add_grey(grey: &mut Vec<u8>, row: &[u8], color: ColorType, paper: u8) {
     match color {
         ColorType::Grayscale | ColorType::Indexed => grey.extend_from_slice(row),
         ColorType::GrayscaleAlpha => {
-            grey.extend(row.chunks_exact(2).map(|it| on_paper(it[0], it[1])));
+            grey.extend(
+                row.chunks_exact(2)
+                    .map(|chunk| on_paper(chunk[0], chunk[1])),
+            );
         }
         ColorType::Rgb => grey.extend(row.chunks_exact(3).map(luma)),
         ColorType::Rgba => {
-            grey.extend(row.chunks_exact(4).map(|it| on_paper(luma(it), it[3])));
+            grey.extend(
+                row.chunks_exact(4)
+                    .map(|chunk| on_paper(luma(chunk), chunk[3])),
+            );
         }
     }
 }

@@ -238,7 +238,7 @@ impl Drawn {
     fn take_back(&mut self, points: &[Point], line: usize) {
         for &p in points {
             let [x, y] = self.square(p);
-            self.squares[y * self.columns + x].retain(|it| it.line != line);
+            self.squares[y * self.columns + x].retain(|square| square.line != line);
         }
     }
 
@@ -249,7 +249,7 @@ impl Drawn {
             let row = &self.squares[y * self.columns + x0..=y * self.columns + x1];
             row.iter()
                 .flatten()
-                .any(|it| it.at.distance(mark.at) < within_mm && !it.is_beside(mark, within_mm))
+                .any(|row| row.at.distance(mark.at) < within_mm && !row.is_beside(mark, within_mm))
         })
     }
 
@@ -275,7 +275,7 @@ fn starts(page: Point, spacing_mm: f64, seed: u64) -> Vec<Point> {
         }
     }
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    starts.into_iter().map(|it| it.1).collect()
+    starts.into_iter().map(|start| start.1).collect()
 }
 
 /// The distance between corners, in spacings.

@@ -160,7 +160,7 @@ impl Histogram {
 fn borders(tones: &[f64]) -> Vec<f64> {
     tones
         .windows(2)
-        .map(|it| f64::midpoint(it[0], it[1]))
+        .map(|pair| f64::midpoint(pair[0], pair[1]))
         .collect()
 }
 

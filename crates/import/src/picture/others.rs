@@ -12,7 +12,7 @@ use crate::error::ImageError;
 
 /// Reads the header only.
 pub(super) fn header(bytes: &[u8], format: ImageFormat) -> Result<Header, ImageError> {
-    decoder(bytes, format).map(|it| it.1)
+    decoder(bytes, format).map(|decoder| decoder.1)
 }
 
 /// Reads header and pixels, 0 for black and 255 for white; transparent pixels become `paper`. Of an
@@ -25,7 +25,9 @@ pub(super) fn pixels(
     let (decoder, header) = decoder(bytes, format)?;
     let image = DynamicImage::from_decoder(decoder).map_err(|error| damaged(format, &error))?;
     let image = image.into_luma_alpha8();
-    let grey = image.pixels().map(|it| on_paper(it.0[0], it.0[1], paper));
+    let grey = image
+        .pixels()
+        .map(|pixel| on_paper(pixel.0[0], pixel.0[1], paper));
     Ok((header, grey.collect()))
 }
 

@@ -20,9 +20,11 @@ pub(super) fn outlines(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<S
         None => (Histogram::of(&tone).thresholds(shading.levels), GENTLE),
     };
     let tone = tone.blurred(SOFTNESS * spacing_mm);
-    let lines = thresholds.iter().flat_map(|&it| contours(&tone, it));
-    let seen = lines.filter(|it| is_seen(it, spacing_mm));
-    seen.filter(|it| steepness(&tone, it, spacing_mm) >= least)
+    let lines = thresholds
+        .iter()
+        .flat_map(|&threshold| contours(&tone, threshold));
+    let seen = lines.filter(|line| is_seen(line, spacing_mm));
+    seen.filter(|item| steepness(&tone, item, spacing_mm) >= least)
         .collect()
 }
 
@@ -45,7 +47,7 @@ fn steepness(tone: &Tone, stroke: &Stroke, spacing_mm: f64) -> f64 {
 fn area_mm2(ring: &[Point]) -> f64 {
     let twice: f64 = ring
         .windows(2)
-        .map(|it| it[0].to_vec2().cross(it[1].to_vec2()))
+        .map(|pair| pair[0].to_vec2().cross(pair[1].to_vec2()))
         .sum();
     twice.abs() / 2.0
 }

@@ -155,7 +155,7 @@ mod tests {
             vec![vec![p(0.0, 2.0), p(4.0, 2.0)]],
         ];
         let strokes = woven(lines, 1.5);
-        let points: Vec<usize> = strokes.iter().map(|it| it.points.len()).collect();
+        let points: Vec<usize> = strokes.iter().map(|stroke| stroke.points.len()).collect();
         assert_eq!(points, [4, 4]);
         assert_eq!(strokes[0].last(), Some(p(5.0, 1.0)));
         assert_eq!(strokes[1].last(), Some(p(0.0, 2.0)));

@@ -144,7 +144,7 @@ fn dots_are_shared_out_as_the_tone_is() {
             stipple::stippled(&tone, &shading, 1.0)
         });
         let dots: Vec<Stroke> = drawings.flatten().collect();
-        let on_the_left = dots.iter().filter(|it| it.points[0].x < 20.0).count();
+        let on_the_left = dots.iter().filter(|dot| dot.points[0].x < 20.0).count();
         let share = count(on_the_left) / count(dots.len());
         let wanted = left / (left + right);
         assert!((share / wanted - 1.0).abs() < 0.1, "{share}, not {wanted}");
@@ -226,7 +226,7 @@ fn each_darker_tone_is_hatched_in_one_more_direction() {
             }
         }
     }
-    assert_eq!(directions.map(|it| it.len()), [0, 1, 2, 3, 4]);
+    assert_eq!(directions.map(|direction| direction.len()), [0, 1, 2, 3, 4]);
 }
 
 #[test]
@@ -246,7 +246,7 @@ fn lines_leave_the_more_ink_the_darker_it_is() {
         }
         assert_eq!(ink_mm[0], 0.0, "{style:?}");
         assert!(
-            ink_mm.windows(2).all(|it| it[1] > 1.05 * it[0]),
+            ink_mm.windows(2).all(|pair| pair[1] > 1.05 * pair[0]),
             "{style:?} {ink_mm:?}"
         );
     }
@@ -373,10 +373,10 @@ fn every_kind_of_png_is_read() {
     let eight = [0, 128, 255, 64];
     let plain = encoded(2, 2, ColorType::Grayscale, BitDepth::Eight, &eight);
     assert_eq!(seen(&plain), eight);
-    let sixteen: Vec<u8> = eight.iter().flat_map(|&it| [it, it]).collect();
+    let sixteen: Vec<u8> = eight.iter().flat_map(|&item| [item, item]).collect();
     let file = encoded(2, 2, ColorType::Grayscale, BitDepth::Sixteen, &sixteen);
     assert_eq!(seen(&file), eight);
-    let colors = eight.map(|it| [it; 3]).concat();
+    let colors = eight.map(|item| [item; 3]).concat();
     let file = encoded(2, 2, ColorType::Rgb, BitDepth::Eight, &colors);
     assert_eq!(seen(&file), eight);
     let bits = encoded(2, 2, ColorType::Grayscale, BitDepth::One, &[0x40, 0x80]);
@@ -393,7 +393,7 @@ fn every_kind_of_jpeg_is_read() {
         let seen = seen(file);
         assert_eq!(seen.len(), 256);
         assert!(
-            seen.iter().all(|it| it.abs_diff(wanted) < 4),
+            seen.iter().all(|item| item.abs_diff(wanted) < 4),
             "{seen:?}, not {wanted}"
         );
     };
@@ -592,7 +592,7 @@ fn sized(format: image::ImageFormat, [width, height]: [u16; 2]) -> Vec<u8> {
         Bmp => [18, 22],
         // The tags of TIFF for width and height, each with one number.
         _ => [0_u8, 1].map(|tag| {
-            let is_entry = |it: &[u8]| it[..2] == [tag, 1] && it[4..8] == [1, 0, 0, 0];
+            let is_entry = |byte: &[u8]| byte[..2] == [tag, 1] && byte[4..8] == [1, 0, 0, 0];
             8 + file.windows(8).position(is_entry).unwrap()
         }),
     };
@@ -676,7 +676,7 @@ fn the_bundled_photo_is_drawn_in_every_style() {
                 ..options(style)
             },
         );
-        let points: usize = strokes.iter().map(|it| it.points.len()).sum();
+        let points: usize = strokes.iter().map(|stroke| stroke.points.len()).sum();
         assert!(
             (500..20_000).contains(&points),
             "{style:?}: {points} points"

@@ -22,10 +22,10 @@ pub(crate) fn is_likely(start: &str) -> bool {
     let first = start.lines().next().unwrap_or_default();
     let fields = first
         .split([',', ';', '\t'])
-        .map(|it| it.trim().to_ascii_lowercase());
+        .map(|part| part.trim().to_ascii_lowercase());
     let fields: Vec<String> = fields.collect();
-    let has = |name: &str| fields.iter().any(|it| it == name);
-    let is_number = |it: &String| it.parse::<f64>().is_ok();
+    let has = |name: &str| fields.iter().any(|field| field == name);
+    let is_number = |text: &String| text.parse::<f64>().is_ok();
     (has("x") && has("y")) || (fields.len() >= 2 && fields.iter().all(is_number))
 }
 
@@ -117,11 +117,13 @@ impl<'a> CsvReader<'a> {
     /// Parses the header, or the first points.
     fn first_line(&mut self, at: usize, line: &'a str) -> Result<(), SourceError> {
         let separators = [';', '\t', ','];
-        let separator = separators.into_iter().find(|&it| line.contains(it));
+        let separator = separators
+            .into_iter()
+            .find(|&separator| line.contains(separator));
         let separator = separator.unwrap_or(',');
         let names: Vec<String> = line
             .split(separator)
-            .map(|it| it.trim().to_ascii_lowercase())
+            .map(|part| part.trim().to_ascii_lowercase())
             .collect();
         let column = |name: &str| names.iter().position(|it| it == name);
         let (Some(x), Some(y)) = (column("x"), column("y")) else {
@@ -142,7 +144,7 @@ impl<'a> CsvReader<'a> {
             return self.line(at, line);
         };
         let known = ["x", "y", "stroke", "pen"];
-        for name in names.iter().filter(|it| !known.contains(&it.as_str())) {
+        for name in names.iter().filter(|name| !known.contains(&name.as_str())) {
             let what = format!("column {:?}", shortened(name));
             self.sketch.warn(at, &what, "left out");
         }
@@ -160,11 +162,11 @@ impl<'a> CsvReader<'a> {
 
     fn number(&self, field: &'a str) -> Result<f64, SourceError> {
         let field = field.trim();
-        let is_plain = field.bytes().all(|it| b"0123456789+-.eE".contains(&it));
+        let is_plain = field.bytes().all(|byte| b"0123456789+-.eE".contains(&byte));
         let number = field
             .parse()
             .ok()
-            .filter(|it: &f64| is_plain && it.is_finite());
+            .filter(|x: &f64| is_plain && x.is_finite());
         number.ok_or_else(|| {
             let at = field.as_ptr() as usize - self.text.as_ptr() as usize;
             let found = format!("{:?}", shortened(field));

@@ -72,15 +72,15 @@ impl StrokeReader<'_, '_> {
         self.sketch.use_layer(Layer {
             name: stroke
                 .layer
-                .or(stroke.color.as_ref().map(|it| it.name.clone()))
+                .or(stroke.color.as_ref().map(|color| color.name.clone()))
                 .unwrap_or_default(),
-            color: stroke.color.map(|it| it.parts),
+            color: stroke.color.map(|color| color.parts),
             ..Layer::default()
         })?;
         // Without spare capacity, for there may be a million of them.
         let list = stroke.points.0;
         let mut points = Vec::with_capacity(list.len() + usize::from(stroke.closed));
-        points.extend(list.into_iter().map(|it| it.0));
+        points.extend(list.into_iter().map(|entry| entry.0));
         if stroke.closed && points.len() > 2 && points.first() != points.last() {
             points.extend(points.first().copied());
         }
@@ -368,7 +368,7 @@ impl<'de> Deserialize<'de> for Color {
 
 fn parts(color: &str) -> Option<[u8; 3]> {
     let digits = color.strip_prefix('#')?;
-    let is_hex = digits.len() == 6 && digits.bytes().all(|it| it.is_ascii_hexdigit());
+    let is_hex = digits.len() == 6 && digits.bytes().all(|byte| byte.is_ascii_hexdigit());
     let number = u32::from_str_radix(digits, 16).ok().filter(|_| is_hex)?;
     let [_, red, green, blue] = number.to_be_bytes();
     Some([red, green, blue])

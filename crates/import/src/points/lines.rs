@@ -16,7 +16,7 @@ pub(crate) fn read(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(b"", options)?;
     for (number, line) in (1..).zip(lines) {
-        if let Some(at) = line.iter().position(|it| !is_allowed(*it)) {
+        if let Some(at) = line.iter().position(|point| !is_allowed(*point)) {
             return Err(SourceError::Point {
                 line: number,
                 point: at + 1,

@@ -46,10 +46,10 @@ fn a_file_of_more_bytes_than_its_kind_has_is_refused_before_it_is_read() {
 
 /// Name, strokes and closed strokes of each layer.
 fn layers(artwork: &Artwork) -> Vec<(&str, usize, usize)> {
-    let closed = |it: &Layer| it.strokes.iter().filter(|it| it.closed).count();
+    let closed = |layer: &Layer| layer.strokes.iter().filter(|stroke| stroke.closed).count();
     let layers = artwork.layers.iter();
     layers
-        .map(|it| (it.name.as_str(), it.strokes.len(), closed(it)))
+        .map(|layer| (layer.name.as_str(), layer.strokes.len(), closed(layer)))
         .collect()
 }
 
@@ -92,7 +92,11 @@ fn the_gear_has_24_teeth_and_its_holes_are_for_another_pen() {
 #[test]
 fn the_dial_has_labels_around_it_and_a_pointer_for_another_pen() {
     let dial = example("dial.plt");
-    let found: Vec<&str> = dial.layers.iter().map(|it| it.name.as_str()).collect();
+    let found: Vec<&str> = dial
+        .layers
+        .iter()
+        .map(|layer| layer.name.as_str())
+        .collect();
     assert_eq!(found, ["pen 1", "pen 2"]);
     assert!((dial.layers[1].strokes[0].length_mm() - 36.75).abs() < 0.1);
     assert!(dial.layers[0].strokes.len() > 60);
@@ -109,7 +113,10 @@ fn the_bracket_has_an_outline_and_holes() {
 #[test]
 fn the_tag_is_filled_drawn_and_cut_in_this_order() {
     let (tag, warnings) = example_with_warnings("tag.lbrn2");
-    let told: Vec<&str> = warnings.iter().map(|it| it.what.as_str()).collect();
+    let told: Vec<&str> = warnings
+        .iter()
+        .map(|warning| warning.what.as_str())
+        .collect();
     assert_eq!(told, ["tool-layer shape", "laser layer"]);
     has_size(&tag, [90.0, 50.0]);
     assert_eq!(

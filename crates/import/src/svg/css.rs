@@ -119,11 +119,11 @@ struct Custom<'a> {
 fn custom(css: &str) -> impl Iterator<Item = Custom<'_>> {
     let mut done = 0;
     std::iter::from_fn(move || {
-        while let Some(at) = css[done..].find("--").map(|it| done + it) {
+        while let Some(at) = css[done..].find("--").map(|at| done + at) {
             let rest = &css[at..];
             let name = &rest[..name_end(rest)];
             let before = css[done..at].trim_end().chars().next_back();
-            let begins = before.is_none_or(|it| ";{}/".contains(it));
+            let begins = before.is_none_or(|before| ";{}/".contains(before));
             done = at + name.len();
             let value = rest[name.len()..].trim_start().strip_prefix(':');
             if let (true, Some(value)) = (begins, value) {
@@ -182,10 +182,12 @@ fn comma(arguments: &str) -> usize {
 /// Converts channels from 0 to 1 to percent, as in `rgb`.
 fn percent(channels: &str) -> String {
     let (colors, alpha) = channels.split_once('/').unwrap_or((channels, "1"));
-    let colors = colors.split_whitespace().map(|it| match it.parse::<f64>() {
-        Ok(share) => format!("{}%", 100.0 * share),
-        Err(_) => it.to_owned(),
-    });
+    let colors = colors
+        .split_whitespace()
+        .map(|word| match word.parse::<f64>() {
+            Ok(share) => format!("{}%", 100.0 * share),
+            Err(_) => word.to_owned(),
+        });
     let colors: Vec<String> = colors.collect();
     format!("{} / {alpha}", colors.join(" "))
 }
@@ -201,7 +203,7 @@ fn rem_to_px(css: &str) -> Option<String> {
     let mut whole = String::new();
     let mut done = 0;
     for (at, unit) in css.match_indices("rem") {
-        let before = css[done..at].trim_end_matches(|it: char| it.is_ascii_digit() || it == '.');
+        let before = css[done..at].trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
         let begin = done + before.len();
         let ends = !css[at + unit.len()..].starts_with(is_of_name);
         if let (true, Ok(number)) = (ends, css[begin..at].parse::<f64>()) {
@@ -262,12 +264,13 @@ pub(super) fn quoted_families(list: &str) -> Option<String> {
     let is_quote = |sign: char| sign == '"' || sign == '\'';
     let has_number = |name: &str| {
         let mut words = name.split_whitespace();
-        words.any(|it| it.starts_with(|sign: char| sign.is_ascii_digit()))
+        words.any(|word| word.starts_with(|sign: char| sign.is_ascii_digit()))
     };
     let (mut families, mut is_open, mut is_changed) = (Vec::new(), false, false);
     for family in list.split(',') {
-        let is_bare = !is_open && !family.contains(|it| is_quote(it) || "!(\\".contains(it));
-        is_open ^= family.chars().filter(|it| is_quote(*it)).count() % 2 == 1;
+        let is_bare =
+            !is_open && !family.contains(|family| is_quote(family) || "!(\\".contains(family));
+        is_open ^= family.chars().filter(|c| is_quote(*c)).count() % 2 == 1;
         if is_bare && has_number(family) {
             families.push(Cow::Owned(format!("'{}'", family.trim())));
             is_changed = true;
@@ -286,7 +289,7 @@ pub(super) fn replaced(css: Cow<'_, str>, by: impl Fn(&str) -> Option<String>) -
 }
 
 fn name_end(text: &str) -> usize {
-    text.find(|it| !is_of_name(it)).unwrap_or(text.len())
+    text.find(|text| !is_of_name(text)).unwrap_or(text.len())
 }
 
 fn is_of_name(sign: char) -> bool {

@@ -16,7 +16,7 @@ pub(super) struct Declared<'a> {
 /// The rules of all sheets of a document.
 pub(super) fn rules<'a>(doc: &'a Document<'_>) -> StyleSheet<'a> {
     let mut all = StyleSheet::new();
-    for text in sheets(doc).filter_map(|it| it.text()) {
+    for text in sheets(doc).filter_map(|sheet| sheet.text()) {
         all.parse_more(text);
     }
     all
@@ -26,7 +26,7 @@ impl<'a> Declared<'a> {
     pub(super) fn of(sheet: &'a StyleSheet<'a>, is_it: fn(&str, &str) -> bool) -> Self {
         let declares = sheet.rules.iter().filter(|rule| {
             let mut declarations = rule.declarations.iter();
-            declarations.any(|it| is_it(it.name, it.value))
+            declarations.any(|declaration| is_it(declaration.name, declaration.value))
         });
         Self {
             is_it,
@@ -36,9 +36,12 @@ impl<'a> Declared<'a> {
 
     pub(super) fn of_element(&self, node: Node<'_, '_>) -> bool {
         let style = node.attribute("style").unwrap_or_default();
-        let mut own = style.split(';').filter_map(|it| it.split_once(':'));
+        let mut own = style.split(';').filter_map(|part| part.split_once(':'));
         own.any(|(name, value)| (self.is_it)(name.trim(), value.trim()))
-            || self.selectors.iter().any(|it| it.matches(&Element(node)))
+            || self
+                .selectors
+                .iter()
+                .any(|selector| selector.matches(&Element(node)))
     }
 }
 
@@ -50,11 +53,13 @@ pub(super) fn value_of<'a>(
     name: &str,
 ) -> Option<&'a str> {
     let style = node.attribute("style").unwrap_or_default();
-    let own = style.split(';').filter_map(|it| it.split_once(':'));
-    let mut own = own.filter(|it| it.0.trim() == name).map(|it| it.1.trim());
+    let own = style.split(';').filter_map(|part| part.split_once(':'));
+    let mut own = own
+        .filter(|value| value.0.trim() == name)
+        .map(|value| value.1.trim());
     let declared = sheet.rules.iter().rev().filter_map(|rule| {
         let mut declarations = rule.declarations.iter().rev();
-        let it = declarations.find(|it| it.name == name)?;
+        let it = declarations.find(|declaration| declaration.name == name)?;
         rule.selector.matches(&Element(node)).then_some(it.value)
     });
     own.next_back().or_else(|| declared.into_iter().next())
@@ -78,8 +83,10 @@ pub(super) fn inherited<'a>(
 ) -> Vec<Option<&'a str>> {
     let mut values = vec![None; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
-        let own = property_of(sheet, node, name).filter(|it| *it != "inherit");
-        let outer = node.parent().and_then(|it| values[it.id().get_usize()]);
+        let own = property_of(sheet, node, name).filter(|value| *value != "inherit");
+        let outer = node
+            .parent()
+            .and_then(|parent| values[parent.id().get_usize()]);
         values[node.id().get_usize()] = own.or(outer);
     }
     values
@@ -103,7 +110,7 @@ impl simplecss::Element for Element<'_, '_> {
 
     fn attribute_matches(&self, name: &str, operator: AttributeOperator<'_>) -> bool {
         let value = self.0.attribute(name);
-        value.is_some_and(|it| operator.matches(it))
+        value.is_some_and(|value| operator.matches(value))
     }
 
     fn pseudo_class_matches(&self, class: PseudoClass<'_>) -> bool {

@@ -78,7 +78,7 @@ impl Additions {
 /// Applies all edits to the text. The content of an entity is in the text once, wherever it is
 /// used: of several edits of a part the first one is made.
 pub(super) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
-    edits.sort_by_key(|it| it.range.start);
+    edits.sort_by_key(|edit| edit.range.start);
     let mut whole = String::with_capacity(text.len() + 32 * edits.len());
     let mut done = 0;
     let mut inserted = None;

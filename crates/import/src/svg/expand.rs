@@ -136,7 +136,7 @@ impl<'a> Counter<'a> {
     /// Whether an attribute of an element applies to its content as a group.
     fn is_group(&self, node: Node<'_, '_>) -> bool {
         let mut own = node.attributes();
-        own.any(|it| makes_group(it.name(), it.value())) || self.groups.of_element(node)
+        own.any(|value| makes_group(value.name(), value.value())) || self.groups.of_element(node)
     }
 
     fn recursive(&self, node: Node<'_, '_>) -> SvgError {

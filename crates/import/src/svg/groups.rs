@@ -49,7 +49,7 @@ pub(crate) fn outermost<'a>(doc: &'a Document<'_>) -> impl Iterator<Item = Node<
 /// The name of a group: its label, its `id` or its number from 1.
 pub(crate) fn name(group: Node<'_, '_>, number: usize) -> String {
     let label = group.attribute((INKSCAPE, "label"));
-    match label.filter(|it| !it.trim().is_empty()).or(id(group)) {
+    match label.filter(|label| !label.trim().is_empty()).or(id(group)) {
         Some(name) => name.trim().to_owned(),
         None => format!("group {number}"),
     }

@@ -8,10 +8,10 @@ use super::edits::Edit;
 
 /// Removes hidden parts of texts: the library draws nested ones.
 pub(super) fn undisplayed(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Edit> {
-    let spans = doc.descendants().filter(|it| is_named(*it, &PARTS));
-    let hidden = spans.filter(|it| property_of(rules, *it, "display") == Some("none"));
-    let edits = hidden.map(|it| Edit {
-        range: it.range(),
+    let spans = doc.descendants().filter(|node| is_named(*node, &PARTS));
+    let hidden = spans.filter(|span| property_of(rules, *span, "display") == Some("none"));
+    let edits = hidden.map(|hidden| Edit {
+        range: hidden.range(),
         words: String::new(),
     });
     edits.collect()
@@ -26,7 +26,7 @@ pub(super) fn anchors(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Option<
     }
     let anchors = inherited(rules, doc, "text-anchor");
     let mut turned = vec![None; directions.len()];
-    for text in doc.descendants().filter(|it| is_named(*it, &TEXTS)) {
+    for text in doc.descendants().filter(|node| is_named(*node, &TEXTS)) {
         let number = text.id().get_usize();
         if directions[number] == Some("rtl") {
             turned[number] = match anchors[number] {

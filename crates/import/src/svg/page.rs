@@ -96,7 +96,7 @@ impl SvgPage {
         ink: &Ink,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
-        if let Some(fill) = ink.fill.filter(|it| self.hides && it.is_opaque) {
+        if let Some(fill) = ink.fill.filter(|fill| self.hides && fill.is_opaque) {
             self.cover(&outlines, transform, fill.rule, clips)?;
         }
         let Some(color) = ink.outline() else {
@@ -108,7 +108,9 @@ impl SvgPage {
         }
         if ink.line.is_none() {
             if let Some(edges) = edges {
-                return edges.into_iter().try_for_each(|it| self.on_page(it, color));
+                return edges
+                    .into_iter()
+                    .try_for_each(|edge| self.on_page(edge, color));
             }
             outlines.retain(has_area);
             outlines.iter_mut().for_each(close);
@@ -186,13 +188,13 @@ impl SvgPage {
         }
         pieces
             .into_iter()
-            .try_for_each(|it| self.on_page(it, color))
+            .try_for_each(|piece| self.on_page(piece, color))
     }
 
     /// Adds a stroke in page coordinates, clipped at the edge.
     fn on_page(&mut self, stroke: Stroke, color: InkColor) -> Result<(), SvgError> {
         let ink = bounds(stroke.points.iter().copied());
-        let Some(edge) = self.edge.as_ref().filter(|it| !it.holds(ink)) else {
+        let Some(edge) = self.edge.as_ref().filter(|edge| !edge.holds(ink)) else {
             self.layers.stroke(stroke, color);
             return Ok(());
         };
@@ -242,7 +244,7 @@ impl SvgPage {
             &mut self.budget,
             &mut self.corners_left,
         )?;
-        let edge = self.edge.as_ref().filter(|it| !it.holds(around));
+        let edge = self.edge.as_ref().filter(|edge| !edge.holds(around));
         let area = match (&shown, edge) {
             (_, None) | (None, _) => shown.clone(),
             (Some(it), Some(_)) if it.rings.is_empty() => shown.clone(),
@@ -259,7 +261,7 @@ impl SvgPage {
             Some(_) => {}
             None => self.warn(WarningKind::Entangled, 1),
         }
-        Ok(shown.filter(|it| *it != whole).map(outlines_of))
+        Ok(shown.filter(|stroke| *stroke != whole).map(outlines_of))
     }
 }
 
@@ -349,7 +351,7 @@ fn has_area(line: &Stroke) -> bool {
         .points
         .iter()
         .map(|p| *p - first)
-        .find(|it| it.hypot2() > 0.0);
+        .find(|point| point.hypot2() > 0.0);
     way.is_some_and(|way| line.points.iter().any(|p| way.cross(*p - first) != 0.0))
 }
 

@@ -26,8 +26,8 @@ impl PageSize {
         for name in ["width", "height"] {
             let attribute = root.attribute_node(name);
             let styled = value_of(rules, root, name);
-            let styled = styled.filter(|it| UNITS.iter().any(|unit| it.ends_with(unit)));
-            match (styled.filter(|it| is_length(it)), attribute) {
+            let styled = styled.filter(|value| UNITS.iter().any(|unit| value.ends_with(unit)));
+            match (styled.filter(|value| is_length(value)), attribute) {
                 (Some(value), Some(it)) => size.edits.push(replaced(&it, value)),
                 (Some(value), None) => size.added.attribute(name, value),
                 (None, Some(it)) if !is_read(it.value().trim()) => {
@@ -53,7 +53,7 @@ fn is_read(value: &str) -> bool {
 }
 
 fn is_length(value: &str) -> bool {
-    Length::from_str(value).is_ok_and(|it| it.number >= 0.0)
+    Length::from_str(value).is_ok_and(|length| length.number >= 0.0)
 }
 
 /// Units of the page size in styles.

@@ -8,9 +8,9 @@ use crate::warning::Warning;
 /// Warns about point lists whose last number is an x without a y: the library draws the points
 /// before it, like browsers.
 pub(super) fn lone_coordinates(doc: &Document<'_>) -> Option<Warning> {
-    let shapes = doc.descendants().filter(|it| is_shape(*it));
-    let lists = shapes.filter_map(|it| it.attribute_node("points"));
-    let mut odd = lists.filter(|it| NumberListParser::from(it.value()).count() % 2 == 1);
+    let shapes = doc.descendants().filter(|node| is_shape(*node));
+    let lists = shapes.filter_map(|shape| shape.attribute_node("points"));
+    let mut odd = lists.filter(|list| NumberListParser::from(list.value()).count() % 2 == 1);
     let first = odd.next()?;
     Some(Warning {
         place: Some(doc.text_pos_at(end(&first)).into()),

@@ -36,8 +36,8 @@ pub(super) struct Readable {
 impl Readable {
     pub(super) fn of(doc: &Document<'_>, text: &str) -> Self {
         let mut variables = Variables::new();
-        let styles = doc.descendants().filter_map(|it| it.attribute("style"));
-        for css in sheets(doc).filter_map(|it| it.text()).chain(styles) {
+        let styles = doc.descendants().filter_map(|node| node.attribute("style"));
+        for css in sheets(doc).filter_map(|sheet| sheet.text()).chain(styles) {
             variables.read(css);
         }
         let mut edits = Vec::new();
@@ -60,7 +60,7 @@ impl Readable {
         let rules = rules(doc);
         let ids: HashSet<&str> = doc
             .descendants()
-            .filter_map(|it| it.attribute("id"))
+            .filter_map(|node| node.attribute("id"))
             .collect();
         let PageSize {
             edits: of_page,
@@ -73,10 +73,15 @@ impl Readable {
         let mut rewriter = Rewriter::of(doc, text, &rules);
         for node in doc.descendants().filter(Node::is_element) {
             let attributes = node.attributes();
-            let attributes =
-                attributes.filter(|it| it.namespace().is_none() && !PLAIN.contains(&it.name()));
-            edits.extend(attributes.clone().filter_map(|it| trimmed(node, it)));
-            edits.extend(attributes.filter_map(|it| readable(it, &variables, &ids)));
+            let attributes = attributes.filter(|attribute| {
+                attribute.namespace().is_none() && !PLAIN.contains(&attribute.name())
+            });
+            edits.extend(
+                attributes
+                    .clone()
+                    .filter_map(|attribute| trimmed(node, attribute)),
+            );
+            edits.extend(attributes.filter_map(|attribute| readable(attribute, &variables, &ids)));
             edits.extend(rewriter.path(node));
             let mut added = rewriter.additions(node);
             for mark in marks.get(node.id().get_usize()).into_iter().flatten() {
@@ -152,7 +157,7 @@ impl<'a> Rewriter<'a> {
 
 /// The elements with their own or inherited markers, by number; empty if there are none.
 fn marked(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<bool> {
-    let is_marker = |it: Node<'_, '_>| it.tag_name().name() == "marker";
+    let is_marker = |node: Node<'_, '_>| node.tag_name().name() == "marker";
     if !doc.descendants().any(is_marker) {
         return Vec::new();
     }
@@ -160,8 +165,10 @@ fn marked(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<bool> {
     let mut marked = vec![false; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
         let mut own = node.attributes();
-        let own = own.any(|it| it.name().starts_with("marker")) || markers.of_element(node);
-        let outer = node.parent().is_some_and(|it| marked[it.id().get_usize()]);
+        let own = own.any(|value| value.name().starts_with("marker")) || markers.of_element(node);
+        let outer = node
+            .parent()
+            .is_some_and(|parent| marked[parent.id().get_usize()]);
         marked[node.id().get_usize()] = own || outer;
     }
     marked
@@ -175,7 +182,7 @@ fn readable(
 ) -> Option<Edit> {
     let value = attribute.value();
     let is_missing =
-        attribute.name() == "filter" && linked(value).is_some_and(|it| !ids.contains(it));
+        attribute.name() == "filter" && linked(value).is_some_and(|linked| !ids.contains(linked));
     let words = if is_missing {
         Cow::Owned("none".to_owned())
     } else if attribute.name() == "font-family" {

@@ -141,7 +141,7 @@ impl<'a> TreeRenderer<'a> {
                 line: Some(line),
                 fill: None,
             };
-            let corners = strokes.iter().map(|it| it.points.len()).sum();
+            let corners = strokes.iter().map(|stroke| stroke.points.len()).sum();
             self.page.budget.spend(corners)?;
             self.page.shape(strokes, transform, &ink, clips)?;
         }
@@ -169,16 +169,16 @@ impl<'a> TreeRenderer<'a> {
     fn ink(&mut self, path: &Path) -> Ink {
         let shows = |opacity: f32, paint: &Paint| opacity > 0.0 && is_seen(paint);
         let line = path.stroke();
-        let line = line.filter(|it| shows(it.opacity().get(), it.paint()));
+        let line = line.filter(|line| shows(line.opacity().get(), line.paint()));
         let fill = path.fill();
-        let fill = fill.filter(|it| shows(it.opacity().get(), it.paint()));
+        let fill = fill.filter(|fill| shows(fill.opacity().get(), fill.paint()));
         if path.is_visible() {
             self.warn_of_paint(line.map(usvg::Stroke::paint));
             self.warn_of_paint(fill.map(usvg::Fill::paint));
         }
         Ink {
             line: line.map(read_line),
-            fill: fill.map(|it| read_fill(it, self.is_faint)),
+            fill: fill.map(|fill| read_fill(fill, self.is_faint)),
         }
     }
 
@@ -292,9 +292,9 @@ fn rgb(paint: &Paint) -> Option<[u8; 3]> {
         return Some([color.red, color.green, color.blue]);
     }
     let stops = stops(paint).iter();
-    let seen = stops.clone().filter(|it| it.opacity().get() > 0.0);
-    let colors = seen.map(|it| [it.color().red, it.color().green, it.color().blue]);
-    let mut inks = colors.clone().filter(|it| *it != PAPER);
+    let seen = stops.clone().filter(|stop| stop.opacity().get() > 0.0);
+    let colors = seen.map(|item| [item.color().red, item.color().green, item.color().blue]);
+    let mut inks = colors.clone().filter(|color| *color != PAPER);
     inks.next().or_else(|| colors.clone().next())
 }
 
@@ -310,12 +310,12 @@ fn stops(paint: &Paint) -> &[Stop] {
 /// Whether a gradient is visible at all.
 fn is_seen(paint: &Paint) -> bool {
     let mut stops = stops(paint).iter().peekable();
-    stops.peek().is_none() || stops.any(|it| it.opacity().get() > 0.0)
+    stops.peek().is_none() || stops.any(|stop| stop.opacity().get() > 0.0)
 }
 
 /// Whether it is opaque. The gaps of a pattern are unknown.
 fn is_opaque(paint: &Paint) -> bool {
-    let solid = stops(paint).iter().all(|it| it.opacity().get() == 1.0);
+    let solid = stops(paint).iter().all(|stop| stop.opacity().get() == 1.0);
     solid && !matches!(paint, Paint::Pattern(_))
 }
 

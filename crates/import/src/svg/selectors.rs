@@ -44,7 +44,8 @@ impl Marks {
     pub(super) fn readable(&mut self, selectors: &str) -> Option<String> {
         let before = self.questions.len();
         let whole = self.rewritten(selectors);
-        let is_known = |it: &String| split(it).all(|it| Selector::parse(it.trim()).is_some());
+        let is_known =
+            |text: &String| split(text).all(|part| Selector::parse(part.trim()).is_some());
         let known = whole.filter(is_known);
         if known.is_none() {
             self.questions.truncate(before);
@@ -112,12 +113,12 @@ impl Question {
         let mut places = vec![0; doc.descendants().count()];
         for parent in doc.descendants().filter(Node::has_children) {
             let mut counts = HashMap::new();
-            let mut count = |it: Node<'_, '_>| {
-                let name = it.tag_name().name().to_owned();
+            let mut count = |node: Node<'_, '_>| {
+                let name = node.tag_name().name().to_owned();
                 let kind = if of_type { name } else { String::new() };
                 let place = counts.entry(kind).or_insert(0);
                 *place += 1;
-                places[it.id().get_usize()] = *place;
+                places[node.id().get_usize()] = *place;
             };
             let children = parent.children().filter(Node::is_element);
             if from_end {
@@ -148,8 +149,10 @@ impl Question {
                 }
             }
             Self::Not(selectors) => {
-                let mut selectors = selectors.iter().filter_map(|it| Selector::parse(it));
-                !selectors.any(|it| it.matches(&Element(node)))
+                let mut selectors = selectors
+                    .iter()
+                    .filter_map(|selector| Selector::parse(selector));
+                !selectors.any(|selector| selector.matches(&Element(node)))
             }
         }
     }
@@ -194,9 +197,9 @@ fn attribute(inner: &str) -> Option<Question> {
         let inner = value.strip_prefix(it)?.strip_suffix(it)?;
         (!inner.contains(it)).then_some(inner)
     });
-    let is_name = |it: &str| {
-        it.chars()
-            .all(|it| it.is_alphanumeric() || "-_".contains(it))
+    let is_name = |text: &str| {
+        text.chars()
+            .all(|c| c.is_alphanumeric() || "-_".contains(c))
     };
     let value = quoted.or(Some(value).filter(|it| is_name(it)))?;
     (is_name(name) && !value.contains('\\')).then(|| Question::Part {
@@ -209,10 +212,11 @@ fn attribute(inner: &str) -> Option<Question> {
 /// Whether a selector has the specificity of an attribute, as the mark has.
 fn not(argument: &str) -> Option<Question> {
     let selectors = split(argument).map(str::trim);
-    let count_alike =
-        |it: &str| Selector::parse(it).is_some_and(|it| it.specificity() == [0, 1, 0]);
+    let count_alike = |text: &str| {
+        Selector::parse(text).is_some_and(|selector| selector.specificity() == [0, 1, 0])
+    };
     let selectors: Vec<&str> = selectors.collect();
-    let is_simple = |it: &&str| count_alike(it) && !it.contains([' ', '>', '+']);
+    let is_simple = |text: &&str| count_alike(text) && !text.contains([' ', '>', '+']);
     let all = selectors.iter().all(is_simple);
     all.then(|| Question::Not(selectors.into_iter().map(str::to_owned).collect()))
 }
@@ -223,7 +227,7 @@ fn numbers(text: &str) -> Option<(i64, i64)> {
         .split_whitespace()
         .collect::<String>()
         .to_ascii_lowercase();
-    let small = |it: &str| it.parse::<i32>().ok().map(i64::from);
+    let small = |text: &str| text.parse::<i32>().ok().map(i64::from);
     match text.as_str() {
         "odd" => return Some((2, 1)),
         "even" => return Some((2, 0)),
@@ -245,10 +249,10 @@ fn numbers(text: &str) -> Option<(i64, i64)> {
 /// ones.
 fn part_end(text: &str) -> Option<usize> {
     match text.as_bytes()[0] {
-        b'[' => text.find(']').map(|it| it + 1),
+        b'[' => text.find(']').map(|at| at + 1),
         b':' => {
-            let is_of_name = |it: char| it.is_alphanumeric() || it == '-';
-            let name = text[1..].find(|it| !is_of_name(it));
+            let is_of_name = |c: char| c.is_alphanumeric() || c == '-';
+            let name = text[1..].find(|text| !is_of_name(text));
             let name = name.map_or(text.len(), |it| it + 1);
             let has_argument = text[name..].starts_with('(');
             let end = has_argument.then(|| text[name..].find(')'));
@@ -261,9 +265,9 @@ fn part_end(text: &str) -> Option<usize> {
 /// The selectors of a list.
 fn split(selectors: &str) -> impl Iterator<Item = &str> {
     let mut depth = 0_i32;
-    selectors.split(move |it: char| {
-        depth += i32::from("([".contains(it)) - i32::from(")]".contains(it));
-        it == ',' && depth == 0
+    selectors.split(move |c: char| {
+        depth += i32::from("([".contains(c)) - i32::from(")]".contains(c));
+        c == ',' && depth == 0
     })
 }
 
@@ -287,7 +291,11 @@ mod tests {
         let marks = marks.of(&doc);
         let mark = readable.split(['[', ']']).nth(1).expect("a mark");
         let elements = doc.descendants().filter(Node::is_element);
-        let meant = elements.filter(|it| marks[it.id().get_usize()].iter().any(|it| it == mark));
+        let meant = elements.filter(|element| {
+            marks[element.id().get_usize()]
+                .iter()
+                .any(|element| element == mark)
+        });
         let names: Vec<&str> = meant
             .map(|it| it.attribute("id").unwrap_or(it.tag_name().name()))
             .collect();
@@ -344,7 +352,7 @@ mod tests {
             assert!(marks.questions.is_empty());
         }
         let mut marks = Marks::default();
-        let all: Vec<String> = (0..=MOST).map(|it| format!("[a^=x{it}]")).collect();
+        let all: Vec<String> = (0..=MOST).map(|i| format!("[a^=x{i}]")).collect();
         assert_eq!(marks.readable(&all.join(",")), None);
     }
 

@@ -38,15 +38,15 @@ pub(super) fn readable_sheet<'t>(
 
 /// Replaces unsupported selectors of a sheet by marks.
 fn marked(css: &str, marks: &mut Marks) -> String {
-    let rule = |it: Statement<'_>| {
-        let selectors = if is_unread(&it) {
-            marks.readable(it.prelude)
+    let rule = |statement: Statement<'_>| {
+        let selectors = if is_unread(&statement) {
+            marks.readable(statement.prelude)
         } else {
             None
         };
-        match (selectors, it.body) {
+        match (selectors, statement.body) {
             (Some(selectors), Some(body)) => format!("{selectors}{{{body}}}"),
-            _ => it.whole.to_owned(),
+            _ => statement.whole.to_owned(),
         }
     };
     statements(css).map(rule).collect()
@@ -59,10 +59,12 @@ pub(super) fn unread_rules(css: &str) -> usize {
 
 fn is_unread(it: &Statement<'_>) -> bool {
     let body = it.body.filter(|_| !it.prelude.starts_with('@'));
-    let shows = body.is_some_and(|body| VISIBLE.iter().any(|it| body.contains(it)));
+    let shows = body.is_some_and(|body| VISIBLE.iter().any(|visible| body.contains(visible)));
     let nests = body.is_some_and(|body| body.contains('{'));
     let mut selectors = it.prelude.split(',').map(str::trim);
-    let mut is_unknown = || selectors.any(|it| !it.contains("::") && Selector::parse(it).is_none());
+    let mut is_unknown = || {
+        selectors.any(|selector| !selector.contains("::") && Selector::parse(selector).is_none())
+    };
     shows && (nests || is_unknown())
 }
 
@@ -119,9 +121,9 @@ fn without_comments(mut css: &str) -> &str {
 
 /// Flattens the blocks of at-rules that apply to a page on a light screen.
 fn unwrapped(css: &str, depth: u32) -> String {
-    let unwrap = |it: Statement<'_>| match it.body {
-        Some(body) if depth < MOST_DEPTH && holds(it.prelude) => unwrapped(body, depth + 1),
-        _ => it.whole.to_owned(),
+    let unwrap = |statement: Statement<'_>| match statement.body {
+        Some(body) if depth < MOST_DEPTH && holds(statement.prelude) => unwrapped(body, depth + 1),
+        _ => statement.whole.to_owned(),
     };
     statements(css).map(unwrap).collect()
 }

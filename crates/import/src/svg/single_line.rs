@@ -39,9 +39,9 @@ pub(super) struct Written<'t> {
 
 /// A text in single lines; `None` if it is not all in Hershey fonts, or follows a path.
 pub(super) fn written(text: &Text, tolerance: f64) -> Option<SingleLineText<'_>> {
-    let is_plain = |it: &TextChunk| {
-        matches!(it.text_flow(), TextFlow::Linear)
-            && it.spans().iter().all(|it| font(it.font()).is_some())
+    let is_plain = |chunk: &TextChunk| {
+        matches!(chunk.text_flow(), TextFlow::Linear)
+            && chunk.spans().iter().all(|span| font(span.font()).is_some())
     };
     if text.chunks().is_empty() || !text.chunks().iter().all(is_plain) {
         return None;
@@ -51,7 +51,7 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<SingleLineText<'_>>
     for chunk in text.chunks() {
         pen.x = chunk.x().map_or(pen.x, f64::from);
         pen.y = chunk.y().map_or(pen.y, f64::from);
-        let width: f64 = chunk.spans().iter().map(|it| width(chunk, it)).sum();
+        let width: f64 = chunk.spans().iter().map(|span| width(chunk, span)).sum();
         pen.x -= width
             * match chunk.anchor() {
                 TextAnchor::Start => 0.0,
@@ -110,19 +110,22 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<SingleLineText<'_>>
     Some(SingleLineText {
         written,
         missing,
-        unread: spans.flat_map(|it| unread(text, it)).collect(),
+        unread: spans.flat_map(|span| unread(text, span)).collect(),
     })
 }
 
 /// The shift of letters above the line of the text.
 fn raised(span: &TextSpan) -> f64 {
     let em = f64::from(span.font_size().get());
-    let shifts = span.baseline_shift().iter().map(|it| match *it {
-        BaselineShift::Baseline => 0.0,
-        BaselineShift::Subscript => -SUBSCRIPT_EM * em,
-        BaselineShift::Superscript => SUPERSCRIPT_EM * em,
-        BaselineShift::Number(by) => f64::from(by),
-    });
+    let shifts = span
+        .baseline_shift()
+        .iter()
+        .map(|baseline_shift| match *baseline_shift {
+            BaselineShift::Baseline => 0.0,
+            BaselineShift::Subscript => -SUBSCRIPT_EM * em,
+            BaselineShift::Superscript => SUPERSCRIPT_EM * em,
+            BaselineShift::Number(by) => f64::from(by),
+        });
     shifts.sum()
 }
 
@@ -166,7 +169,7 @@ fn unread(text: &Text, span: &TextSpan) -> impl Iterator<Item = WarningKind> {
         (WarningKind::LettersBaseline, !is_plain),
         (WarningKind::LettersAlignment, !is_aligned),
     ];
-    found.into_iter().filter(|it| it.1).map(|it| it.0)
+    found.into_iter().filter(|item| item.1).map(|found| found.0)
 }
 
 /// The characters to write, and the number of the file's characters for each: a letter and its
@@ -179,7 +182,7 @@ fn spelled(chunk: &TextChunk, span: &TextSpan, font: StrokeFont) -> Vec<(char, u
     let mut spelled = Vec::new();
     while !rest.is_empty() {
         let mut following = rest.char_indices().skip(1);
-        let end = following.find(|it| !is_combining_mark(it.1));
+        let end = following.find(|following| !is_combining_mark(following.1));
         let (parts, behind) = rest.split_at(end.map_or(rest.len(), |it| it.0));
         // The shifts of all characters apply to the first.
         let mut number = parts.chars().count();
@@ -196,7 +199,7 @@ fn width(chunk: &TextChunk, span: &TextSpan) -> f64 {
         return 0.0;
     };
     let spelled = spelled(chunk, span, font).into_iter();
-    spelled.map(|it| advance(span, font, it.0)).sum()
+    spelled.map(|spelled| advance(span, font, spelled.0)).sum()
 }
 
 /// The distance between letters.

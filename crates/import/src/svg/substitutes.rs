@@ -16,7 +16,7 @@ pub(super) struct Substitutes(Mutex<BTreeMap<String, String>>);
 impl Substitutes {
     /// Records a named font of the file that is not installed.
     pub(super) fn note(&self, asked: &Font, fonts: &Database, got: ID) {
-        let taken = fonts.face(got).and_then(|it| it.families.first());
+        let taken = fonts.face(got).and_then(|face| face.families.first());
         if let (Some(named), Some((taken, _))) = (missing(asked, fonts, got), taken) {
             let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
             all.entry(named.clone()).or_insert_with(|| taken.clone());
@@ -35,7 +35,7 @@ impl Substitutes {
 
 /// The face that is closest to a missing font, by the kind of letters in its name.
 pub(super) fn nearest(asked: &Font, fonts: &Database, got: ID) -> ID {
-    let Some(kind) = missing(asked, fonts, got).and_then(|it| kind_of(it)) else {
+    let Some(kind) = missing(asked, fonts, got).and_then(|missing| kind_of(missing)) else {
         return got;
     };
     let query = Query {
@@ -54,11 +54,11 @@ pub(super) fn nearest(asked: &Font, fonts: &Database, got: ID) -> ID {
 /// The requested family if the selected face is of none of the requested families.
 fn missing<'a>(asked: &'a Font, fonts: &Database, got: ID) -> Option<&'a String> {
     let face = fonts.face(got)?;
-    let is_got = |name: &str| face.families.iter().any(|it| it.0 == name);
+    let is_got = |name: &str| face.families.iter().any(|family| family.0 == name);
     let names = asked.families();
     if names
         .iter()
-        .any(|it| is_got(fonts.family_name(&family(it))))
+        .any(|name| is_got(fonts.family_name(&family(name))))
     {
         return None;
     }
@@ -78,7 +78,7 @@ fn kind_of(name: &str) -> Option<Family<'static>> {
         (Family::Cursive, CURSIVE),
         (Family::SansSerif, SANS_SERIF),
     ];
-    let told = |(_, words): &(Family<'_>, &[&str])| words.iter().any(|it| name.contains(it));
+    let told = |(_, words): &(Family<'_>, &[&str])| words.iter().any(|word| name.contains(word));
     kinds.into_iter().find(told).map(|(kind, _)| kind)
 }
 

@@ -25,7 +25,7 @@ impl Drawing {
             strokes: artwork
                 .layers
                 .into_iter()
-                .flat_map(|it| it.strokes)
+                .flat_map(|layer| layer.strokes)
                 .collect(),
         };
         Ok((drawing, warnings))
@@ -182,7 +182,10 @@ fn flowed_text_of_old_inkscape_files_is_told() {
 #[test]
 fn a_filled_shape_that_is_open_is_drawn_closed() {
     let (strokes, _) = draw(r#"<path d="M5 5H25V25H5"/><path d="M5 5H25V25H5" stroke="red"/>"#);
-    let lengths: Vec<f64> = strokes.iter().map(|it| it.length_mm().round()).collect();
+    let lengths: Vec<f64> = strokes
+        .iter()
+        .map(|stroke| stroke.length_mm().round())
+        .collect();
     assert_eq!(lengths, [80.0, 60.0]);
     assert!(strokes[0].closed);
 }
@@ -592,7 +595,7 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
         ));
         let (drawing, warnings) = Drawing::from_svg(&text, &options).unwrap();
         let told: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-        let ink = |it: &Stroke| bounds_of_strokes(std::slice::from_ref(it));
+        let ink = |stroke: &Stroke| bounds_of_strokes(std::slice::from_ref(stroke));
         (drawing.strokes.iter().map(ink).collect::<Vec<_>>(), told)
     };
     let foot = |attributes: &str| {
@@ -613,10 +616,10 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
         ("line-through", 23.0),
     ] {
         let (ink, told) = draw(&format!(r#"text-decoration="{line}""#));
-        let is_line = |it: &&Rect| it.height() < 1e-3 && (it.y0 - at).abs() < 1e-3;
+        let is_line = |rect: &&Rect| rect.height() < 1e-3 && (rect.y0 - at).abs() < 1e-3;
         let found = ink.iter().find(is_line);
         assert!(
-            found.is_some_and(|it| it.x0 < 30.01 && it.width() > 4.0),
+            found.is_some_and(|found| found.x0 < 30.01 && found.width() > 4.0),
             "{ink:?}"
         );
         assert_eq!((ink.len(), told), (2, Vec::new()));
@@ -670,8 +673,8 @@ fn lines_of_letters_follow_the_moves_of_their_parts() {
         r#"<text x="30" y="30" dx="0 4" dy="0 -6" font-size="20" font-family="Hershey sans" text-decoration="underline">II</text>"#,
     );
     let (drawing, _) = Drawing::from_svg(&text, &options).unwrap();
-    let ink = |it: &Stroke| bounds_of_strokes(std::slice::from_ref(it));
-    let is_level = |it: &Rect| it.height() < 1e-3;
+    let ink = |stroke: &Stroke| bounds_of_strokes(std::slice::from_ref(stroke));
+    let is_level = |rect: &Rect| rect.height() < 1e-3;
     let lines: Vec<Rect> = drawing.strokes.iter().map(ink).filter(is_level).collect();
     // One below each letter, the second as much higher as the letter is, and none in the gap.
     let [first, second] = lines[..] else {
@@ -768,9 +771,9 @@ proptest! {
 fn ends(content: &str) -> Vec<[(f64, f64); 2]> {
     let round = |p: Point| ((1e3 * p.x).round() / 1e3, (1e3 * p.y).round() / 1e3);
     let (strokes, _) = draw(content);
-    let ends = strokes.iter().map(|it| {
-        let last = it.points[it.points.len() - 1];
-        [it.points[0], last].map(round)
+    let ends = strokes.iter().map(|stroke| {
+        let last = stroke.points[stroke.points.len() - 1];
+        [stroke.points[0], last].map(round)
     });
     ends.collect()
 }
@@ -822,7 +825,7 @@ fn the_colours_of_newer_css_are_those_of_the_layers() {
 #[test]
 fn styles_that_mean_nothing_or_stand_for_each_other_are_read() {
     let each: Vec<String> = (0..20)
-        .map(|it| format!("--v{it}: var(--v{}) var(--v{});", it + 1, it + 1))
+        .map(|i| format!("--v{i}: var(--v{}) var(--v{});", i + 1, i + 1))
         .collect();
     let each = each.concat();
     let svg = format!(r#"<path d="M10 10H90" stroke="black" style="{each} fill: var(--v0)"/>"#);

@@ -16,20 +16,20 @@ impl UnreadPlaces {
     pub(super) fn of(doc: &Document<'_>, text: &str) -> Self {
         let mut told = PROPERTIES
             .iter()
-            .filter(|it| text.contains(it.1))
+            .filter(|property| text.contains(property.1))
             .peekable();
         if told.peek().is_none() {
             return Self::default();
         }
         let rules = rules(doc);
         let families = inherited(&rules, doc, "font-family");
-        let is_in_single_lines = |it: Node<'_, '_>| {
-            let family = families[it.id().get_usize()];
-            family.is_some_and(|it| first_font(it).is_some())
+        let is_in_single_lines = |node: Node<'_, '_>| {
+            let family = families[node.id().get_usize()];
+            family.is_some_and(|family| first_font(family).is_some())
         };
         let first = |name: &str| {
-            let has_it = |it: &Node<'_, '_>| {
-                property_of(&rules, *it, name).is_some_and(|it| !AS_WRITTEN.contains(&it))
+            let has_it = |node: &Node<'_, '_>| {
+                property_of(&rules, *node, name).is_some_and(|value| !AS_WRITTEN.contains(&value))
             };
             let mut having = doc.descendants().filter(has_it);
             // Fonts may be given in other ways.
@@ -37,14 +37,17 @@ impl UnreadPlaces {
             let node = having.find(|it| it.descendants().any(is_in_single_lines));
             Some(doc.text_pos_at(node.or(any)?.range().start).into())
         };
-        Self(told.filter_map(|it| Some((it.0, first(it.1)?))).collect())
+        Self(
+            told.filter_map(|message| Some((message.0, first(message.1)?)))
+                .collect(),
+        )
     }
 
     /// Adds the place to a warning, if known.
     pub(super) fn warning(&self, count: WarningCount) -> Warning {
         let place = self.0.iter().find(|it| it.0 == count.kind);
         Warning {
-            place: place.map(|it| it.1),
+            place: place.map(|place| place.1),
             ..Warning::from(count)
         }
     }

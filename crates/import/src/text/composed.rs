@@ -22,7 +22,7 @@ pub(crate) fn composed(text: &str, font: StrokeFont) -> Cow<'_, str> {
 /// Appends a character: whole, or with as many of its marks as the font has, followed by the
 /// others.
 fn push(whole: &mut String, character: char, font: StrokeFont) {
-    let has = |it: char| it.is_ascii() || Letter::of(font, it).is_some();
+    let has = |c: char| c.is_ascii() || Letter::of(font, c).is_some();
     let mut parts = Vec::new();
     decompose_canonical(character, |part| parts.push(part));
     let [base, marks @ ..] = parts.as_slice() else {
@@ -34,7 +34,7 @@ fn push(whole: &mut String, character: char, font: StrokeFont) {
     }
     let (mut letter, mut others) = (*base, String::new());
     for &mark in marks {
-        match compose(letter, mark).filter(|it| has(*it)) {
+        match compose(letter, mark).filter(|composed| has(*composed)) {
             Some(marked) => letter = marked,
             None => others.push(mark),
         }

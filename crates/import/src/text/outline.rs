@@ -82,7 +82,7 @@ impl Face {
 fn find(name: &str, fonts: &Database) -> Option<String> {
     let mut families = fonts.faces().flat_map(families);
     families
-        .find(|it| it.eq_ignore_ascii_case(name))
+        .find(|family| family.eq_ignore_ascii_case(name))
         .map(str::to_owned)
 }
 
@@ -95,7 +95,7 @@ fn unknown(name: &str, fonts: &Database) -> TextError {
     known.sort_unstable();
     known.dedup();
     let wanted = name.to_lowercase();
-    known.sort_by_cached_key(|it| difference(&wanted, &it.to_lowercase()));
+    known.sort_by_cached_key(|known| difference(&wanted, &known.to_lowercase()));
     TextError::UnknownFont {
         family: name.to_owned(),
         nearest: known.into_iter().take(NEAREST).map(str::to_owned).collect(),
@@ -121,9 +121,11 @@ fn difference(from: &str, to: &str) -> usize {
 fn capital_mm(face: &Face, options: &ReadOptions) -> f64 {
     let page = page(&Text::new("H"), face, 1.0);
     let ink = svg::read(&page, options).map(|(artwork, _)| bounds(one(artwork).points()));
-    let height = ink.ok().map(|it| it.height());
+    let height = ink.ok().map(|ink| ink.height());
     // A symbol font has no capitals; the usual ratio serves it.
-    height.filter(|it| *it > 0.0).unwrap_or(0.72 * SIZE_MM)
+    height
+        .filter(|height| *height > 0.0)
+        .unwrap_or(0.72 * SIZE_MM)
 }
 
 fn page(text: &Text, face: &Face, spacing_mm: f64) -> String {

@@ -66,7 +66,7 @@ impl Writer {
     fn width_mm(&mut self, line: &str) -> f64 {
         let advances = line
             .chars()
-            .map(|it| self.letter(it).map_or(0.0, |it| it.advance));
+            .map(|c| self.letter(c).map_or(0.0, |c| c.advance));
         advances.sum::<f64>() * self.scale
     }
 

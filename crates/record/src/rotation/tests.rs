@@ -81,9 +81,9 @@ fn files_and_folder_keep_within_their_limits_and_the_newest_stay() {
     for n in 0..600 {
         rotation.handle_record(s(n), &noise(10_000, n));
         let files = recordings(folder.path()).unwrap();
-        let total: u64 = files.iter().map(|it| it.bytes).sum();
+        let total: u64 = files.iter().map(|file| file.bytes).sum();
         assert!(total <= LIMITS.total_bytes, "{total}");
-        assert!(files.iter().all(|it| it.bytes <= LIMITS.file_bytes));
+        assert!(files.iter().all(|file| file.bytes <= LIMITS.file_bytes));
     }
     rotation.finish();
     assert_eq!(rotation.health().lost, 0);
@@ -171,7 +171,7 @@ fn more_topics_than_a_file_has_room_for_get_another_file() {
     assert_eq!(files.len(), 2);
     let moments = files
         .iter()
-        .map(|it| Recording::open(&it.path).unwrap().count());
+        .map(|file| Recording::open(&file.path).unwrap().count());
     assert_eq!(moments.sum::<usize>(), 100);
 }
 
@@ -252,7 +252,7 @@ fn idle_hour(cuts: &[usize]) -> u64 {
         let mut recording = Recording::open(&file.path).unwrap();
         told += recording
             .by_ref()
-            .filter_map(|it| match it.entry {
+            .filter_map(|recording| match recording.entry {
                 Entry::FromArm(bytes) => Some(bytes.len()),
                 _ => None,
             })
@@ -260,7 +260,7 @@ fn idle_hour(cuts: &[usize]) -> u64 {
         assert_eq!(recording.damage(), None);
     }
     assert_eq!(told, 45_000 * 42, "nothing is missing");
-    files.iter().map(|it| it.bytes).sum()
+    files.iter().map(|file| file.bytes).sum()
 }
 
 #[test]
@@ -291,7 +291,7 @@ fn at_rest_a_killed_program_loses_the_latest_repeats_and_of_anything_new_a_secon
             continue;
         };
         let last = Recording::open(&path).unwrap().last();
-        let last = last.map(|it| it.at).unwrap_or_default();
+        let last = last.map(|last| last.at).unwrap_or_default();
         let repeats = Duration::from_millis(11_200);
         assert!(at <= last + repeats, "at {at:?}, last {last:?}");
         let is_told = last >= news || at <= news + Duration::from_millis(1_080);
@@ -312,8 +312,8 @@ fn records_that_were_lost_are_told_behind_what_came_before_them() {
     let path = &recordings(folder.path()).unwrap()[0].path;
     let moments = Recording::open(path).unwrap();
     let told: Vec<_> = moments
-        .filter(|it| [RECORDER, crate::FROM_ARM].contains(&&*it.topic))
-        .map(|it| (it.at, &*it.topic == RECORDER))
+        .filter(|moment| [RECORDER, crate::FROM_ARM].contains(&&*moment.topic))
+        .map(|moment| (moment.at, &*moment.topic == RECORDER))
         .collect();
     let statuses = (0..5).map(|n| (s(n), false));
     let expected: Vec<_> = statuses.chain([(s(6), true), (s(6), false)]).collect();

@@ -61,13 +61,16 @@ pub(crate) fn of_command(
     if let Some(serde_json::Value::Object(mut object)) = command {
         name = object
             .remove("type")
-            .and_then(|it| it.as_str().map(str::to_owned));
+            .and_then(|removed| removed.as_str().map(str::to_owned));
         fields = Some(serde_json::Value::Object(object).to_string());
     }
     cells.extend([name, fields, error].map(Cell::Text));
     let bytes = packet.to_bytes();
     let floats = bytes[1..41].chunks_exact(4);
-    cells.extend(floats.map(|it| Cell::Float(f32::from_le_bytes([it[0], it[1], it[2], it[3]]))));
+    cells
+        .extend(floats.map(|float| {
+            Cell::Float(f32::from_le_bytes([float[0], float[1], float[2], float[3]]))
+        }));
     cells
 }
 

@@ -87,7 +87,7 @@ impl Feature {
         match (self.is_integer, self.names.is_empty()) {
             (true, _) => Cell::Integer(values[0] as i64),
             (false, true) => Cell::Float(values[0] as f32),
-            (false, false) => Cell::Floats(values.iter().map(|it| *it as f32).collect()),
+            (false, false) => Cell::Floats(values.iter().map(|value| *value as f32).collect()),
         }
     }
 }
@@ -129,7 +129,12 @@ pub(crate) struct Summaries(Vec<Summary>);
 
 impl Summaries {
     pub(crate) fn new() -> Self {
-        Self(FEATURES.iter().map(|it| Summary::new(it.len())).collect())
+        Self(
+            FEATURES
+                .iter()
+                .map(|feature| Summary::new(feature.len()))
+                .collect(),
+        )
     }
 
     pub(crate) fn push(&mut self, values: &[Vec<f64>; 8]) {

@@ -117,8 +117,9 @@ mod tests {
 
     fn angles(samples: &[Sample]) -> Vec<(u32, f32)> {
         let mut frames = Frames::default();
-        let all = samples.iter().flat_map(|it| frames.push(*it));
-        all.map(|it| (it.number, it.status.base_deg)).collect()
+        let all = samples.iter().flat_map(|sample| frames.push(*sample));
+        all.map(|item| (item.number, item.status.base_deg))
+            .collect()
     }
 
     #[test]

@@ -144,7 +144,7 @@ impl<'t> Writer<'t> {
         self.write(&last, &last.status)?;
         self.data.end_group()?;
         let (to, len) = (self.dataset.frames, self.of_episode);
-        let integer = |it: u32| Cell::Integer(it.into());
+        let integer = |n: u32| Cell::Integer(n.into());
         let mut cells = vec![
             integer(self.dataset.episodes),
             Cell::Texts(vec![self.task.to_owned()]),
@@ -237,7 +237,9 @@ fn write_json(file: &Path, value: &Value) -> Result<(), ExportError> {
 }
 
 fn info(dataset: &Dataset) -> Value {
-    let features = FEATURES.iter().map(|it| (it.name.to_owned(), it.about()));
+    let features = FEATURES
+        .iter()
+        .map(|feature| (feature.name.to_owned(), feature.about()));
     json!({
         "codebase_version": "v3.0",
         "robot_type": "dobot_arm",

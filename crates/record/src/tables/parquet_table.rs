@@ -59,7 +59,10 @@ impl<W: Write + Send> ParquetTable<W> {
             .build();
         Ok(Self {
             writer: SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))?,
-            buffers: columns.iter().map(|it| Buffer::new(it.kind)).collect(),
+            buffers: columns
+                .iter()
+                .map(|column| Buffer::new(column.kind))
+                .collect(),
             rows: 0,
         })
     }
@@ -127,7 +130,7 @@ impl Buffer {
             _ => 0,
         };
         self.levels.extend((0..list_len).map(|n| i16::from(n > 0)));
-        let bytes = |it: String| ByteArray::from(it.into_bytes());
+        let bytes = |text: String| ByteArray::from(text.into_bytes());
         match (&mut self.values, cell) {
             (Values::Integer(all), Cell::Time(it) | Cell::Integer(it)) => all.push(it),
             (Values::Integer(all), Cell::Integers(it)) => all.extend(it),

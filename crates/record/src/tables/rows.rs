@@ -90,7 +90,7 @@ pub(crate) fn each_row(
 pub fn holds_packets(recording: &mut Recording, stretch: &RangeInclusive<Duration>) -> bool {
     let mut packets = Packets::new();
     recording
-        .take_while(|it| it.at <= *stretch.end())
+        .take_while(|recording| recording.at <= *stretch.end())
         .any(|moment| {
             let (told, sent) = packets.of(&moment);
             moment.at >= *stretch.start() && !(told.is_empty() && sent.is_empty())
@@ -116,7 +116,7 @@ impl Packets {
         match &moment.entry {
             Entry::FromArm(bytes) => {
                 let frames = self.from_arm.feed(bytes);
-                let statuses = frames.filter_map(|it| Status::parse(&it).ok());
+                let statuses = frames.filter_map(|frame| Status::parse(&frame).ok());
                 (statuses.collect(), Vec::new())
             }
             Entry::ToArm(bytes) => (Vec::new(), self.to_arm.feed(bytes).collect()),

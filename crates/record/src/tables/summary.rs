@@ -37,7 +37,8 @@ impl Summary {
     /// The standard deviation of all numbers.
     pub(crate) fn std(&self) -> Vec<f64> {
         let each = self.squares.iter();
-        each.map(|it| (it / f64::from(self.count)).sqrt()).collect()
+        each.map(|item| (item / f64::from(self.count)).sqrt())
+            .collect()
     }
 }
 

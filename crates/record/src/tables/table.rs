@@ -81,7 +81,7 @@ impl<W: Write + Send> Table<W> {
 
     fn csv(file: W, columns: &[Column]) -> Result<Self, ExportError> {
         let mut csv = csv::Writer::from_writer(file);
-        csv.write_record(columns.iter().map(|it| &it.name))?;
+        csv.write_record(columns.iter().map(|column| &column.name))?;
         Ok(Self(Form::Csv(Box::new(csv))))
     }
 

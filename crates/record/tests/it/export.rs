@@ -98,9 +98,9 @@ fn tables(file: &Path, stretch: &RangeInclusive<Duration>) -> (Written, [Vec<u8>
 
 fn rows(csv: &[u8]) -> Vec<Vec<String>> {
     let mut reader = csv::Reader::from_reader(csv);
-    let records = reader.records().map(|it| it.unwrap());
+    let records = reader.records().map(|record| record.unwrap());
     records
-        .map(|it| it.iter().map(str::to_owned).collect())
+        .map(|record| record.iter().map(str::to_owned).collect())
         .collect()
 }
 
@@ -135,7 +135,7 @@ fn parquet_holds_what_csv_holds() {
     let file = recorded(folder.path(), session());
     let (_, [statuses, _, parquet, _]) = tables(&file, &ALL);
     let reader = SerializedFileReader::new(Bytes::from(parquet)).unwrap();
-    let found = reader.get_row_iter(None).unwrap().map(|it| it.unwrap());
+    let found = reader.get_row_iter(None).unwrap().map(|row| row.unwrap());
     for (row, expected) in found.zip(rows(&statuses)) {
         assert_eq!(row.get_double(1).unwrap().to_string(), expected[1]);
         for (n, number) in expected.iter().enumerate().take(10).skip(2) {
@@ -178,7 +178,7 @@ fn a_dataset_has_an_episode_for_each_stretch_without_silence() {
     let rows: Vec<_> = reader
         .get_row_iter(None)
         .unwrap()
-        .map(|it| it.unwrap())
+        .map(|row| row.unwrap())
         .collect();
     let base = |row: usize, column: usize| {
         let list = rows[row].get_list(column).unwrap();
@@ -268,21 +268,21 @@ fn columns_in_memory_hold_what_csv_holds() {
         let rows = rows(&csv);
         assert!(!rows.is_empty() || columns[0].name == "time");
         for (at, column) in columns.iter().enumerate() {
-            let texts: Vec<String> = rows.iter().map(|it| it[at].clone()).collect();
+            let texts: Vec<String> = rows.iter().map(|row| row[at].clone()).collect();
             let read: Vec<String> = match &column.values {
                 Values::Floats(all) => all.iter().map(ToString::to_string).collect(),
                 Values::Doubles(all) => all.iter().map(ToString::to_string).collect(),
                 Values::Truths(all) => all.iter().map(ToString::to_string).collect(),
                 Values::Texts(all) => all
                     .iter()
-                    .map(|it| it.clone().unwrap_or_default())
+                    .map(|item| item.clone().unwrap_or_default())
                     .collect(),
                 // 2026-11-21T12:30:00Z
                 Values::Times(all) => {
                     let begun_ns = 1_795_264_200_000_000_000_i64;
                     assert!(
                         all.iter()
-                            .all(|it| (300_000_000..=5_000_000_000).contains(&(it - begun_ns)))
+                            .all(|item| (300_000_000..=5_000_000_000).contains(&(item - begun_ns)))
                     );
                     continue;
                 }

@@ -99,7 +99,7 @@ fn victim() {
             let file = recorder.health().file;
             println!(
                 "{}",
-                file.and_then(|it| it.metadata().ok())
+                file.and_then(|file| file.metadata().ok())
                     .map_or(0, |it| it.len())
             );
             std::thread::yield_now();
@@ -138,7 +138,7 @@ fn a_program_that_is_killed_leaves_what_it_flushed() {
             "{damage}, seen were {seen}"
         );
         assert!(
-            damage.last.is_some_and(|it| it > Duration::ZERO),
+            damage.last.is_some_and(|last| last > Duration::ZERO),
             "{damage}"
         );
     }

@@ -42,7 +42,7 @@ fn record(folder: &Path, records: impl IntoIterator<Item = (Duration, Record)>) 
     let health = recorder.finish();
     assert_eq!((health.lost, health.trouble), (0, None));
     let files = recordings(folder).unwrap();
-    files.into_iter().map(|it| it.path).collect()
+    files.into_iter().map(|file| file.path).collect()
 }
 
 fn read(bytes: impl Into<Vec<u8>>) -> (Vec<Moment>, Recording) {
@@ -133,7 +133,7 @@ fn the_reader_of_the_format_itself_finds_messages_schemas_and_index() {
 fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
     let summary = mcap::Summary::read(&WHOLE).unwrap().expect("it has one");
     let mut chunks: Vec<_> = summary.chunk_indexes.iter().collect();
-    chunks.sort_by_key(|it| it.chunk_start_offset);
+    chunks.sort_by_key(|chunk| chunk.chunk_start_offset);
     assert!(chunks.len() >= 3, "one for each second");
     let messages_of = |index| {
         let indexes = summary.read_message_indexes(&WHOLE, index).unwrap();
@@ -141,7 +141,12 @@ fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
     };
     let chunks: Vec<_> = chunks
         .into_iter()
-        .map(|it| (it.chunk_start_offset + it.chunk_length, messages_of(it)))
+        .map(|chunk| {
+            (
+                chunk.chunk_start_offset + chunk.chunk_length,
+                messages_of(chunk),
+            )
+        })
         .collect();
     let (all, _) = read(WHOLE.clone());
     for cut in 0..WHOLE.len() {
@@ -151,7 +156,7 @@ fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
         assert_eq!(moments, all[..expected], "cut after {cut} bytes");
         let damage = recording.damage().expect("it has no end");
         assert!(damage.good_bytes <= cut as u64, "{damage} of {cut}");
-        assert_eq!(damage.last, moments.last().map(|it| it.at));
+        assert_eq!(damage.last, moments.last().map(|moment| moment.at));
     }
 }
 
@@ -268,7 +273,7 @@ proptest! {
                     prop_assert_eq!(found, bytes);
                 }
                 Record::Json { value, .. } => {
-                    let moment = moments.find(|it| &*it.topic == "/events").unwrap();
+                    let moment = moments.find(|moment| &*moment.topic == "/events").unwrap();
                     prop_assert_eq!(moment.at, at);
                     prop_assert_eq!(moment.entry, Entry::Json(value));
                 }

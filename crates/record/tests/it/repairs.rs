@@ -94,9 +94,9 @@ fn a_file_that_breaks_off_anywhere_is_whole_after_the_next_start() {
         let file = file(folder.path());
         std::fs::write(&file, &whole[..len]).unwrap();
         let (before, damage) = read(&file);
-        let about = Recording::open(&file).map(|mut it| {
-            it.by_ref().for_each(drop);
-            it.about().cloned()
+        let about = Recording::open(&file).map(|mut recording| {
+            recording.by_ref().for_each(drop);
+            recording.about().cloned()
         });
         let health = repaired(folder.path(), LIMITS);
         let (after, still) = read(&file);
@@ -171,7 +171,7 @@ fn damage_in_the_middle_costs_its_chunk_and_is_told() {
     let whole = session();
     let summary = mcap::Summary::read(&whole).unwrap().expect("it has one");
     let mut chunks = summary.chunk_indexes;
-    chunks.sort_by_key(|it| it.chunk_start_offset);
+    chunks.sort_by_key(|chunk| chunk.chunk_start_offset);
     let place = chunks[1].chunk_start_offset + chunks[1].chunk_length / 2;
     let mut bytes = whole[..whole.len() - 20].to_vec();
     bytes[usize::try_from(place).unwrap()] ^= 0xFF;
@@ -244,9 +244,9 @@ fn a_repaired_folder_keeps_within_its_limits() {
     }
     drop(recorder);
     let after = recordings(folder.path()).unwrap();
-    let total: u64 = after.iter().map(|it| it.bytes).sum();
+    let total: u64 = after.iter().map(|item| item.bytes).sum();
     assert!(total + LIMITS.file_bytes <= LIMITS.total_bytes, "{total}");
-    assert!(after.iter().all(|it| it.bytes <= LIMITS.file_bytes));
+    assert!(after.iter().all(|item| item.bytes <= LIMITS.file_bytes));
     assert_eq!(read(&after.last().unwrap().path).1, None);
 }
 

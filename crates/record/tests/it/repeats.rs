@@ -46,9 +46,14 @@ fn messages(file: &Path, topic: &str) -> Vec<(u64, Value)> {
     let bytes = std::fs::read(file).unwrap();
     let messages = mcap::MessageStream::new(&bytes).unwrap();
     let messages = messages.map(Result::unwrap);
-    let messages = messages.filter(|it| it.channel.topic == topic);
+    let messages = messages.filter(|message| message.channel.topic == topic);
     messages
-        .map(|it| (it.log_time, serde_json::from_slice(&it.data).unwrap()))
+        .map(|message| {
+            (
+                message.log_time,
+                serde_json::from_slice(&message.data).unwrap(),
+            )
+        })
         .collect()
 }
 
@@ -77,11 +82,11 @@ fn a_status_that_comes_again_is_one_message_with_the_gaps_between_its_times() {
     assert_eq!(wire[2].1["status"]["suction"], true);
     // The views: at the change, at the end of the repetitions, at the next change.
     let joints = messages(&file, JOINTS);
-    let times: Vec<_> = joints.iter().map(|it| it.1["at_s"].clone()).collect();
+    let times: Vec<_> = joints.iter().map(|joint| joint.1["at_s"].clone()).collect();
     assert_eq!(times, [json!(0.0), json!(0.32), json!(0.4)]);
     let moments = read(&file);
-    let statuses = moments.iter().filter(|it| &*it.topic == FROM_ARM);
-    let times: Vec<_> = statuses.map(|it| it.at).collect();
+    let statuses = moments.iter().filter(|moment| &*moment.topic == FROM_ARM);
+    let times: Vec<_> = statuses.map(|status| status.at).collect();
     assert_eq!(times, [0, 80, 160, 241, 320, 400].map(at));
 }
 
@@ -93,7 +98,9 @@ fn repeats_are_told_every_ten_seconds() {
         (at, Record::FromArm(status(false).to_vec()))
     };
     let file = record(folder.path(), (0..500).map(same));
-    let times = messages(&file, FROM_ARM).into_iter().map(|it| it.0);
+    let times = messages(&file, FROM_ARM)
+        .into_iter()
+        .map(|message| message.0);
     let times: Vec<_> = times.map(|ns| (ns - NOON_NS) / 1_000_000).collect();
     // 125 gaps of 80 ms are ten seconds.
     assert_eq!(times, [0, 10_080, 20_160, 30_240, 39_920]);
@@ -115,10 +122,12 @@ fn a_repeat_that_a_serial_port_cut_came_when_it_was_whole_and_what_is_not_whole_
     let file = record(folder.path(), records);
     let wire = messages(&file, FROM_ARM);
     assert_eq!(wire.len(), 4, "{wire:?}");
-    let found = read(&file).into_iter().filter_map(|it| match it.entry {
-        Entry::FromArm(bytes) => Some((it.at.as_millis(), bytes.len())),
-        _ => None,
-    });
+    let found = read(&file)
+        .into_iter()
+        .filter_map(|value| match value.entry {
+            Entry::FromArm(bytes) => Some((value.at.as_millis(), bytes.len())),
+            _ => None,
+        });
     let found: Vec<_> = found.collect();
     assert_eq!(found, [(20, 42), (60, 42), (120, 42), (140, 14), (160, 19)]);
 }

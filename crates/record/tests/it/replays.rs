@@ -104,7 +104,12 @@ async fn a_client_that_says_nothing_misses_what_was_recorded() {
     while replay.receive(Duration::MAX, &mut bytes) {}
     let report = replay.report();
     assert_eq!(report.differences.len(), 2);
-    assert!(report.differences.iter().all(|it| it.sent.is_none()));
+    assert!(
+        report
+            .differences
+            .iter()
+            .all(|difference| difference.sent.is_none())
+    );
     assert_eq!(replay.poll_wakeup(), None);
     // The second time it sends the same.
     assert_eq!(replay.report(), report);

@@ -20,7 +20,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
     for (index, line) in text
         .lines()
         .enumerate()
-        .filter(|it| !it.1.trim().is_empty())
+        .filter(|line| !line.1.trim().is_empty())
     {
         points.push(point(line.trim(), index + 1, &mut warnings)?);
     }
@@ -39,7 +39,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
 fn point(text: &str, line: usize, warnings: &mut Vec<String>) -> Result<VendorPoint, ProgramError> {
     let mut fields: Vec<&str> = text.split(';').map(str::trim).collect();
     // Each field ends with a semicolon.
-    if fields.last().is_some_and(|it| it.is_empty()) {
+    if fields.last().is_some_and(|field| field.is_empty()) {
         fields.pop();
     }
     if fields.len() < LEAST_FIELDS || fields.len() > FIELDS {

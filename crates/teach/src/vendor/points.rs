@@ -117,10 +117,13 @@ impl<'a> Reader<'a, '_> {
 
     /// The text of a field and its line; `None`, with a warning, if it is missing.
     fn field(&mut self, name: &str, otherwise: &str) -> Option<(&'a str, usize)> {
-        let found = self.node.children().find(|it| it.tag_name().name() == name);
+        let found = self
+            .node
+            .children()
+            .find(|child| child.tag_name().name() == name);
         let text = found
-            .and_then(|it| Some((it.text()?.trim(), line(it))))
-            .filter(|it| !it.0.is_empty());
+            .and_then(|found| Some((found.text()?.trim(), line(found))))
+            .filter(|found| !found.0.is_empty());
         if text.is_none() {
             let line = line(self.node);
             self.warnings.push(format!(
@@ -132,7 +135,11 @@ impl<'a> Reader<'a, '_> {
 
     /// A required angle.
     fn angle(&mut self, name: &str) -> Result<f64, ProgramError> {
-        if !self.node.children().any(|it| it.tag_name().name() == name) {
+        if !self
+            .node
+            .children()
+            .any(|child| child.tag_name().name() == name)
+        {
             return Err(bad(
                 line(self.node),
                 format!("the point has no <{name}>; x, y and z are required"),
@@ -187,7 +194,7 @@ pub(super) fn mode(word: &str) -> Option<MovingMode> {
     let modes = [MovingMode::Jump, MovingMode::MovL, MovingMode::MovJ];
     modes
         .into_iter()
-        .find(|it| style(*it).eq_ignore_ascii_case(word))
+        .find(|mode| style(*mode).eq_ignore_ascii_case(word))
 }
 
 pub(super) const fn style(mode: MovingMode) -> &'static str {

@@ -16,7 +16,7 @@ struct ExampleFiles;
 
 impl Files for ExampleFiles {
     fn program(&mut self, path: &str) -> Result<String, String> {
-        fs::read_to_string(example(&format!("programs/{path}"))).map_err(|it| it.to_string())
+        fs::read_to_string(example(&format!("programs/{path}"))).map_err(|error| error.to_string())
     }
 
     fn drawing(&mut self, path: &str, _: &Drawing) -> Result<Vec<Command>, String> {
@@ -68,7 +68,7 @@ fn carried_out(
     let state = arm.world().unwrap().state();
     let expected = ["picked up", "put "];
     let surprises = state.events.iter().map(ToString::to_string);
-    let surprises = surprises.filter(|it| !expected.iter().any(|word| it.contains(word)));
+    let surprises = surprises.filter(|warning| !expected.iter().any(|word| warning.contains(word)));
     (state.objects.clone(), surprises.collect())
 }
 
@@ -80,10 +80,10 @@ fn ends(program: &str, scene: &str, expected: &[(&str, [f64; 3])]) {
         let (objects, surprises) = carried_out(&compiled, scene, personality);
         assert!(surprises.is_empty(), "{personality}: {surprises:?}");
         for (name, [x, y, bottom]) in expected {
-            let it = objects.iter().find(|it| it.name == *name).unwrap();
+            let it = objects.iter().find(|object| object.name == *name).unwrap();
             let off = [it.at_mm.x - x, it.at_mm.y - y, it.bottom_mm - bottom];
             assert!(
-                off.iter().all(|it| it.abs() < 0.5),
+                off.iter().all(|distance| distance.abs() < 0.5),
                 "{personality}: {it:?}, expected x {x} y {y} bottom {bottom} within 0.5 mm"
             );
         }

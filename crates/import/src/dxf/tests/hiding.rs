@@ -24,7 +24,7 @@ fn shown_mm(entities: &str) -> f64 {
 }
 
 fn length_mm(artwork: &Artwork) -> f64 {
-    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     strokes.map(Stroke::length_mm).sum()
 }
 

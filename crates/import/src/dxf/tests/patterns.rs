@@ -15,7 +15,7 @@ fn lengths(lines: &str) -> Vec<f64> {
     assert!(artwork.layers[0].areas.is_empty());
     let strokes = artwork.layers[0].strokes.iter();
     strokes
-        .map(|it| (it.length_mm() * 1e3).round() / 1e3)
+        .map(|stroke| (stroke.length_mm() * 1e3).round() / 1e3)
         .collect()
 }
 

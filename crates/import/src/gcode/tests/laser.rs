@@ -115,7 +115,7 @@ fn burned(text: &str) -> Vec<Stroke> {
         ..ReadOptions::default()
     };
     let (sketch, _) = sketch(text.as_bytes(), &options).unwrap();
-    let strokes = sketch.layers().iter().flat_map(|it| &it.strokes);
+    let strokes = sketch.layers().iter().flat_map(|layer| &layer.strokes);
     strokes.cloned().collect()
 }
 

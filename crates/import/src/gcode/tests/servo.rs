@@ -99,7 +99,7 @@ fn m3_is_the_power_of_a_laser_that_goes_off_on_its_way_or_is_set_beside_the_move
     let twice = "M3 S90\nG4 P1\nG1 X9\nM3 S30\nG4 P1\nG1 X19\nM5";
     let waits_before = "M3 S90\nG4 P1\nG1 X9\nG4 P1\nM3 S30\nG1 X19\nG4 P1\nM3 S90\nG1 X29\nM5";
     for text in [&off_between, &hasty, &beside, &three, twice, waits_before] {
-        assert!(layers(text).iter().all(|it| it.is_burned), "{text}");
+        assert!(layers(text).iter().all(|layer| layer.is_burned), "{text}");
         let told = draw(text).1.concat();
         assert!(!told.contains("servo"), "{told}");
     }

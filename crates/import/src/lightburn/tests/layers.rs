@@ -7,8 +7,8 @@ fn square(cut: u32, side_mm: f64, x: f64) -> String {
 
 /// How many areas a layer has, and how many rings each.
 fn rings(artwork: &Artwork) -> Vec<usize> {
-    let areas = artwork.layers.iter().flat_map(|it| &it.areas);
-    areas.map(|it| it.rings.len()).collect()
+    let areas = artwork.layers.iter().flat_map(|layer| &layer.areas);
+    areas.map(|area| area.rings.len()).collect()
 }
 
 #[test]
@@ -24,7 +24,7 @@ fn layers_have_their_names_and_colours_and_come_as_the_laser_runs_them() {
     let layers: Vec<_> = artwork
         .layers
         .iter()
-        .map(|it| (it.name.as_str(), it.color))
+        .map(|layer| (layer.name.as_str(), layer.color))
         .collect();
     let expected = [
         ("marks (C02)", Some([0xff, 0, 0])),

@@ -48,7 +48,10 @@ fn the_keywords_join_all_points_in_order() {
 fn pieces_that_do_not_meet_are_strokes_of_their_own() {
     let lists = "<VertList>V0 0V1 0V1 1V5 5V6 5</VertList><PrimList>L0 1L1 2L2 0L3 4</PrimList>";
     let artwork = draw(&path(lists));
-    let counts: Vec<usize> = strokes(&artwork).iter().map(|it| it.points.len()).collect();
+    let counts: Vec<usize> = strokes(&artwork)
+        .iter()
+        .map(|stroke| stroke.points.len())
+        .collect();
     assert_eq!(counts, [4, 2]);
 }
 
@@ -96,8 +99,8 @@ proptest! {
         let list: Vec<String> = points.iter().map(|(x, y)| format!("V{x} {y}c0x1c1x1")).collect();
         let list = list.concat();
         let artwork = draw(&path(&format!("<VertList>{list}</VertList><PrimList>LineOpen</PrimList>")));
-        let left = points.iter().map(|it| it.0).fold(f64::INFINITY, f64::min);
-        let top = points.iter().map(|it| it.1).fold(f64::NEG_INFINITY, f64::max);
+        let left = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
+        let top = points.iter().map(|point| point.1).fold(f64::NEG_INFINITY, f64::max);
         let found = &strokes(&artwork)[0].points;
         prop_assert_eq!(found.len(), points.len());
         for (p, (x, y)) in found.iter().zip(&points) {

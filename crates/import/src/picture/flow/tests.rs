@@ -71,7 +71,9 @@ fn a_line_around_something_is_drawn_once_and_closed() {
         assert!(turn(stroke) < 1.05, "{} times around", turn(stroke));
         assert!(!stroke.closed || stroke.last() == stroke.points.first().copied());
     }
-    let closed = strokes.iter().filter(|it| it.closed && turn(it) > 0.99);
+    let closed = strokes
+        .iter()
+        .filter(|stroke| stroke.closed && turn(stroke) > 0.99);
     assert!(closed.count() >= 12, "of {}", strokes.len());
 }
 
@@ -118,7 +120,10 @@ fn white_stays_empty_and_ink_rises_with_darkness_as_far_as_asked() {
             "{ink_mm} mm at {darkness}, not {wanted_mm} mm"
         );
     }
-    assert!(ink_mm.windows(2).all(|it| it[0] < it[1]), "{ink_mm:?}");
+    assert!(
+        ink_mm.windows(2).all(|pair| pair[0] < pair[1]),
+        "{ink_mm:?}"
+    );
 }
 
 const SPACING_MM: f64 = 1.0;

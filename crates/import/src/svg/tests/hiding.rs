@@ -92,9 +92,13 @@ fn the_hidden_part_of_an_area_is_not_hatched() {
     );
     let (artwork, _) =
         super::super::draw(&svg, &hides, &super::super::Substitutes::default()).unwrap();
-    let areas: Vec<_> = artwork.layers.iter().flat_map(|it| &it.areas).collect();
-    let sizes = areas.iter().map(|it| {
-        let corners = bounds_of_strokes(&[Stroke::open(it.rings.concat())]);
+    let areas: Vec<_> = artwork
+        .layers
+        .iter()
+        .flat_map(|layer| &layer.areas)
+        .collect();
+    let sizes = areas.iter().map(|area| {
+        let corners = bounds_of_strokes(&[Stroke::open(area.rings.concat())]);
         corners.area().round()
     });
     assert_eq!(sizes.collect::<Vec<f64>>(), [200.0, 400.0]);
@@ -110,7 +114,7 @@ fn where_too_many_shapes_lie_over_each_other_all_is_drawn_and_told() {
     }
     let (strokes, warnings) = hidden(&svg);
     // The lowest ones are looked at first, and hardly any of their lines shows.
-    let whole = strokes.iter().filter(|it| it.closed).count();
+    let whole = strokes.iter().filter(|stroke| stroke.closed).count();
     assert!(whole > 2000, "{whole}");
     assert!(
         warnings[0]

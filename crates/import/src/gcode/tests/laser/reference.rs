@@ -45,7 +45,7 @@ impl Reference {
     }
 
     pub(super) fn waits_at(&self, p: Point) -> bool {
-        self.dwells.iter().any(|it| it.distance(p) < 1e-6)
+        self.dwells.iter().any(|dwell| dwell.distance(p) < 1e-6)
     }
 
     pub(super) fn length_mm(&self) -> f64 {
@@ -78,7 +78,7 @@ struct Reader {
 
 impl Reader {
     fn line(&mut self, words: &[(char, f64)]) {
-        let value = |letter| words.iter().find(|it| it.0 == letter).map(|it| it.1);
+        let value = |letter| words.iter().find(|word| word.0 == letter).map(|at| at.1);
         let has_g = |code| words.contains(&('G', code));
         for &(letter, code) in words {
             match (letter, code) {
@@ -98,7 +98,7 @@ impl Reader {
             }
             return;
         }
-        if !"XYZIJ".chars().any(|it| value(it).is_some()) {
+        if !"XYZIJ".chars().any(|c| value(c).is_some()) {
             return;
         }
         let target = |letter, here: f64| {
@@ -129,7 +129,8 @@ impl Reader {
                 self.dwells.clear();
             }
             self.lit_heights.extend(z);
-            self.lit.extend(path.windows(2).map(|it| (it[0], it[1])));
+            self.lit
+                .extend(path.windows(2).map(|pair| (pair[0], pair[1])));
         }
     }
 
@@ -145,9 +146,9 @@ impl Reader {
         let dots = self
             .dwells
             .iter()
-            .filter(|it| !self.drills && !is_above(it.1));
+            .filter(|dwell| !self.drills && !is_above(dwell.1));
         Reference {
-            dwells: dots.map(|it| it.0).collect(),
+            dwells: dots.map(|dot| dot.0).collect(),
             lit: self.lit,
         }
     }
@@ -173,12 +174,12 @@ fn uncommented(text: &str) -> String {
 fn words(line: &str) -> Vec<(char, f64)> {
     let starts: Vec<_> = line
         .match_indices(|c: char| c.is_ascii_alphabetic())
-        .map(|it| it.0)
+        .map(|found| found.0)
         .chain([line.len()])
         .collect();
-    let word = |it: &[usize]| {
-        let value = line[it[0] + 1..it[1]].trim().parse().unwrap();
-        (char::from(line.as_bytes()[it[0]]), value)
+    let word = |n: &[usize]| {
+        let value = line[n[0] + 1..n[1]].trim().parse().unwrap();
+        (char::from(line.as_bytes()[n[0]]), value)
     };
     starts.windows(2).map(word).collect()
 }
