@@ -9,7 +9,7 @@ pub(crate) fn in_utf8(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
     let Some(encoding) = encoding_of(&bytes)? else {
         return Ok(bytes);
     };
-    let mark = Encoding::for_bom(&bytes).map_or(0, |it| it.1);
+    let mark = Encoding::for_bom(&bytes).map_or(0, |encoding| encoding.1);
     let text = encoding.decode_without_bom_handling_and_without_replacement(&bytes[mark..]);
     match text {
         Some(text) => Ok(text.into_owned().into_bytes()),

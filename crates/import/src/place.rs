@@ -19,7 +19,7 @@ impl fmt::Display for Place {
 
 impl Place {
     pub(crate) fn new(line: usize, column: usize) -> Self {
-        let [line, column] = [line, column].map(|it| u32::try_from(it).unwrap_or(u32::MAX));
+        let [line, column] = [line, column].map(|value| u32::try_from(value).unwrap_or(u32::MAX));
         Self { line, column }
     }
 }

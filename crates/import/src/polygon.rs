@@ -232,8 +232,8 @@ mod tests {
             points in proptest::collection::vec((0.0..50.0_f64, 0.0..50.0_f64), 100),
         ) {
             let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
-            let areas = [one, other].map(|it| Area { rings: vec![ring(&it)], rule });
-            let [a, b] = [&areas[0], &areas[1]].map(|it| Polygons::new(&it.rings, rule).unwrap());
+            let areas = [one, other].map(|value| Area { rings: vec![ring(&value)], rule });
+            let [a, b] = [&areas[0], &areas[1]].map(|value| Polygons::new(&value.rings, rule).unwrap());
             let both = a.clone().and(&b).unwrap().into_area();
             let any = Polygons::union(vec![a, b]).unwrap().into_area();
             for p in ring(&points) {

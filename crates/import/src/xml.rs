@@ -155,7 +155,7 @@ impl<'a> Measure<'a> {
     /// Counts the text at an offset, and returns its end.
     fn characters(&mut self, at: usize) -> Result<usize, SourceError> {
         let length = self.text[at..].iter().position(|&byte| byte == b'<');
-        let end = length.map_or(self.text.len(), |it| at + it);
+        let end = length.map_or(self.text.len(), |length| at + length);
         self.count(at, usize::from(end > at))?;
         self.copied(at, end, b"&\r")?;
         // The library reserves an attribute for each of these signs.
@@ -263,7 +263,7 @@ impl<'a> Measure<'a> {
 fn name_before(text: &[u8], at: usize) -> &[u8] {
     let name = text[at.saturating_sub(LONGEST_NAME)..at].trim_ascii_end();
     let before = name.iter().rposition(|item| b" \n\t\r\"'".contains(item));
-    &name[before.map_or(0, |it| it + 1)..]
+    &name[before.map_or(0, |before| before + 1)..]
 }
 
 const XMLNS: &[u8] = b"xmlns:";

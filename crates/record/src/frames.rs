@@ -26,7 +26,7 @@ impl Frames {
 
     /// The distance from the wrist down to the tip, in mm; 0 if unknown.
     pub(crate) fn length_mm(&self, tool: Tool) -> f64 {
-        self.mounted(tool).map_or(0.0, |it| it.length().0)
+        self.mounted(tool).map_or(0.0, |mounted| mounted.length().0)
     }
 
     /// The transform of each link relative to its parent.
@@ -110,11 +110,11 @@ mod tests {
             let mut all = transforms["transforms"].as_array().unwrap().iter();
             let link = all.find(|item| item["child_frame_id"] == *frame).unwrap();
             let part = |name: &str, axis: &str| link[name][axis].as_f64().unwrap();
-            let [x, y, z, w] = ["x", "y", "z", "w"].map(|it| part("rotation", it));
+            let [x, y, z, w] = ["x", "y", "z", "w"].map(|name| part("rotation", name));
             // p + 2w (q x p) + 2 q x (q x p)
             let cross = |[a, b, c]: [f64; 3]| [y * c - z * b, z * a - x * c, x * b - y * a];
             let (once, twice) = (cross(point), cross(cross(point)));
-            let at = ["x", "y", "z"].map(|it| part("translation", it));
+            let at = ["x", "y", "z"].map(|name| part("translation", name));
             point = std::array::from_fn(|i| at[i] + point[i] + 2.0 * (w * once[i] + twice[i]));
             link["parent_frame_id"]
                 .as_str()
@@ -137,7 +137,7 @@ mod tests {
                 let joints = ArmPlace::of_status(&status).joints;
                 let position = forward(&joints, tool).position;
                 let transforms = frames.transforms(&status, tool, &json!({}));
-                let expected = [position.x, position.y, position.z].map(|it| it.0 / 1000.0);
+                let expected = [position.x, position.y, position.z].map(|value| value.0 / 1000.0);
                 let found = place(&transforms, "tool");
                 for (found, expected) in found.iter().zip(expected) {
                     prop_assert!((found - expected).abs() < 1e-6, "{found}, not {expected}");

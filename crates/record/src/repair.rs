@@ -179,7 +179,7 @@ impl Repair {
         };
         let start_ns = self.start_ns.unwrap_or_default();
         let at_ns = self.last_ns.max(start_ns);
-        let reason = self.flaw.as_ref().map_or("", |it| &it.reason);
+        let reason = self.flaw.as_ref().map_or("", |flaw| &flaw.reason);
         let value = json!({
             "at_s": Duration::from_nanos(at_ns - start_ns).as_secs_f64(),
             "unreadable_bytes": self.old_bytes.saturating_sub(self.records.good_bytes()),

@@ -77,7 +77,7 @@ impl Scene {
             self.target.note_change();
         }
         self.ink.handle_time(at);
-        self.tool = observer.model().map_or(self.tool, |it| it.tool);
+        self.tool = observer.model().map_or(self.tool, |model| model.tool);
     }
 
     /// What is news by now: each a topic and its message.
@@ -171,7 +171,7 @@ pub(crate) fn points(places: &[Position], tip_mm: f64) -> Vec<Value> {
 /// A colour of three bytes, red first, as parts of one.
 pub(crate) fn color(rgb: u32) -> Value {
     let [_, r, g, b] = rgb.to_be_bytes().map(|it| f64::from(it) / 255.0);
-    let [r, g, b] = [r, g, b].map(|it| (it * 1000.0).round() / 1000.0);
+    let [r, g, b] = [r, g, b].map(|value| (value * 1000.0).round() / 1000.0);
     json!({ "r": r, "g": g, "b": b, "a": 1.0 })
 }
 

@@ -89,7 +89,11 @@ impl Thinning {
             self.keep(held);
         }
         self.held = Some(sample);
-        let before = self.track.samples.last().map_or(last.at, |it| it.at);
+        let before = self
+            .track
+            .samples
+            .last()
+            .map_or(last.at, |sample| sample.at);
         if sample.at.saturating_sub(before) >= self.track.spacing {
             self.held = None;
             self.keep(sample);
@@ -113,7 +117,7 @@ impl Thinning {
     /// Drops at least half of the samples.
     fn thin(&mut self, now: Duration) {
         let Track { samples, spacing } = &mut self.track;
-        let first = samples.first().map_or(now, |it| it.at);
+        let first = samples.first().map_or(now, |sample| sample.at);
         let even =
             now.saturating_sub(first) / u32::try_from(self.most / 2).unwrap_or(u32::MAX).max(1);
         *spacing = even.max(*spacing * 2);

@@ -243,7 +243,7 @@ impl Compiler<'_> {
             .iter()
             .filter_map(|grid| scope.program.grids.get_key_value(grid))
             .collect();
-        let count = names.first().map_or(0, |it| it.1.cells());
+        let count = names.first().map_or(0, |name| name.1.cells());
         for cell in 0..count {
             let mut within = scope.clone();
             for (name, grid) in &names {
@@ -384,7 +384,7 @@ impl Compiler<'_> {
         let from = self.state.spot().ok_or(NOWHERE)?;
         let through = scope.spot(&arc.through, &self.state)?;
         let to = scope.spot(&arc.to, &self.state)?;
-        let at = [from, through, to].map(|it| it.pose(&self.state).position);
+        let at = [from, through, to].map(|value| value.pose(&self.state).position);
         let places = crate::round::chords(at, is_circle, arc.tolerance)?;
         let turned = |spot: &Spot| spot.pose(&self.state).rotation.0;
         let (begin, end) = (

@@ -51,7 +51,7 @@ impl Compiled {
 
     /// Sets the total number of cycles, whatever the program specifies.
     pub fn repeat(&mut self, times: Times) {
-        let from = self.repeat.map_or(0, |it| it.from);
+        let from = self.repeat.map_or(0, |repeat| repeat.from);
         // The first cycle may precede the repeated ones.
         let apart = u64::from(self.first_apart && self.repeat.is_some());
         let times = match times {

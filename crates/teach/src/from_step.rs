@@ -111,14 +111,18 @@ mod tests {
     }
 
     /// The x of all targets, cycle by cycle.
-    fn targets(it: &Compiled, cycles: u64) -> Vec<f32> {
+    fn targets(compiled: &Compiled, cycles: u64) -> Vec<f32> {
         let x = |command: &Command| match command {
-            Command::MoveTo(it) => Some(it.x_mm),
+            Command::MoveTo(compiled) => Some(compiled.x_mm),
             _ => None,
         };
-        let from = it.repeat.map_or(it.commands.len(), |it| it.from);
-        let times = it.repeat.map_or(0, |it| it.times.unwrap_or(cycles));
-        let (once, cycle) = it.commands.split_at(from);
+        let from = compiled
+            .repeat
+            .map_or(compiled.commands.len(), |repeat| repeat.from);
+        let times = compiled
+            .repeat
+            .map_or(0, |repeat| repeat.times.unwrap_or(cycles));
+        let (once, cycle) = compiled.commands.split_at(from);
         let again = (0..times).flat_map(|_| cycle.iter());
         once.iter().chain(again).filter_map(x).collect()
     }

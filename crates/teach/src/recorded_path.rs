@@ -145,8 +145,8 @@ impl ToolState {
     pub fn changes_to(self, place: &RecordedPlace) -> Here {
         let gripper = rounded(place.gripper_deg, 10.0);
         Here {
-            suction: Some(place.suction).filter(|it| *it != self.suction),
-            gripper: Some(gripper).filter(|it| *it != self.gripper_deg),
+            suction: Some(place.suction).filter(|suction| *suction != self.suction),
+            gripper: Some(gripper).filter(|gripper| *gripper != self.gripper_deg),
             pause: None,
         }
     }

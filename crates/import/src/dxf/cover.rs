@@ -9,8 +9,8 @@ use crate::error::SourceError;
 
 impl EntityRenderer<'_, '_> {
     /// Hides what was drawn before under a filled area, unless it is transparent.
-    pub(super) fn cover(&mut self, it: &Entity<'_>, area: &Area) -> Result<(), SourceError> {
-        if self.is_opaque(it, self.layer_info())? {
+    pub(super) fn cover(&mut self, entity: &Entity<'_>, area: &Area) -> Result<(), SourceError> {
+        if self.is_opaque(entity, self.layer_info())? {
             self.sketch.cover(&area.rings, area.rule)?;
         }
         Ok(())
@@ -19,10 +19,10 @@ impl EntityRenderer<'_, '_> {
     /// Whether the entity, its layer or the INSERT of its block is opaque.
     pub(super) fn is_opaque(
         &self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         layer: Option<&LayerInfo>,
     ) -> Result<bool, SourceError> {
-        let own = it.flags(440)?;
+        let own = entity.flags(440)?;
         let shows_nothing = |value: u32| value >> 24 != BY_VALUE || value & 0xff == OPAQUE;
         Ok(match own >> 24 {
             BY_LAYER => layer.is_none_or(|layer| shows_nothing(layer.transparency)),
@@ -40,30 +40,34 @@ impl EntityRenderer<'_, '_> {
     /// ```
     ///
     /// If its mode (290) is 1, it covers the picture except for the inside of these corners.
-    pub(super) fn wipeout(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+    pub(super) fn wipeout(
+        &mut self,
+        entity: &Entity<'_>,
+        frame: Affine,
+    ) -> Result<(), SourceError> {
         if !self.sketch.hides() {
             self.left_out(
-                it,
+                entity,
                 "left out, and what it covers is drawn; what.hide removes that",
             );
             return Ok(());
         }
-        let corner = it.point(10)?;
-        let [across, up] = [it.point(11)?.to_vec2(), it.point(12)?.to_vec2()];
-        let (wide, high) = (it.number_or(13, 1.0)?, it.number_or(23, 1.0)?);
+        let corner = entity.point(10)?;
+        let [across, up] = [entity.point(11)?.to_vec2(), entity.point(12)?.to_vec2()];
+        let (wide, high) = (entity.number_or(13, 1.0)?, entity.number_or(23, 1.0)?);
         let whole = [Point::new(-0.5, -0.5), Point::new(wide - 0.5, high - 0.5)];
-        let corners = match it.points(14)?.as_slice() {
+        let corners = match entity.points(14)?.as_slice() {
             [] => rectangle(whole),
             &[a, b] => rectangle([a, b]),
             corners => corners.to_vec(),
         };
         let mut rings = vec![corners];
-        if it.flags(290)? == INSIDE {
+        if entity.flags(290)? == INSIDE {
             rings.push(rectangle(whole));
         }
         let on_paper = |p: Point| {
             let p = corner + across * (p.x + 0.5) + up * (high - 0.5 - p.y);
-            self.place(it, frame, p)
+            self.place(entity, frame, p)
         };
         let rings = rings
             .into_iter()

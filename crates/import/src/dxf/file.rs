@@ -334,7 +334,7 @@ impl<'a> SectionReader<'a> {
             span.begin += rest
                 .iter()
                 .position(|&byte| byte == b'\n')
-                .map_or(rest.len(), |it| it + 1);
+                .map_or(rest.len(), |at| at + 1);
             match (&mut self.block, handle) {
                 (Some((_, block)), _) => block.entities.push(span),
                 (None, Some(handle)) => _ = self.file.objects.insert(handle, span),

@@ -13,12 +13,12 @@ use crate::place::shortened;
 
 impl EntityRenderer<'_, '_> {
     /// Draws the edges of its faces, each once, seen from above.
-    pub(super) fn mesh(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        if it.flags(91)? > 0 {
-            self.left_out(it, "drawn with straight edges, not smoothed");
+    pub(super) fn mesh(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        if entity.flags(91)? > 0 {
+            self.left_out(entity, "drawn with straight edges, not smoothed");
         }
-        let corners = self.places(it, frame, &it.points(10)?)?;
-        let edges = edges(it, corners.len())?;
+        let corners = self.places(entity, frame, &entity.points(10)?)?;
+        let edges = edges(entity, corners.len())?;
         self.edges(&corners, edges)
     }
 
@@ -26,25 +26,25 @@ impl EntityRenderer<'_, '_> {
     /// they form a grid.
     pub(super) fn old_mesh(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         vertices: &[Span<'_>],
         frame: Affine,
     ) -> Result<(), SourceError> {
         let (mut corners, mut edges) = (Vec::new(), Vec::new());
         for &span in vertices {
-            let vertex = Entity::read(it.text, span)?;
+            let vertex = Entity::read(entity.text, span)?;
             let flags = vertex.flags(70)?;
             if flags & (FACE | CORNER) == FACE {
                 edges.extend(edges_of_face(&vertex)?);
             } else if flags & SPLINE_CONTROL == 0 {
-                corners.push(self.place(it, frame, vertex.point(10)?)?);
+                corners.push(self.place(entity, frame, vertex.point(10)?)?);
             }
         }
-        if it.flags(70)? & POLYFACE == 0 {
-            edges = edges_of_grid(it, corners.len())?;
+        if entity.flags(70)? & POLYFACE == 0 {
+            edges = edges_of_grid(entity, corners.len())?;
         }
         if edges.is_empty() || edges.iter().any(|(a, b)| *a.max(b) >= corners.len()) {
-            self.left_out(it, "left out, because its faces are incomplete");
+            self.left_out(entity, "left out, because its faces are incomplete");
             return Ok(());
         }
         // Faces may have separate corners at the same place, and one may lie above another.
@@ -76,7 +76,7 @@ fn first_in_place(corners: &[Point]) -> Vec<usize> {
     corners
         .map(|(i, p)| {
             // Adding turns a negative zero into zero.
-            let place = [p.x, p.y].map(|it| (it + 0.0).to_bits());
+            let place = [p.x, p.y].map(|value| (value + 0.0).to_bits());
             *numbers.entry(place).or_insert(i)
         })
         .collect()
@@ -106,18 +106,18 @@ fn edges_of_face(face: &Entity<'_>) -> Result<Vec<(usize, usize)>, SourceError> 
 
 /// The edges of a mesh with this number of rows (71) and columns (72), for smoothed ones (73, 74);
 /// none if corners are missing.
-fn edges_of_grid(it: &Entity<'_>, corners: usize) -> Result<Vec<(usize, usize)>, SourceError> {
-    let codes = if it.flags(75)? == 0 {
+fn edges_of_grid(entity: &Entity<'_>, corners: usize) -> Result<Vec<(usize, usize)>, SourceError> {
+    let codes = if entity.flags(75)? == 0 {
         [71, 72]
     } else {
         [73, 74]
     };
-    let [rows, columns] = codes.map(|code| it.flags(code));
+    let [rows, columns] = codes.map(|code| entity.flags(code));
     let (rows, columns) = (rows? as usize, columns? as usize);
     if corners == 0 || rows.checked_mul(columns) != Some(corners) {
         return Ok(Vec::new());
     }
-    let flags = it.flags(70)?;
+    let flags = entity.flags(70)?;
     let next = |i: usize, count: usize, is_closed: bool| match i + 1 {
         next if next < count => Some(next),
         _ => is_closed.then_some(0),
@@ -136,8 +136,12 @@ fn edges_of_grid(it: &Entity<'_>, corners: usize) -> Result<Vec<(usize, usize)>,
 
 /// The edges of all faces by their corners, the smaller number first. The face list has a count and
 /// the corner numbers for each face.
-fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, SourceError> {
-    let list = it.pairs.iter().skip_while(|pair| pair.code != 93).skip(1);
+fn edges(entity: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, SourceError> {
+    let list = entity
+        .pairs
+        .iter()
+        .skip_while(|pair| pair.code != 93)
+        .skip(1);
     let mut list = list.take_while(|pair| pair.code == 90);
     let mut edges = BTreeSet::new();
     let mut next = |allowed: usize, what: &str| {
@@ -146,7 +150,7 @@ fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, So
         };
         let text = pair.text();
         let number = text.parse().ok().filter(|n: &usize| *n <= allowed);
-        let found = || it.refused(format!("{:?} in the faces of MESH", shortened(&text)), what);
+        let found = || entity.refused(format!("{:?} in the faces of MESH", shortened(&text)), what);
         Ok(Some(number.ok_or_else(found)?))
     };
     let expected = "counts of corners, each followed by that many existing corner numbers";
@@ -155,7 +159,7 @@ fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, So
         for _ in 0..count {
             let corner = next(corners.saturating_sub(1), expected)?;
             face.push(
-                corner.ok_or_else(|| it.refused("a face of MESH that ends early", expected))?,
+                corner.ok_or_else(|| entity.refused("a face of MESH that ends early", expected))?,
             );
         }
         for (i, &a) in face.iter().enumerate() {

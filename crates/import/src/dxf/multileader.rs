@@ -77,37 +77,37 @@ impl EntityRenderer<'_, '_> {
     /// Draws the leader lines, the landing line and the note. Arrows are not drawn.
     pub(super) fn multileader(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
     ) -> Result<(), SourceError> {
-        let parts = Parts::of(&it.pairs);
+        let parts = Parts::of(&entity.pairs);
         let mut has_lines = false;
         for leader in &parts.leaders {
-            let own = it.with(leader.own.clone());
+            let own = entity.with(leader.own.clone());
             let mut end = own.points(10)?;
             end.truncate(1);
             if let (Some(&at), true) = (end.first(), own.find(11).is_some()) {
                 end.push(at + own.point(11)?.to_vec2() * own.number_or(40, 0.0)?);
             }
             for line in &leader.lines {
-                let mut points = it.with(line.clone()).points(10)?;
+                let mut points = entity.with(line.clone()).points(10)?;
                 points.extend(&end);
                 points.dedup();
                 has_lines |= points.len() > 1;
-                let points = self.places(it, frame, &points)?;
+                let points = self.places(entity, frame, &points)?;
                 self.sketch.stroke(points)?;
             }
         }
         if has_lines {
-            self.left_out(it, "drawn without its arrow");
+            self.left_out(entity, "drawn without its arrow");
         }
-        let note = it.with(parts.note);
+        let note = entity.with(parts.note);
         if note.flags(296)? == 1 {
-            self.left_out(it, "the block at its end left out");
+            self.left_out(entity, "the block at its end left out");
         }
         if note.flags(290)? == 1 && note.find(304).is_some() {
             let text = note.pairs.iter().filter_map(as_paragraph).collect();
-            self.paragraphs(&it.with(text), frame)?;
+            self.paragraphs(&entity.with(text), frame)?;
         }
         Ok(())
     }

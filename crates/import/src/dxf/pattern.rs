@@ -24,10 +24,10 @@ pub(super) struct PatternLine {
 
 impl PatternLine {
     /// The families of a hatch, which include angle and scale of the pattern.
-    pub(super) fn all(it: &Entity<'_>) -> Result<Vec<Self>, SourceError> {
-        let begin = it.pairs.iter().position(|pair| pair.code == 78);
+    pub(super) fn all(entity: &Entity<'_>) -> Result<Vec<Self>, SourceError> {
+        let begin = entity.pairs.iter().position(|pair| pair.code == 78);
         let mut lines: Vec<Self> = Vec::new();
-        for pair in &it.pairs[begin.unwrap_or(it.pairs.len())..] {
+        for pair in &entity.pairs[begin.unwrap_or(entity.pairs.len())..] {
             match (pair.code, lines.last_mut()) {
                 (53, _) => lines.push(Self {
                     angle_deg: pair.number()?,
@@ -118,7 +118,7 @@ impl EntityRenderer<'_, '_> {
     /// Draws the pattern lines of an area; too many of them are left to hatching.
     pub(super) fn pattern(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         area: Area,
         lines: &[PatternLine],
@@ -127,7 +127,10 @@ impl EntityRenderer<'_, '_> {
         let mut all = Vec::new();
         for line in lines {
             let Some(mut dashes) = line.dashes_in(frame, around) else {
-                self.left_out(it, "its pattern left out, because it has too many lines");
+                self.left_out(
+                    entity,
+                    "its pattern left out, because it has too many lines",
+                );
                 return self.sketch.area(area);
             };
             all.append(&mut dashes);

@@ -12,11 +12,11 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    pub(super) fn of(it: &Entity<'_>) -> Result<Self, SourceError> {
+    pub(super) fn of(entity: &Entity<'_>) -> Result<Self, SourceError> {
         let normal = [
-            it.number_or(210, 0.0)?,
-            it.number_or(220, 0.0)?,
-            it.number_or(230, 1.0)?,
+            entity.number_or(210, 0.0)?,
+            entity.number_or(220, 0.0)?,
+            entity.number_or(230, 1.0)?,
         ];
         let normal = unit(normal).unwrap_or([0.0, 0.0, 1.0]);
         Ok(Self { normal })

@@ -132,13 +132,13 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     /// Draws an entity other than a block, on its layer, with its dashes.
     fn lines(
         &mut self,
-        it: &Entity<'a>,
+        entity: &Entity<'a>,
         parts: &[Span<'a>],
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
         let mut frame = Some(copy.frame);
-        if has_own_plane(it)? {
-            frame = self.seen(it, copy.frame)?;
+        if has_own_plane(entity)? {
+            frame = self.seen(entity, copy.frame)?;
         }
         let Some(frame) = frame else {
             return Ok(());
@@ -146,22 +146,22 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         self.use_layer(copy.layer)?;
         self.sketch.lift();
         let copy = Copy { frame, ..copy };
-        if let Some(line_type) = self.line_type(it, copy)? {
+        if let Some(line_type) = self.line_type(entity, copy)? {
             let mark = self.sketch.mark();
-            self.shape(it, parts, copy)?;
+            self.shape(entity, parts, copy)?;
             let LineType { lengths, offset } = line_type;
             return self.sketch.dash_since(&mark, &lengths, offset);
         }
-        self.shape(it, parts, copy)
+        self.shape(entity, parts, copy)
     }
 
     /// The name in upper case of an entity's line type, which may be inherited from layer or block;
     /// empty in a file without any.
-    fn line_type_name(&self, it: &Entity<'_>, layer: &str, of_block: &str) -> String {
+    fn line_type_name(&self, entity: &Entity<'_>, layer: &str, of_block: &str) -> String {
         if self.file.line_types.is_empty() {
             return String::new();
         }
-        let own = it.find(6).map(|at| at.text().to_uppercase());
+        let own = entity.find(6).map(|at| at.text().to_uppercase());
         match own.as_deref() {
             None | Some("BYLAYER") => {
                 let info = self.file.layers.get(layer);
@@ -173,68 +173,72 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     }
 
     /// The dashes of an entity, in mm; `None` for a solid line.
-    fn line_type(&self, it: &Entity<'_>, copy: Copy<'_>) -> Result<Option<LineType>, SourceError> {
-        if !LINES.contains(&it.kind) {
+    fn line_type(
+        &self,
+        entity: &Entity<'_>,
+        copy: Copy<'_>,
+    ) -> Result<Option<LineType>, SourceError> {
+        if !LINES.contains(&entity.kind) {
             return Ok(None);
         }
         let Some(line_type) = self.file.line_types.get(copy.line_type) else {
             return Ok(None);
         };
         let larger = copy.frame.determinant().abs().sqrt();
-        Ok(line_type.scaled(self.file.line_scale * it.number_or(48, 1.0)? * larger))
+        Ok(line_type.scaled(self.file.line_scale * entity.number_or(48, 1.0)? * larger))
     }
 
     fn shape(
         &mut self,
-        it: &Entity<'a>,
+        entity: &Entity<'a>,
         parts: &[Span<'a>],
         Copy { frame, depth, .. }: Copy<'_>,
     ) -> Result<(), SourceError> {
-        match it.kind {
-            b"LINE" => self.straight(it, frame),
-            b"POINT" => self.dot(it, frame),
-            b"CIRCLE" | b"ARC" => self.circle(it, frame),
-            b"ELLIPSE" => self.ellipse(it, frame),
-            b"LWPOLYLINE" => self.light_polyline(it, frame),
-            b"POLYLINE" => self.polyline(it, parts, frame),
-            b"SPLINE" => self.spline(it, frame),
-            b"SOLID" | b"TRACE" => self.solid(it, frame),
-            b"3DFACE" => self.face(it, frame),
-            b"MLINE" => self.multiline(it, frame),
-            b"MESH" => self.mesh(it, frame),
-            b"LEADER" => self.leader(it, frame),
-            b"MULTILEADER" | b"MLEADER" => self.multileader(it, frame),
-            b"WIPEOUT" => self.wipeout(it, frame),
-            b"HATCH" => self.hatch(it, frame),
+        match entity.kind {
+            b"LINE" => self.straight(entity, frame),
+            b"POINT" => self.dot(entity, frame),
+            b"CIRCLE" | b"ARC" => self.circle(entity, frame),
+            b"ELLIPSE" => self.ellipse(entity, frame),
+            b"LWPOLYLINE" => self.light_polyline(entity, frame),
+            b"POLYLINE" => self.polyline(entity, parts, frame),
+            b"SPLINE" => self.spline(entity, frame),
+            b"SOLID" | b"TRACE" => self.solid(entity, frame),
+            b"3DFACE" => self.face(entity, frame),
+            b"MLINE" => self.multiline(entity, frame),
+            b"MESH" => self.mesh(entity, frame),
+            b"LEADER" => self.leader(entity, frame),
+            b"MULTILEADER" | b"MLEADER" => self.multileader(entity, frame),
+            b"WIPEOUT" => self.wipeout(entity, frame),
+            b"HATCH" => self.hatch(entity, frame),
             // The end of a POLYLINE, and the viewport of a layout.
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),
-            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(it, frame, depth > 0),
-            b"MTEXT" => self.paragraphs(it, frame),
+            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(entity, frame, depth > 0),
+            b"MTEXT" => self.paragraphs(entity, frame),
             b"RAY" | b"XLINE" => {
-                self.left_out(it, "left out, because it has no end");
+                self.left_out(entity, "left out, because it has no end");
                 Ok(())
             }
             _ => {
-                self.left_out(it, "unknown, left out");
+                self.left_out(entity, "unknown, left out");
                 Ok(())
             }
         }
     }
 
-    pub(super) fn left_out(&mut self, it: &Entity<'_>, instead: &str) {
-        self.sketch.warn(it.at, &it.name(), instead);
+    pub(super) fn left_out(&mut self, entity: &Entity<'_>, instead: &str) {
+        self.sketch.warn(entity.at, &entity.name(), instead);
     }
 
-    fn is_hidden(&mut self, it: &Entity<'_>, layer: &str) -> Result<bool, SourceError> {
+    fn is_hidden(&mut self, entity: &Entity<'_>, layer: &str) -> Result<bool, SourceError> {
         // The definition points of dimensions; the format never plots this layer, whatever its
         // table declares.
         let is_for_points = layer.eq_ignore_ascii_case("Defpoints");
-        if it.flags(60)? == 1 || is_for_points && it.kind == b"POINT" {
+        if entity.flags(60)? == 1 || is_for_points && entity.kind == b"POINT" {
             return Ok(true);
         }
         let info = self.file.layers.get(layer);
         // A layer of a block that is off hides only the entities on layer 0, which inherit it.
-        let is_block = it.kind == b"INSERT";
+        let is_block = entity.kind == b"INSERT";
         let is_off = !is_block && info.is_some_and(LayerInfo::is_off);
         let is_unplotted = is_for_points || info.is_some_and(|info| info.is_unplotted);
         let (what, instead) = if is_off || info.is_some_and(|info| info.is_frozen) {
@@ -242,7 +246,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
                 "hidden object",
                 "left out, because its layer is off or frozen",
             )
-        } else if it.flags(67)? == 1 {
+        } else if entity.flags(67)? == 1 {
             ("paper space object", "left out")
         } else if is_unplotted && !is_block {
             (
@@ -252,19 +256,19 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         } else {
             return Ok(false);
         };
-        self.sketch.warn(it.at, what, instead);
+        self.sketch.warn(entity.at, what, instead);
         Ok(true)
     }
 
     /// The frame of the entity's extrusion; `None` if it is tilted out of the plane.
-    fn seen(&mut self, it: &Entity<'_>, frame: Affine) -> Result<Option<Affine>, SourceError> {
-        let (x, y) = (it.number_or(210, 0.0)?, it.number_or(220, 0.0)?);
+    fn seen(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<Option<Affine>, SourceError> {
+        let (x, y) = (entity.number_or(210, 0.0)?, entity.number_or(220, 0.0)?);
         if x.hypot(y) > 1e-6 {
             let instead = "left out, because only objects in the XY plane are drawn";
-            self.sketch.warn(it.at, "tilted object", instead);
+            self.sketch.warn(entity.at, "tilted object", instead);
             return Ok(None);
         }
-        Ok(Some(frame * Affine::scale_non_uniform(it.side()?, 1.0)))
+        Ok(Some(frame * Affine::scale_non_uniform(entity.side()?, 1.0)))
     }
 
     fn use_layer(&mut self, name: &str) -> Result<(), SourceError> {
@@ -287,31 +291,31 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     /// Draws a block, once or in rows and columns.
     fn insert(
         &mut self,
-        it: &Entity<'a>,
+        entity: &Entity<'a>,
         attributes: &[Span<'a>],
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
-        let name = it.find(2).map(Pair::text).unwrap_or_default();
+        let name = entity.find(2).map(Pair::text).unwrap_or_default();
         let Some(block) = self.file.blocks.get(&name) else {
             let first = shortened(&name);
             let instead = format!("left out, because its block is not in the file: {first:?}");
-            self.left_out(it, &instead);
+            self.left_out(entity, &instead);
             return Ok(());
         };
-        let Some(frame) = self.seen(it, copy.frame)? else {
+        let Some(frame) = self.seen(entity, copy.frame)? else {
             return Ok(());
         };
-        let clip = self.clip(it)?;
-        let turn = Affine::rotate(it.number_or(50, 0.0)?.to_radians());
-        let (columns, rows) = (it.flags(70)?.max(1), it.flags(71)?.max(1));
-        let (wide, high) = (it.number_or(44, 0.0)?, it.number_or(45, 0.0)?);
+        let clip = self.clip(entity)?;
+        let turn = Affine::rotate(entity.number_or(50, 0.0)?.to_radians());
+        let (columns, rows) = (entity.flags(70)?.max(1), entity.flags(71)?.max(1));
+        let (wide, high) = (entity.number_or(44, 0.0)?, entity.number_or(45, 0.0)?);
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
         {
             let shift = Vec2::new(f64::from(column) * wide, f64::from(row) * high);
-            let placed = frame * placed(it, block.base, shift)?;
+            let placed = frame * placed(entity, block.base, shift)?;
             let mark = self.sketch.mark();
             self.block(
-                it,
+                entity,
                 block,
                 Copy {
                     frame: placed,
@@ -333,33 +337,33 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     }
 
     /// Draws a table, whose picture is a block.
-    fn table(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
-        let Some(block) = self.picture(it) else {
+    fn table(&mut self, entity: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
+        let Some(block) = self.picture(entity) else {
             return Ok(());
         };
-        let right = Vec2::new(it.number_or(11, 1.0)?, it.number_or(21, 0.0)?);
+        let right = Vec2::new(entity.number_or(11, 1.0)?, entity.number_or(21, 0.0)?);
         let turn = Affine::rotate(right.atan2());
-        let at = Affine::translate(it.point(10)?.to_vec2());
+        let at = Affine::translate(entity.point(10)?.to_vec2());
         let frame = copy.frame * at * turn * Affine::translate(-block.base.to_vec2());
-        self.block(it, block, Copy { frame, ..copy })
+        self.block(entity, block, Copy { frame, ..copy })
     }
 
     /// Draws the picture of a dimension, which is a block in its place.
-    fn dimension(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
-        let Some(block) = self.picture(it) else {
+    fn dimension(&mut self, entity: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
+        let Some(block) = self.picture(entity) else {
             return Ok(());
         };
-        let shift = Point::new(it.number_or(12, 0.0)?, it.number_or(22, 0.0)?) - block.base;
+        let shift = Point::new(entity.number_or(12, 0.0)?, entity.number_or(22, 0.0)?) - block.base;
         let frame = copy.frame * Affine::translate(shift);
-        self.block(it, block, Copy { frame, ..copy })
+        self.block(entity, block, Copy { frame, ..copy })
     }
 
     /// Draws the block that represents an entity.
-    fn picture(&mut self, it: &Entity<'_>) -> Option<&'s Block<'a>> {
-        let name = it.find(2).map(Pair::text).unwrap_or_default();
+    fn picture(&mut self, entity: &Entity<'_>) -> Option<&'s Block<'a>> {
+        let name = entity.find(2).map(Pair::text).unwrap_or_default();
         let block = self.file.blocks.get(&name);
         if block.is_none() {
-            self.left_out(it, "left out, because its picture is not in the file");
+            self.left_out(entity, "left out, because its picture is not in the file");
         }
         block
     }
@@ -367,20 +371,20 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     /// Draws a block in a frame, one level deeper.
     fn block(
         &mut self,
-        it: &Entity<'a>,
+        entity: &Entity<'a>,
         block: &'s Block<'a>,
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
         if copy.depth == MOST_DEPTH {
-            return Err(it.refused("a block inside itself", "blocks nested at most 32 deep"));
+            return Err(entity.refused("a block inside itself", "blocks nested at most 32 deep"));
         }
         self.spend(Span {
             kind: b"",
-            at: it.at,
-            begin: it.at,
-            end: it.at + LEAST_COPY,
+            at: entity.at,
+            begin: entity.at,
+            end: entity.at + LEAST_COPY,
         })?;
-        let is_opaque = self.is_opaque(it, self.file.layers.get(copy.layer))?;
+        let is_opaque = self.is_opaque(entity, self.file.layers.get(copy.layer))?;
         let around = std::mem::replace(&mut self.block_is_opaque, is_opaque);
         let depth = copy.depth + 1;
         let drawn = self.entities(&block.entities, Copy { depth, ..copy });
@@ -391,18 +395,18 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
 
 /// Whether the coordinates of an entity are in the plane of its extrusion; those of others are
 /// world coordinates.
-fn has_own_plane(it: &Entity<'_>) -> Result<bool, SourceError> {
-    Ok(match it.kind {
-        b"POLYLINE" => it.flags(70)? & IN_SPACE == 0,
+fn has_own_plane(entity: &Entity<'_>) -> Result<bool, SourceError> {
+    Ok(match entity.kind {
+        b"POLYLINE" => entity.flags(70)? & IN_SPACE == 0,
         kind => FLAT.contains(&kind),
     })
 }
 
 /// The transform of an INSERT.
-fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceError> {
-    let turn = Affine::rotate(it.number_or(50, 0.0)?.to_radians());
-    let size = Affine::scale_non_uniform(it.number_or(41, 1.0)?, it.number_or(42, 1.0)?);
-    let at = Affine::translate(it.point(10)?.to_vec2());
+fn placed(entity: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceError> {
+    let turn = Affine::rotate(entity.number_or(50, 0.0)?.to_radians());
+    let size = Affine::scale_non_uniform(entity.number_or(41, 1.0)?, entity.number_or(42, 1.0)?);
+    let at = Affine::translate(entity.point(10)?.to_vec2());
     Ok(at * turn * Affine::translate(shift) * size * Affine::translate(-base.to_vec2()))
 }
 

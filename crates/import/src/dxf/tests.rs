@@ -309,7 +309,7 @@ fn a_tilted_ellipse_is_as_flat_as_it_is_seen_from_above() {
     // A circle that is lifted by 60 degrees about the X axis.
     let tilted = "0 ELLIPSE 10 0 20 0 11 10 21 0 31 0 40 1 210 0 220 -0.8660254 230 0.5";
     let (artwork, warnings) = draw(tilted);
-    let size = [artwork.width_mm, artwork.height_mm].map(|it| (it * 100.0).round());
+    let size = [artwork.width_mm, artwork.height_mm].map(|value| (value * 100.0).round());
     assert_eq!((size, warnings.len()), ([2000.0, 1000.0], 0));
 }
 

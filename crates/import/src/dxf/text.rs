@@ -54,51 +54,55 @@ impl EntityRenderer<'_, '_> {
     /// Draws TEXT, ATTRIB and ATTDEF: one line.
     pub(super) fn text(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         is_in_block: bool,
     ) -> Result<(), SourceError> {
-        let code = shown(it, is_in_block)?;
-        let Some(pair) = code.and_then(|code| it.find(code)) else {
+        let code = shown(entity, is_in_block)?;
+        let Some(pair) = code.and_then(|code| entity.find(code)) else {
             return Ok(());
         };
         let whole = pair.whole_text();
-        check_length(it, &whole)?;
+        check_length(entity, &whole)?;
         let content = line(&whole).composed();
-        self.tell_plainer(it, &content);
+        self.tell_plainer(entity, &content);
         if content.text.trim().is_empty() {
             return Ok(());
         }
         let extent = LineExtent::of(&content.text, &mut self.lettering);
-        let pose = text_pose(it, extent)?;
-        if !has_size(it, &pose)? {
-            self.left_out(it, "left out, because its letters have no size");
+        let pose = text_pose(entity, extent)?;
+        if !has_size(entity, &pose)? {
+            self.left_out(entity, "left out, because its letters have no size");
             return Ok(());
         }
-        self.write(it, frame, &content.text, pose)
+        self.write(entity, frame, &content.text, pose)
     }
 
     /// Draws MTEXT: several lines. Its point and its direction are in world coordinates.
-    pub(super) fn paragraphs(&mut self, it: &Entity<'_>, world: Affine) -> Result<(), SourceError> {
-        let whole = whole_text(it);
-        check_length(it, &whole)?;
+    pub(super) fn paragraphs(
+        &mut self,
+        entity: &Entity<'_>,
+        world: Affine,
+    ) -> Result<(), SourceError> {
+        let whole = whole_text(entity);
+        check_length(entity, &whole)?;
         let content = lines(&whole).composed();
-        self.tell_plainer(it, &content);
-        let unit = it.number(40)? / CAPITAL;
-        let (right, up) = paragraph_directions(it)?;
+        self.tell_plainer(entity, &content);
+        let unit = entity.number(40)? / CAPITAL;
+        let (right, up) = paragraph_directions(entity)?;
         let pose = Pose {
-            at: it.point(10)?,
+            at: entity.point(10)?,
             across: right * unit,
             up: up * unit,
         };
-        if !has_size(it, &pose)? {
-            self.left_out(it, "left out, because its letters have no size");
+        if !has_size(entity, &pose)? {
+            self.left_out(entity, "left out, because its letters have no size");
             return Ok(());
         }
-        let (column, row) = attachment(it)?;
-        let room = it.number_or(41, 0.0)? / unit;
+        let (column, row) = attachment(entity)?;
+        let room = entity.number_or(41, 0.0)? / unit;
         let lines = self.wrapped(&content.text, room / NARROW);
-        let spacing = it.number_or(44, 1.0)? * LINE * CAPITAL;
+        let spacing = entity.number_or(44, 1.0)? * LINE * CAPITAL;
         #[expect(clippy::cast_precision_loss, reason = "a count of lines")]
         let below = spacing * (lines.len() - 1) as f64;
         let mut y = (CAPITAL + below) * row - CAPITAL;
@@ -114,7 +118,7 @@ impl EntityRenderer<'_, '_> {
                 };
             let x = -extent.width() * column - extent.begin;
             let at = pose.at + across * x + pose.up * y;
-            self.write(it, world, &line, Pose { at, across, ..pose })?;
+            self.write(entity, world, &line, Pose { at, across, ..pose })?;
             y -= spacing;
         }
         Ok(())
@@ -149,7 +153,7 @@ impl EntityRenderer<'_, '_> {
 
     fn write(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         text: &str,
         mut pose: Pose,
@@ -161,36 +165,36 @@ impl EntityRenderer<'_, '_> {
                 up: way(frame, pose.up),
             };
             self.lettering
-                .write(self.sketch, it.at, character, &letter)?;
+                .write(self.sketch, entity.at, character, &letter)?;
             let advance = self.lettering.extent(character).unwrap_or_default().advance;
             pose.at += pose.across * advance;
         }
         Ok(())
     }
 
-    fn tell_plainer(&mut self, it: &Entity<'_>, content: &Content) {
+    fn tell_plainer(&mut self, entity: &Entity<'_>, content: &Content) {
         if content.is_plainer {
             let instead = "written plainly: one height, no underlines, fractions on one line";
-            self.sketch.warn(it.at, "formatted text", instead);
+            self.sketch.warn(entity.at, "formatted text", instead);
         }
     }
 }
 
 /// Refuses texts that are too long.
-fn check_length(it: &Entity<'_>, text: &str) -> Result<(), SourceError> {
+fn check_length(entity: &Entity<'_>, text: &str) -> Result<(), SourceError> {
     if text.len() <= MOST_LETTERS {
         return Ok(());
     }
     let found = format!("a text of {} bytes", text.len());
     let expected = format!("at most {MOST_LETTERS}; split it");
-    Err(it.refused(found, &expected))
+    Err(entity.refused(found, &expected))
 }
 
 /// The group of the visible text: of a definition its tag, or in a block its value if all copies
 /// share it. `None` if nothing is visible.
-fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError> {
-    let flags = it.flags(70)?;
-    Ok(match it.kind {
+fn shown(entity: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError> {
+    let flags = entity.flags(70)?;
+    Ok(match entity.kind {
         b"ATTRIB" | b"ATTDEF" if flags & INVISIBLE != 0 => None,
         b"ATTDEF" if is_in_block => (flags & CONSTANT != 0).then_some(1),
         b"ATTDEF" => Some(2),
@@ -199,25 +203,25 @@ fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError>
 }
 
 /// The placement of a line's letters relative to its points.
-fn text_pose(it: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
-    let (column, row) = justification(it)?;
-    let has_second = it.find(11).is_some();
+fn text_pose(entity: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
+    let (column, row) = justification(entity)?;
+    let has_second = entity.find(11).is_some();
     let pose = match column {
-        ALIGNED | FIT if has_second => spanning_pose(it, extent, column)?,
+        ALIGNED | FIT if has_second => spanning_pose(entity, extent, column)?,
         _ => {
-            let (right, up) = directions(it)?;
-            let tall = it.number(40)? / CAPITAL;
+            let (right, up) = directions(entity)?;
+            let tall = entity.number(40)? / CAPITAL;
             let is_at_start = (column, row) == (0, 0) || !has_second;
             Pose {
-                at: it.point(if is_at_start { 10 } else { 11 })?,
-                across: right * (tall * it.number_or(41, 1.0)?),
+                at: entity.point(if is_at_start { 10 } else { 11 })?,
+                across: right * (tall * entity.number_or(41, 1.0)?),
                 up: up * tall,
             }
         }
     };
-    let made = it.flags(71)?;
+    let made = entity.flags(71)?;
     let side = |flag: u32| if made & flag == 0 { 1.0 } else { -1.0 };
-    let lean = it.number_or(51, 0.0)?.to_radians().tan();
+    let lean = entity.number_or(51, 0.0)?.to_radians().tan();
     let tall = pose.up.length();
     let leaning = pose.across * (lean * tall / pose.across.length());
     let across = pose.across * side(BACKWARD);
@@ -228,9 +232,13 @@ fn text_pose(it: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
 }
 
 /// Fits between two points: as tall as that makes it, or with the given height.
-fn spanning_pose(it: &Entity<'_>, extent: LineExtent, column: u32) -> Result<Pose, SourceError> {
-    let at = it.point(10)?;
-    let way = it.point(11)? - at;
+fn spanning_pose(
+    entity: &Entity<'_>,
+    extent: LineExtent,
+    column: u32,
+) -> Result<Pose, SourceError> {
+    let at = entity.point(10)?;
+    let way = entity.point(11)? - at;
     // A single I has no width.
     let width = if extent.width() > 0.0 {
         extent.width()
@@ -239,22 +247,22 @@ fn spanning_pose(it: &Entity<'_>, extent: LineExtent, column: u32) -> Result<Pos
     };
     let across = way * (1.0 / width);
     let tall = if column == ALIGNED {
-        across.length() / it.number_or(41, 1.0)?
+        across.length() / entity.number_or(41, 1.0)?
     } else {
-        it.number(40)? / CAPITAL
+        entity.number(40)? / CAPITAL
     };
     let up = way.turn_90() * (tall / way.length());
     Ok(Pose { at, across, up })
 }
 
 /// The justification across and up.
-fn justification(it: &Entity<'_>) -> Result<(u32, u32), SourceError> {
-    let vertical = if it.kind == b"TEXT" { 73 } else { 74 };
-    let (column, row) = (it.flags(72)?, it.flags(vertical)?);
+fn justification(entity: &Entity<'_>) -> Result<(u32, u32), SourceError> {
+    let vertical = if entity.kind == b"TEXT" { 73 } else { 74 };
+    let (column, row) = (entity.flags(72)?, entity.flags(vertical)?);
     if column > FIT || row > TOP {
-        let found = format!("{} justified {column} across and {row} up", it.name());
+        let found = format!("{} justified {column} across and {row} up", entity.name());
         let expected = "0 to 5 across (72) and 0 to 3 up (73, of attributes 74)";
-        return Err(it.refused(found, expected));
+        return Err(entity.refused(found, expected));
     }
     Ok((column, row))
 }
@@ -279,46 +287,46 @@ const fn below(column: u32, row: u32) -> f64 {
 }
 
 /// The directions along a line of text and up.
-fn directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
-    let right = Vec2::from_angle(it.number_or(50, 0.0)?.to_radians());
+fn directions(entity: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
+    let right = Vec2::from_angle(entity.number_or(50, 0.0)?.to_radians());
     Ok((right, right.turn_90()))
 }
 
 /// The directions of an MTEXT, which has a direction in the world or an angle, and may be seen from
 /// behind or from the side.
-fn paragraph_directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
-    let plane = Plane::of(it)?;
-    let right = if it.find(11).is_some() {
-        plane.within(it.way(11)?).unwrap_or_default()
+fn paragraph_directions(entity: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
+    let plane = Plane::of(entity)?;
+    let right = if entity.find(11).is_some() {
+        plane.within(entity.way(11)?).unwrap_or_default()
     } else {
-        plane.right(it.number_or(50, 0.0)?.to_radians())
+        plane.right(entity.number_or(50, 0.0)?.to_radians())
     };
     Ok((from_above(right), from_above(plane.left_of(right))))
 }
 
 /// The position of the point of an MTEXT: the fractions before it and above it.
-fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
-    let number = it.number_or(71, 1.0)?;
+fn attachment(entity: &Entity<'_>) -> Result<(f64, f64), SourceError> {
+    let number = entity.number_or(71, 1.0)?;
     let index = (1..=9_u8).find(|&i| f64::from(i) == number);
     let index = index.ok_or_else(|| {
         let found = format!("MTEXT attached at {number}");
-        it.refused(found, "an attachment point from 1 to 9")
+        entity.refused(found, "an attachment point from 1 to 9")
     })? - 1;
     Ok((f64::from(index % 3) * 0.5, f64::from(index / 3) * 0.5))
 }
 
 /// The text of an MTEXT, which is split if long.
-fn whole_text(it: &Entity<'_>) -> String {
-    let pieces = it
+fn whole_text(entity: &Entity<'_>) -> String {
+    let pieces = entity
         .pairs
         .iter()
         .filter(|pair| pair.code == 1 || pair.code == 3);
     pieces.map(Pair::whole_text).collect()
 }
 
-fn has_size(it: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {
+fn has_size(entity: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {
     let area = pose.across.cross(pose.up);
-    Ok(it.number(40)? > 0.0 && area != 0.0 && area.is_finite())
+    Ok(entity.number(40)? > 0.0 && area != 0.0 && area.is_finite())
 }
 
 /// Flags of attributes.

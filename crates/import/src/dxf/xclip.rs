@@ -14,8 +14,8 @@ impl<'a> EntityRenderer<'_, 'a> {
     ///   INSERT -- 102 {ACAD_XDICTIONARY 360 --> DICTIONARY -- 3 ACAD_FILTER 360 -->
     ///   DICTIONARY -- 3 SPATIAL 360 --> SPATIAL_FILTER
     /// ```
-    pub(super) fn clip(&mut self, it: &Entity<'a>) -> Result<Option<Vec<Point>>, SourceError> {
-        let mut own = it.pairs.iter();
+    pub(super) fn clip(&mut self, entity: &Entity<'a>) -> Result<Option<Vec<Point>>, SourceError> {
+        let mut own = entity.pairs.iter();
         own.find(|value| value.is(102, b"{ACAD_XDICTIONARY"));
         let Some(own) = own.find(|value| value.code == 360) else {
             return Ok(None);
@@ -27,7 +27,7 @@ impl<'a> EntityRenderer<'_, 'a> {
             return Ok(None);
         };
         match self.object(&filter)? {
-            Some(it) if it.kind == b"SPATIAL_FILTER" => ring(&it).map(Some),
+            Some(entity) if entity.kind == b"SPATIAL_FILTER" => ring(&entity).map(Some),
             _ => Ok(None),
         }
     }
@@ -60,15 +60,15 @@ impl<'a> EntityRenderer<'_, 'a> {
 }
 
 /// The corners of a filter.
-fn ring(it: &Entity<'_>) -> Result<Vec<Point>, SourceError> {
-    let corners = it.points(10)?;
-    let numbers = it.numbers(40)?;
+fn ring(entity: &Entity<'_>) -> Result<Vec<Point>, SourceError> {
+    let corners = entity.points(10)?;
+    let numbers = entity.numbers(40)?;
     // The last groups are two matrices of twelve numbers: the first is from the world to the block.
     let Some(&[xx, xy, _, x, yx, yy, _, y, ..]) =
         numbers.len().checked_sub(24).map(|n| &numbers[n..])
     else {
         let found = format!("a clip with {} numbers (group 40)", numbers.len());
-        return Err(it.refused(found, "two matrices of 12 numbers"));
+        return Err(entity.refused(found, "two matrices of 12 numbers"));
     };
     let to_block = Affine::new([xx, yx, xy, yy, x, y]);
     let corners: Vec<Point> = corners.into_iter().map(|p| to_block * p).collect();

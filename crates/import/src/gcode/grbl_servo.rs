@@ -43,28 +43,28 @@ impl Angles {
 
 impl GrblServoStatistics {
     /// Handles a move of any kind.
-    pub(super) fn count(&mut self, it: &Move) {
-        if it.kind == MoveKind::Dwell {
-            self.waited = it.tool.angle(ServoCode::M3);
+    pub(super) fn count(&mut self, motion: &Move) {
+        if motion.kind == MoveKind::Dwell {
+            self.waited = motion.tool.angle(ServoCode::M3);
         }
-        if it.stands() {
+        if motion.stands() {
             return;
         }
-        self.angles.count(it, ServoCode::M3);
-        let Some(angle) = it.tool.angle(ServoCode::M3) else {
+        self.angles.count(motion, ServoCode::M3);
+        let Some(angle) = motion.tool.angle(ServoCode::M3) else {
             self.is_off |= self.held.is_some();
-            self.is_none |= it.tool.power.is_some();
+            self.is_none |= motion.tool.power.is_some();
             return;
         };
         // The power of a laser may be on the lines of moves.
         let own = (angle > 0.0).then_some(angle);
-        self.is_none |= it.tool.power != own || self.is_off;
+        self.is_none |= motion.tool.power != own || self.is_off;
         match self.held.replace(angle) {
             Some(held) if held != angle => self.turn(held, angle),
             _ => {}
         }
         self.waited = None;
-        match it.kind {
+        match motion.kind {
             MoveKind::Rapid => self.rapids.count(angle),
             _ => self.feeds.count(angle),
         }

@@ -18,18 +18,18 @@ pub(super) struct HighStatistics {
 
 impl HighStatistics {
     /// Handles a move along X or Y.
-    pub(super) fn count(&mut self, it: &Move) {
-        let Some(z_mm) = it.z_mm else {
+    pub(super) fn count(&mut self, motion: &Move) {
+        let Some(z_mm) = motion.z_mm else {
             return;
         };
-        if it.kind == MoveKind::Rapid {
+        if motion.kind == MoveKind::Rapid {
             let first_mm = *self.rapids_mm.get_or_insert(z_mm);
             self.is_mixed |= !is_same(first_mm, z_mm);
             return;
         }
         if self
             .rapids_mm
-            .is_some_and(|it| z_mm > it && !is_same(it, z_mm))
+            .is_some_and(|motion| z_mm > motion && !is_same(motion, z_mm))
         {
             let first_mm = *self.lines_mm.get_or_insert(z_mm);
             self.is_mixed |= !is_same(first_mm, z_mm);

@@ -43,22 +43,22 @@ impl<'s, 'a> Inker<'s, 'a> {
         }
     }
 
-    pub(super) fn draw(&mut self, it: &Move) -> Result<(), SourceError> {
-        if it.kind == MoveKind::Drill && !matches!(self.rule, InkRule::Height { .. }) {
+    pub(super) fn draw(&mut self, motion: &Move) -> Result<(), SourceError> {
+        if motion.kind == MoveKind::Drill && !matches!(self.rule, InkRule::Height { .. }) {
             let instead = "left out, because Z does not lift the pen";
-            self.sketch.warn(it.at, "drilled hole", instead);
+            self.sketch.warn(motion.at, "drilled hole", instead);
             return Ok(());
         }
-        let stands = it.stands();
+        let stands = motion.stands();
         self.has_moved |= !stands;
         // A waiting tool may continue from here: only a dot would be burned.
-        let inks = self.inks(it) && (stands || !self.stays_dark(it));
+        let inks = self.inks(motion) && (stands || !self.stays_dark(motion));
         match (inks, stands) {
             (true, true) => {
-                self.stand(it);
+                self.stand(motion);
                 Ok(())
             }
-            (true, false) => self.ink(it),
+            (true, false) => self.ink(motion),
             (false, stands) => {
                 if let Some(lowered) = self.lowered.take() {
                     self.dot(lowered)?;
@@ -109,75 +109,78 @@ impl<'s, 'a> Inker<'s, 'a> {
         Ok(())
     }
 
-    fn inks(&self, it: &Move) -> bool {
+    fn inks(&self, motion: &Move) -> bool {
         match self.rule {
             InkRule::Laser { travel, .. } => {
-                let least = if it.kind == MoveKind::Dwell {
+                let least = if motion.kind == MoveKind::Dwell {
                     travel
                 } else {
                     0.0
                 };
-                it.kind != MoveKind::Rapid && it.tool.power.is_some_and(|power| power > least)
+                motion.kind != MoveKind::Rapid
+                    && motion.tool.power.is_some_and(|power| power > least)
             }
-            InkRule::Height { below_mm, .. } => it.z_mm.is_some_and(|z_mm| z_mm < below_mm),
-            InkRule::HighPen { above_mm } => it.z_mm.is_some_and(|z_mm| z_mm > above_mm),
-            InkRule::Switch => it.kind != MoveKind::Rapid && it.tool.is_on_without_power,
-            InkRule::Servo { code, up, .. } => it.tool.angle(code).is_some_and(|angle| angle != up),
-            InkRule::Plain { .. } => it.kind != MoveKind::Rapid,
+            InkRule::Height { below_mm, .. } => motion.z_mm.is_some_and(|z_mm| z_mm < below_mm),
+            InkRule::HighPen { above_mm } => motion.z_mm.is_some_and(|z_mm| z_mm > above_mm),
+            InkRule::Switch => motion.kind != MoveKind::Rapid && motion.tool.is_on_without_power,
+            InkRule::Servo { code, up, .. } => {
+                motion.tool.angle(code).is_some_and(|angle| angle != up)
+            }
+            InkRule::Plain { .. } => motion.kind != MoveKind::Rapid,
             InkRule::Dark => false,
         }
     }
 
     /// Whether a laser burns nothing in a move in which a pen would draw; warns if so.
-    fn stays_dark(&mut self, it: &Move) -> bool {
+    fn stays_dark(&mut self, motion: &Move) -> bool {
         let Some(switch) = self.switch else {
             return false;
         };
-        let is_dwell = it.kind == MoveKind::Dwell;
+        let is_dwell = motion.kind == MoveKind::Dwell;
         let is_by_z = matches!(self.rule, InkRule::Height { .. } | InkRule::HighPen { .. });
-        let (what, instead) = if it.stands() && (is_by_z || !is_dwell) {
+        let (what, instead) = if motion.stands() && (is_by_z || !is_dwell) {
             let instead = "not burned, because Z and drilling cycles do not switch a laser on";
             ("hole", instead)
-        } else if switch.is_on(it) {
+        } else if switch.is_on(motion) {
             return false;
-        } else if is_dwell && switch.is_spindle_dwell(it) {
+        } else if is_dwell && switch.is_spindle_dwell(motion) {
             let instead = "not burned (G4 before the first line, above all lines or of a drill)";
             ("spindle dwell", instead)
         } else {
             let instead = "not burned, because the laser is off there (G0, M5, M107 or S0)";
             ("dark move", instead)
         };
-        self.sketch.warn(it.at, what, instead);
+        self.sketch.warn(motion.at, what, instead);
         true
     }
 
     /// Makes a dot where the pen touches the paper or the laser burns.
-    fn stand(&mut self, it: &Move) {
+    fn stand(&mut self, motion: &Move) {
         let laser = matches!(self.rule, InkRule::Laser { .. });
-        let waits = it.kind == MoveKind::Dwell;
+        let waits = motion.kind == MoveKind::Dwell;
         let is_unlifted = matches!(self.rule, InkRule::Plain { .. } | InkRule::Switch);
         let is_nothing = is_unlifted || (laser && !waits);
-        if !is_nothing && !self.sketch.ends_at(it.to) {
+        if !is_nothing && !self.sketch.ends_at(motion.to) {
             // A stroke from here may follow: then the wait is only for the pen to come down.
-            self.lowered = Some(*it);
+            self.lowered = Some(*motion);
         }
     }
 
-    fn dot(&mut self, mut it: Move) -> Result<(), SourceError> {
+    fn dot(&mut self, mut motion: Move) -> Result<(), SourceError> {
         if !self.has_moved && self.has_trial() {
             let instead = "left out, before the first move (M300)";
-            self.sketch.warn(it.at, "pen test", instead);
+            self.sketch.warn(motion.at, "pen test", instead);
             return Ok(());
         }
-        if self.stays_dark(&it) {
+        if self.stays_dark(&motion) {
             return Ok(());
         }
         if !matches!(self.rule, InkRule::Laser { .. }) {
             // The speed of lowering is not that of lines.
-            (it.tool.feed, it.tool.speed_mm_s) = (None, None);
+            (motion.tool.feed, motion.tool.speed_mm_s) = (None, None);
         }
-        self.take(&it)?;
-        self.sketch.dot(it.to)
+        self.take(&motion)?;
+        self.sketch.dot(motion.to)
     }
 
     /// Whether programs for this tool start with a pen test and then wait for a person.
@@ -191,37 +194,37 @@ impl<'s, 'a> Inker<'s, 'a> {
         )
     }
 
-    fn ink(&mut self, it: &Move) -> Result<(), SourceError> {
-        self.take(it)?;
+    fn ink(&mut self, motion: &Move) -> Result<(), SourceError> {
+        self.take(motion)?;
         self.lowered = None;
-        match it.kind {
+        match motion.kind {
             MoveKind::Arc { center, sweep_rad } => {
-                let arc = Arc::between(center, it.from, sweep_rad, it.to);
-                self.sketch.arc(it.at, &arc)
+                let arc = Arc::between(center, motion.from, sweep_rad, motion.to);
+                self.sketch.arc(motion.at, &arc)
             }
             MoveKind::UprightArc {
                 by: [first, second],
             } => {
-                let corners = [it.from, first, second, it.to];
+                let corners = [motion.from, first, second, motion.to];
                 let mut lines = corners.windows(2).filter(|pair| pair[0] != pair[1]);
                 lines.try_for_each(|line| self.sketch.line(line[0], line[1]))
             }
-            _ => self.sketch.line(it.from, it.to),
+            _ => self.sketch.line(motion.from, motion.to),
         }
     }
 
     /// Uses the layer of a move's tool.
-    fn take(&mut self, it: &Move) -> Result<(), SourceError> {
-        let tool = it.tool;
+    fn take(&mut self, motion: &Move) -> Result<(), SourceError> {
+        let tool = motion.tool;
         if self.tool == Some(tool) {
             return Ok(());
         }
         let before = self.tool.replace(tool);
         let InkRule::Laser { full, .. } = self.rule else {
-            return self.take_pen(it, before);
+            return self.take_pen(motion, before);
         };
         let name = [("T", tool.number), ("S", tool.power), ("F", tool.feed)];
-        let share = tool.power.map_or(1.0, |it| it / full);
+        let share = tool.power.map_or(1.0, |power| power / full);
         let speed_mm_s = tool.speed_mm_s.map(|speed_mm_s| speed_mm_s / share);
         let is_new = self.use_layer(
             &name,
@@ -229,7 +232,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         )?;
         if is_new && share < FULL {
             self.dim.push(DimLayer {
-                at: it.at,
+                at: motion.at,
                 share,
                 speed_mm_s,
             });
@@ -237,8 +240,8 @@ impl<'s, 'a> Inker<'s, 'a> {
         Ok(())
     }
 
-    fn take_pen(&mut self, it: &Move, before: Option<ToolState>) -> Result<(), SourceError> {
-        let tool = it.tool;
+    fn take_pen(&mut self, motion: &Move, before: Option<ToolState>) -> Result<(), SourceError> {
+        let tool = motion.tool;
         if before.is_none_or(|before| before.number != tool.number) {
             self.use_layer(&[("T", tool.number)], tool.speed_mm_s)?;
         }
@@ -247,7 +250,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         layer.speed_mm_s = first.or(tool.speed_mm_s);
         if first.is_some() && tool.speed_mm_s.is_some() && tool.speed_mm_s != first {
             let instead = "drawn with the first speed of the tool";
-            self.sketch.warn(it.at, "speed change", instead);
+            self.sketch.warn(motion.at, "speed change", instead);
         }
         Ok(())
     }

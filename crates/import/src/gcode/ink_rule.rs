@@ -167,39 +167,39 @@ pub(super) struct MoveStatistics {
 }
 
 impl MoveStatistics {
-    pub(super) fn count(&mut self, it: &Move) {
-        self.all.count(it.z_mm);
-        if let Some(to_mm) = it.z_mm {
+    pub(super) fn count(&mut self, motion: &Move) {
+        self.all.count(motion.z_mm);
+        if let Some(to_mm) = motion.z_mm {
             let from_mm = self.z_mm.replace(to_mm).unwrap_or(to_mm);
-            let comes_down = it.stands() && from_mm - to_mm >= SAME_HEIGHT_MM;
+            let comes_down = motion.stands() && from_mm - to_mm >= SAME_HEIGHT_MM;
             self.comes_down |= comes_down;
-            if comes_down && it.kind == MoveKind::Line && it.tool.power.is_some() {
-                self.plunges.count(it.z_mm);
+            if comes_down && motion.kind == MoveKind::Line && motion.tool.power.is_some() {
+                self.plunges.count(motion.z_mm);
             }
-            self.zero.count(it, from_mm, to_mm);
-            self.spindle.count_rise(it, to_mm - from_mm);
+            self.zero.count(motion, from_mm, to_mm);
+            self.spindle.count_rise(motion, to_mm - from_mm);
         }
-        self.spindle.count(it);
-        self.m3.count(it);
-        self.has_drill_cycle |= it.kind == MoveKind::Drill;
-        if it.kind == MoveKind::Dwell {
-            self.dwells.count(it);
+        self.spindle.count(motion);
+        self.m3.count(motion);
+        self.has_drill_cycle |= motion.kind == MoveKind::Drill;
+        if motion.kind == MoveKind::Dwell {
+            self.dwells.count(motion);
         }
-        if it.stands() {
+        if motion.stands() {
             return;
         }
-        self.high.count(it);
-        self.switch.count(it);
-        self.m280.count(it, ServoCode::M280);
-        self.m300.count(it, ServoCode::M300);
-        if it.kind == MoveKind::Rapid {
-            self.travel_powers.count(it.tool.power);
-            return self.rapids.count(it.z_mm);
+        self.high.count(motion);
+        self.switch.count(motion);
+        self.m280.count(motion, ServoCode::M280);
+        self.m300.count(motion, ServoCode::M300);
+        if motion.kind == MoveKind::Rapid {
+            self.travel_powers.count(motion.tool.power);
+            return self.rapids.count(motion.z_mm);
         }
-        self.line_powers.count(it.tool.power);
+        self.line_powers.count(motion.tool.power);
         self.has_feeds = true;
-        self.feeds.count(it.z_mm);
-        self.lines.count(it);
+        self.feeds.count(motion.z_mm);
+        self.lines.count(motion);
     }
 
     /// The largest set of lines that a laser may burn; `end` is its state at the end of the
@@ -375,11 +375,11 @@ struct BurnStatistics {
 }
 
 impl BurnStatistics {
-    fn count(&mut self, it: &Move) {
-        if let Some(power) = it.tool.power {
+    fn count(&mut self, motion: &Move) {
+        if let Some(power) = motion.tool.power {
             self.full = Some(self.full.map_or(power, |full| full.max(power)));
-            self.heights.count(it.z_mm);
-            self.first_at.get_or_insert(it.at);
+            self.heights.count(motion.z_mm);
+            self.first_at.get_or_insert(motion.at);
         }
     }
 }

@@ -41,17 +41,19 @@ pub(super) struct LaserSwitch {
 
 impl LaserSwitch {
     /// Whether a move may burn. Rapid moves, moves along Z only and drilled holes never do.
-    pub(super) fn is_on(&self, it: &Move) -> bool {
-        let is_powered = self.end.is_unknown() || it.laser.has_power(self.end);
-        is_powered && (it.is_line() || it.kind == MoveKind::Dwell && !self.is_spindle_dwell(it))
+    pub(super) fn is_on(&self, motion: &Move) -> bool {
+        let is_powered = self.end.is_unknown() || motion.laser.has_power(self.end);
+        is_powered
+            && (motion.is_line()
+                || motion.kind == MoveKind::Dwell && !self.is_spindle_dwell(motion))
     }
 
     /// Whether a spindle may spin up, or cut a hole clear, in this dwell.
-    pub(super) fn is_spindle_dwell(&self, it: &Move) -> bool {
+    pub(super) fn is_spindle_dwell(&self, motion: &Move) -> bool {
         let Some(first_at) = self.first_line_at else {
             return self.is_drill;
         };
-        let is_above = it.z_mm.is_some_and(|z_mm| z_mm > self.highest_line_mm);
-        self.is_drill || it.at < first_at || is_above
+        let is_above = motion.z_mm.is_some_and(|z_mm| z_mm > self.highest_line_mm);
+        self.is_drill || motion.at < first_at || is_above
     }
 }

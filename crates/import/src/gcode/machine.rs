@@ -186,7 +186,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         } else if let Some(it) = self.motion(block)? {
             hand_on(&it)?;
         }
-        self.has_ended = [20, 300, 990].into_iter().any(|it| block.m.has(it));
+        self.has_ended = [20, 300, 990].into_iter().any(|value| block.m.has(value));
         Ok(())
     }
 
@@ -289,7 +289,7 @@ impl<'a, 'w> Machine<'a, 'w> {
     fn use_system(&mut self, at: usize, code: u32) {
         let first = *self.system.get_or_insert(code);
         if first != code {
-            let [what, first] = [code, first].map(|it| codes::name('G', it));
+            let [what, first] = [code, first].map(|value| codes::name('G', value));
             let instead = format!("drawn in the place of {first}");
             self.warn(at, &format!("{what} coordinate system"), &instead);
         }
@@ -586,7 +586,11 @@ impl<'a, 'w> Machine<'a, 'w> {
     /// G53: a move in machine coordinates, which the file does not define.
     fn machine_move(&mut self, block: &Block) -> Result<Move, SourceError> {
         self.warn(block.at, "G53 move", "read as a travel with the pen up");
-        let value = |letter, here| block.value(letter).map_or(here, |it| it * self.unit_mm);
+        let value = |letter, here| {
+            block
+                .value(letter)
+                .map_or(here, |value| value * self.unit_mm)
+        };
         let to = Point::new(value(b'X', self.at.x), value(b'Y', self.at.y));
         let to = checked(self.text, block.at, to)?;
         self.z_mm = None;

@@ -78,12 +78,12 @@ struct AngleUse {
 
 impl ServoStatistics {
     /// Handles a move along X or Y.
-    pub(super) fn count(&mut self, it: &Move, code: ServoCode) {
-        let Some(angle) = it.tool.angle(code) else {
+    pub(super) fn count(&mut self, motion: &Move, code: ServoCode) {
+        let Some(angle) = motion.tool.angle(code) else {
             self.has_moved_before |= self.angles.is_empty();
             return;
         };
-        let known = self.angles.iter().position(|it| it.angle == angle);
+        let known = self.angles.iter().position(|motion| motion.angle == angle);
         let i = known.unwrap_or(self.angles.len());
         if i == MOST_ANGLES {
             return;
@@ -91,7 +91,7 @@ impl ServoStatistics {
         if known.is_none() {
             self.angles.push(AngleUse::new(angle));
         }
-        let count = match it.kind {
+        let count = match motion.kind {
             MoveKind::Rapid => &mut self.angles[i].rapids,
             _ => &mut self.angles[i].feeds,
         };

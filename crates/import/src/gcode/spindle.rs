@@ -31,30 +31,30 @@ pub(super) struct SpindleStatistics {
 
 impl SpindleStatistics {
     /// Adds the rise of a move of any kind.
-    pub(super) fn count_rise(&mut self, it: &Move, rise_mm: f64) {
+    pub(super) fn count_rise(&mut self, motion: &Move, rise_mm: f64) {
         self.has_risen |= rise_mm > 0.0 && self.has_worked;
-        let plunges = rise_mm < 0.0 && it.stands() && self.has_risen;
+        let plunges = rise_mm < 0.0 && motion.stands() && self.has_risen;
         self.has_plunged |= plunges;
-        self.has_plunged_on |= plunges && it.tool.power.is_some();
+        self.has_plunged_on |= plunges && motion.tool.power.is_some();
     }
 
     /// Handles a move of any kind.
-    pub(super) fn count(&mut self, it: &Move) {
-        if it.tool.power.is_none() {
+    pub(super) fn count(&mut self, motion: &Move) {
+        if motion.tool.power.is_none() {
             (self.is_off, self.has_plunged_on) = (true, false);
         }
-        if it.is_line() && it.tool.power.is_some() {
-            self.work(it);
+        if motion.is_line() && motion.tool.power.is_some() {
+            self.work(motion);
         }
     }
 
-    fn work(&mut self, it: &Move) {
-        let number = it.tool.number;
+    fn work(&mut self, motion: &Move) {
+        let number = motion.tool.number;
         // A spindle is off while its tool is changed.
         let is_same = self.has_worked && self.number == number;
         let is_again = is_same && self.is_off;
-        self.is_switched |= is_again || !it.is_by_m3;
-        self.is_switched_below |= is_again && !self.has_plunged_on || !it.is_by_m3;
+        self.is_switched |= is_again || !motion.is_by_m3;
+        self.is_switched_below |= is_again && !self.has_plunged_on || !motion.is_by_m3;
         self.stays_on |= self.has_plunged && !self.is_off;
         self.goes_up_and_down |= self.has_plunged;
         (self.has_worked, self.number) = (true, number);

@@ -13,9 +13,9 @@ pub(super) struct SwitchStatistics {
 
 impl SwitchStatistics {
     /// Handles a move along X or Y.
-    pub(super) fn count(&mut self, it: &Move) {
-        if it.is_line() {
-            let is_on = it.tool.is_on_without_power;
+    pub(super) fn count(&mut self, motion: &Move) {
+        if motion.is_line() {
+            let is_on = motion.tool.is_on_without_power;
             self.first_is_on.get_or_insert(is_on);
             self.has_on |= is_on;
         }

@@ -658,7 +658,7 @@ fn written(strokes: &[Vec<(i32, i32)>]) -> String {
     for stroke in strokes {
         for (i, (x, y)) in stroke.iter().enumerate() {
             let word = if i == 0 { "G0" } else { "G1" };
-            let [x, y] = [x, y].map(|it| f64::from(*it) / 100.0);
+            let [x, y] = [x, y].map(|value| f64::from(*value) / 100.0);
             writeln!(text, "{word} X{x} Y{y} S{}", i.min(1) * 255).unwrap();
         }
     }

@@ -28,8 +28,8 @@ enum Visit {
 
 impl ZeroStatistics {
     /// Handles a move of any kind between these heights, in mm.
-    pub(super) fn count(&mut self, it: &Move, from_mm: f64, to_mm: f64) {
-        let (stands, is_line) = (it.stands(), it.is_line());
+    pub(super) fn count(&mut self, motion: &Move, from_mm: f64, to_mm: f64) {
+        let (stands, is_line) = (motion.stands(), motion.is_line());
         let slopes = is_line && from_mm != to_mm;
         self.has_slopes |= slopes && (is_zero(from_mm) || is_zero(to_mm));
         let is_above = |z_mm: f64| z_mm >= SAME_HEIGHT_MM;

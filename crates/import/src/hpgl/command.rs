@@ -80,7 +80,7 @@ impl<'a> CommandLexer<'a> {
             return Err(self.found(COMMAND));
         }
         self.at += 2;
-        let name = [a, b].map(|it| it.to_ascii_uppercase());
+        let name = [a, b].map(|value| value.to_ascii_uppercase());
         let mut command = Command {
             at,
             name,

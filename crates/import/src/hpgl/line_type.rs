@@ -63,41 +63,41 @@ impl PatternLength {
 
 impl Plotter<'_> {
     /// LT: the type, from -8 to 8, the length of its pattern, and whether that is in mm.
-    pub(super) fn set_line_type(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    pub(super) fn set_line_type(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
         self.end_dashes()?;
         let types = &mut self.line_types;
-        if let Some(number) = it.number(1).filter(|number| *number > 0.0) {
+        if let Some(number) = command.number(1).filter(|number| *number > 0.0) {
             types.length.number = number;
         }
-        if let Some(mode) = it.number(2) {
+        if let Some(mode) = command.number(2) {
             types.length.is_absolute = mode == 1.0;
         }
         let before = types.current;
-        types.current = match it.number(0).map(f64::trunc) {
+        types.current = match command.number(0).map(f64::trunc) {
             None => None,
             Some(PREVIOUS) => types.previous,
             Some(number) => line_type(number),
         };
         types.previous = before.or(types.previous);
-        if let (Some(number), None) = (it.number(0), types.current)
+        if let (Some(number), None) = (command.number(0), types.current)
             && number != PREVIOUS
         {
-            self.warn(it, "line type without a pattern", "drawn solid (LT)");
+            self.warn(command, "line type without a pattern", "drawn solid (LT)");
         }
         Ok(())
     }
 
     /// UL: a type, and its dashes and gaps. Without these the type is reset, and without a type all
     /// are.
-    pub(super) fn define_line_type(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    pub(super) fn define_line_type(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
         self.end_dashes()?;
         let patterns = &mut self.line_types.patterns;
-        match it.numbers.as_slice() {
+        match command.numbers.as_slice() {
             [] => *patterns = PATTERNS.map(<[f64]>::to_vec),
             [number, gaps @ ..] => {
                 let Some(LineType { pattern, .. }) = line_type(number.abs().trunc()) else {
                     return Err(
-                        self.refused(it, "a line type from 1 to 8, and its dashes and gaps")
+                        self.refused(command, "a line type from 1 to 8, and its dashes and gaps")
                     );
                 };
                 let is_pattern =
@@ -106,7 +106,9 @@ impl Plotter<'_> {
                     [] => PATTERNS[pattern].to_vec(),
                     _ if is_pattern && gaps.len() <= MOST_GAPS => gaps.to_vec(),
                     _ => {
-                        return Err(self.refused(it, "up to 20 dashes and gaps, not all of them 0"));
+                        return Err(
+                            self.refused(command, "up to 20 dashes and gaps, not all of them 0")
+                        );
                     }
                 };
             }

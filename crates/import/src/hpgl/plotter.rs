@@ -98,81 +98,81 @@ impl<'a> Plotter<'a> {
         Ok(self.sketch)
     }
 
-    pub(super) fn handle(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        match &it.name {
-            b"IN" | b"DF" => self.reset(it),
+    pub(super) fn handle(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        match &command.name {
+            b"IN" | b"DF" => self.reset(command),
             b"PU" => {
-                self.lift(it)?;
-                self.go(it)
+                self.lift(command)?;
+                self.go(command)
             }
             b"PD" => {
                 self.lower();
-                self.go(it)
+                self.go(command)
             }
             b"PA" | b"PR" => {
-                self.is_relative = &it.name == b"PR";
-                self.go(it)
+                self.is_relative = &command.name == b"PR";
+                self.go(command)
             }
-            b"PE" => self.go_encoded(it),
-            b"SP" => self.take_pen(it, it.number(0)),
+            b"PE" => self.go_encoded(command),
+            b"SP" => self.take_pen(command, command.number(0)),
             b"PC" => {
-                self.color_pen(it);
+                self.color_pen(command);
                 Ok(())
             }
-            b"VS" => self.set_speed(it),
-            b"IP" => self.set_corners(it),
-            b"SC" => self.set_scale(it),
-            b"RO" => self.turn(it),
-            b"IR" => self.relative_corners(it),
+            b"VS" => self.set_speed(command),
+            b"IP" => self.set_corners(command),
+            b"SC" => self.set_scale(command),
+            b"RO" => self.turn(command),
+            b"IR" => self.relative_corners(command),
             b"PS" => {
-                self.set_sheet(it);
+                self.set_sheet(command);
                 Ok(())
             }
             b"CT" => {
-                self.chords_by_deviation = it.number(0) == Some(1.0);
+                self.chords_by_deviation = command.number(0) == Some(1.0);
                 Ok(())
             }
-            b"CI" => self.circle(it),
-            b"AA" | b"AR" => self.arc(it),
-            b"AT" | b"RT" => self.arc_through(it),
-            b"BZ" | b"BR" => self.beziers(it),
-            b"EA" | b"ER" | b"RA" | b"RR" => self.rectangle(it),
-            b"EW" | b"WG" => self.wedge(it),
-            b"PM" => self.polygon_mode(it),
-            b"EP" | b"FP" => self.draw_polygon(it),
+            b"CI" => self.circle(command),
+            b"AA" | b"AR" => self.arc(command),
+            b"AT" | b"RT" => self.arc_through(command),
+            b"BZ" | b"BR" => self.beziers(command),
+            b"EA" | b"ER" | b"RA" | b"RR" => self.rectangle(command),
+            b"EW" | b"WG" => self.wedge(command),
+            b"PM" => self.polygon_mode(command),
+            b"EP" | b"FP" => self.draw_polygon(command),
             b"LB" | b"BL" | b"PB" | b"CP" | b"SI" | b"SR" | b"DI" | b"DR" | b"SL" | b"ES"
-            | b"LO" | b"SM" | b"CS" | b"CA" | b"SD" | b"AD" | b"DV" | b"TD" => self.text(it),
-            b"LT" => self.set_line_type(it),
-            b"UL" => self.define_line_type(it),
+            | b"LO" | b"SM" | b"CS" | b"CA" | b"SD" | b"AD" | b"DV" | b"TD" => self.text(command),
+            b"LT" => self.set_line_type(command),
+            b"UL" => self.define_line_type(command),
             b"FT" => {
-                self.fill_type(it);
+                self.fill_type(command);
                 Ok(())
             }
-            b"IW" => self.set_window(it),
+            b"IW" => self.set_window(command),
             b"PG" => {
                 self.is_new_page = true;
                 Ok(())
             }
             name => {
                 if let Some(instead) = left_out(*name) {
-                    self.warn(it, &format!("{} command", it.letters()), instead);
+                    self.warn(command, &format!("{} command", command.letters()), instead);
                 }
                 Ok(())
             }
         }
     }
 
-    pub(super) fn warn(&mut self, it: &Command<'_>, what: &str, instead: &str) {
-        self.sketch.warn(it.at, what, instead);
+    pub(super) fn warn(&mut self, command: &Command<'_>, what: &str, instead: &str) {
+        self.sketch.warn(command.at, what, instead);
     }
 
-    pub(super) fn refused(&self, it: &Command<'_>, expected: &str) -> SourceError {
-        self.sketch.found(it.at, it.text(), expected)
+    pub(super) fn refused(&self, command: &Command<'_>, expected: &str) -> SourceError {
+        self.sketch.found(command.at, command.text(), expected)
     }
 
     /// IN resets everything, DF keeps the corners and the rotation.
-    fn reset(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        self.lift(it)?;
+    fn reset(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        self.lift(command)?;
         self.end_window()?;
         self.is_relative = false;
         self.has_pattern = false;
@@ -181,7 +181,7 @@ impl<'a> Plotter<'a> {
         self.reset_labels();
         self.reset_line_types()?;
         let mut transform = PlotTransform::DEFAULT;
-        if &it.name == b"IN" {
+        if &command.name == b"IN" {
             (self.speed_mm_s, self.is_selected) = (None, false);
             self.knows_corners = false;
         } else {
@@ -201,11 +201,11 @@ impl<'a> Plotter<'a> {
     }
 
     /// Makes a dot if the pen only touched the paper.
-    fn lift(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    fn lift(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
         let is_dot = std::mem::take(&mut self.is_dot) && !self.polygon.is_open;
-        if is_dot && self.pen != PenChoice::None && self.select(it)? {
+        if is_dot && self.pen != PenChoice::None && self.select(command)? {
             let at = self.transform.point(self.at);
-            self.sketch.check(it.at, at)?;
+            self.sketch.check(command.at, at)?;
             self.sketch.dot(at)?;
         }
         self.is_down = false;
@@ -218,14 +218,14 @@ impl<'a> Plotter<'a> {
         self.is_down = true;
     }
 
-    fn go(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        if !it.numbers.len().is_multiple_of(2) {
-            return Err(self.refused(it, "pairs of coordinates x,y"));
+    fn go(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        if !command.numbers.len().is_multiple_of(2) {
+            return Err(self.refused(command, "pairs of coordinates x,y"));
         }
-        for pair in it.numbers.chunks_exact(2) {
+        for pair in command.numbers.chunks_exact(2) {
             let from = self.base(self.is_relative);
-            self.go_to(it, from + Vec2::new(pair[0], pair[1]))?;
-            self.mark(it)?;
+            self.go_to(command, from + Vec2::new(pair[0], pair[1]))?;
+            self.mark(command)?;
         }
         Ok(())
     }
@@ -239,9 +239,11 @@ impl<'a> Plotter<'a> {
         }
     }
 
-    pub(super) fn go_to(&mut self, it: &Command<'_>, to: Point) -> Result<(), SourceError> {
-        let from_mm = self.sketch.check(it.at, self.transform.point(self.at))?;
-        let to_mm = self.sketch.check(it.at, self.transform.point(to))?;
+    pub(super) fn go_to(&mut self, command: &Command<'_>, to: Point) -> Result<(), SourceError> {
+        let from_mm = self
+            .sketch
+            .check(command.at, self.transform.point(self.at))?;
+        let to_mm = self.sketch.check(command.at, self.transform.point(to))?;
         self.at = to;
         self.labels.margin_mm = None;
         if self.polygon.is_open {
@@ -249,15 +251,19 @@ impl<'a> Plotter<'a> {
             return self.sketch.spend(1);
         }
         if self.is_down && from_mm != to_mm {
-            self.ink(it, &[from_mm, to_mm])?;
+            self.ink(command, &[from_mm, to_mm])?;
         }
         Ok(())
     }
 
     /// Draws with the current pen, up or down.
-    pub(super) fn ink(&mut self, it: &Command<'_>, points: &[Point]) -> Result<(), SourceError> {
+    pub(super) fn ink(
+        &mut self,
+        command: &Command<'_>,
+        points: &[Point],
+    ) -> Result<(), SourceError> {
         self.is_dot = false;
-        if self.select(it)? {
+        if self.select(command)? {
             self.begin_dashes();
             let mut lines = points.windows(2);
             lines.try_for_each(|line| self.sketch.line(line[0], line[1]))?;
@@ -268,19 +274,19 @@ impl<'a> Plotter<'a> {
     /// Draws a separate line.
     pub(super) fn outline(
         &mut self,
-        it: &Command<'_>,
+        command: &Command<'_>,
         points: &[Point],
     ) -> Result<(), SourceError> {
         self.sketch.lift();
-        self.ink(it, points)?;
+        self.ink(command, points)?;
         self.sketch.lift();
         Ok(())
     }
 
     /// Draws a filled area, which hides what was drawn before it unless its pattern is transparent
     /// (FT).
-    pub(super) fn fill(&mut self, it: &Command<'_>, area: Area) -> Result<(), SourceError> {
-        if self.select(it)? {
+    pub(super) fn fill(&mut self, command: &Command<'_>, area: Area) -> Result<(), SourceError> {
+        if self.select(command)? {
             if !self.has_pattern {
                 self.sketch.cover(&area.rings, area.rule)?;
             }
@@ -290,22 +296,22 @@ impl<'a> Plotter<'a> {
     }
 
     /// Uses the pen's layer; returns whether there is a pen.
-    pub(super) fn select(&mut self, it: &Command<'_>) -> Result<bool, SourceError> {
+    pub(super) fn select(&mut self, command: &Command<'_>) -> Result<bool, SourceError> {
         if self.pen == PenChoice::None {
-            self.warn(it, "penless line", "left out (SP 0)");
+            self.warn(command, "penless line", "left out (SP 0)");
             return Ok(false);
         }
         if std::mem::take(&mut self.is_new_page) && self.has_drawn {
-            self.warn(it, "further page", "drawn on the same sheet (PG)");
+            self.warn(command, "further page", "drawn on the same sheet (PG)");
         }
         if !self.is_selected {
-            self.select_layer(it)?;
+            self.select_layer(command)?;
         }
         self.begin_window();
         Ok(true)
     }
 
-    fn select_layer(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    fn select_layer(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
         (self.is_selected, self.has_drawn) = (true, true);
         let name = match self.pen {
             PenChoice::Number(number) => format!("pen {number}"),
@@ -319,7 +325,7 @@ impl<'a> Plotter<'a> {
         })?;
         if self.sketch.layer().speed_mm_s != self.speed_mm_s {
             self.warn(
-                it,
+                command,
                 "speed change",
                 "drawn with the first speed of the pen (VS)",
             );
@@ -328,8 +334,9 @@ impl<'a> Plotter<'a> {
     }
 
     /// Red, green and blue, each from 0 to 255.
-    fn color_pen(&mut self, it: &Command<'_>) {
-        let [Some(pen), Some(red), Some(green), Some(blue)] = [0, 1, 2, 3].map(|i| it.number(i))
+    fn color_pen(&mut self, command: &Command<'_>) {
+        let [Some(pen), Some(red), Some(green), Some(blue)] =
+            [0, 1, 2, 3].map(|i| command.number(i))
         else {
             return;
         };
@@ -338,7 +345,7 @@ impl<'a> Plotter<'a> {
             clippy::cast_sign_loss,
             reason = "a shade; saturates"
         )]
-        let color = [red, green, blue].map(|it| it as u8);
+        let color = [red, green, blue].map(|value| value as u8);
         self.colors.retain(|color| color.0 != pen);
         if self.colors.len() < MOST_PENS {
             self.colors.push((pen, color));
@@ -359,8 +366,8 @@ impl<'a> Plotter<'a> {
         }
     }
 
-    fn take_pen(&mut self, it: &Command<'_>, number: Option<f64>) -> Result<(), SourceError> {
-        self.lift(it)?;
+    fn take_pen(&mut self, command: &Command<'_>, number: Option<f64>) -> Result<(), SourceError> {
+        self.lift(command)?;
         self.pen = match number {
             // Pen 0 is white, and draws nothing, unless it has an explicit colour.
             Some(0.0) if self.color_of(0.0).is_some_and(|color| color != WHITE) => {
@@ -374,10 +381,10 @@ impl<'a> Plotter<'a> {
     }
 
     /// VS: the speed, in centimetres per second.
-    fn set_speed(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let speed_mm_s = it.number(0).map(|cm_s| cm_s * 10.0);
+    fn set_speed(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let speed_mm_s = command.number(0).map(|cm_s| cm_s * 10.0);
         if speed_mm_s.is_some_and(|speed_mm_s| speed_mm_s <= 0.0) {
-            return Err(self.refused(it, "a speed above 0 cm/s"));
+            return Err(self.refused(command, "a speed above 0 cm/s"));
         }
         if self.speed_mm_s != speed_mm_s {
             self.is_selected = false;
@@ -387,46 +394,48 @@ impl<'a> Plotter<'a> {
     }
 
     /// FT: the fill. Patterns are not drawn. Without a number the fill is reset.
-    fn fill_type(&mut self, it: &Command<'_>) {
-        self.has_pattern = it.number(0).is_some_and(|kind| kind > 2.0);
+    fn fill_type(&mut self, command: &Command<'_>) {
+        self.has_pattern = command.number(0).is_some_and(|kind| kind > 2.0);
         if self.has_pattern {
-            self.warn(it, "fill pattern", "filled like all other areas (FT)");
+            self.warn(command, "fill pattern", "filled like all other areas (FT)");
         }
     }
 
-    fn polygon_mode(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        match it.number(0) {
+    fn polygon_mode(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        match command.number(0) {
             None | Some(0.0) => self.polygon.begin(self.transform.point(self.at)),
             Some(1.0) => self.polygon.close_ring(self.is_down),
             Some(2.0) => self.polygon.end(self.is_down),
-            _ => return Err(self.refused(it, "PM 0, PM 1 or PM 2")),
+            _ => return Err(self.refused(command, "PM 0, PM 1 or PM 2")),
         }
         self.is_dot = false;
         Ok(())
     }
 
-    fn draw_polygon(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        if &it.name == b"EP" {
+    fn draw_polygon(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        if &command.name == b"EP" {
             let lines = self.polygon.lines();
-            return lines.iter().try_for_each(|line| self.outline(it, line));
+            return lines
+                .iter()
+                .try_for_each(|line| self.outline(command, line));
         }
         let rings = self.polygon.filled();
-        let rule = match it.number(0) {
+        let rule = match command.number(0) {
             Some(1.0) => FillRule::NonZero,
             _ => FillRule::EvenOdd,
         };
-        self.fill(it, Area { rings, rule })
+        self.fill(command, Area { rings, rule })
     }
 
-    fn go_encoded(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        for item in items(it.bytes) {
+    fn go_encoded(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        for item in items(command.bytes) {
             let found = |(at, expected)| {
-                let text = excerpt(it.bytes, at);
-                self.sketch.found(it.at + 2 + at, text, expected)
+                let text = excerpt(command.bytes, at);
+                self.sketch.found(command.at + 2 + at, text, expected)
             };
             match item.map_err(found)? {
                 EncodedItem::Pen(number) => {
-                    self.take_pen(it, Some(number))?;
+                    self.take_pen(command, Some(number))?;
                 }
                 EncodedItem::Go {
                     x,
@@ -435,13 +444,13 @@ impl<'a> Plotter<'a> {
                     is_up,
                 } => {
                     if is_up {
-                        self.lift(it)?;
+                        self.lift(command)?;
                     } else {
                         self.lower();
                     }
                     let from = self.base(!is_absolute);
-                    self.go_to(it, from + Vec2::new(x, y))?;
-                    self.mark(it)?;
+                    self.go_to(command, from + Vec2::new(x, y))?;
+                    self.mark(command)?;
                 }
             }
         }

@@ -372,7 +372,7 @@ fn shown_mm(text: &str) -> f64 {
 fn filled_shapes_hide_what_lies_under_them() {
     // 60 mm long, and a square of 20 mm over its middle.
     let line = "SP1;PU0,400;PD2400,400;PU";
-    let [square, edge] = ["RA", "EA"].map(|it| format!("SP2;PU800,0;{it}1600,800"));
+    let [square, edge] = ["RA", "EA"].map(|name| format!("SP2;PU800,0;{name}1600,800"));
     let polygon = "SP2;PU800,0;PM0;PD1600,0,1600,800,800,800;PM2;FP";
     let cake = "SP2;PU1200,400;WG400,0,360";
     for (text, expected_mm) in [

@@ -18,28 +18,28 @@ pub(super) struct Window {
 
 impl Plotter<'_> {
     /// IW: opposite corners in the current units. Without them the window is removed.
-    pub(super) fn set_window(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let corners = match it.numbers.as_slice() {
+    pub(super) fn set_window(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let corners = match command.numbers.as_slice() {
             [] => None,
             &[x1, y1, x2, y2] => Some([Point::new(x1, y1), Point::new(x2, y2)]),
-            _ => return Err(self.refused(it, "x,y of two opposite corners")),
+            _ => return Err(self.refused(command, "x,y of two opposite corners")),
         };
         self.end_window()?;
         let Some([a, b]) = corners else {
             return Ok(());
         };
         if a.x == b.x || a.y == b.y {
-            self.warn(it, "flat window", "nothing is clipped (IW)");
+            self.warn(command, "flat window", "nothing is clipped (IW)");
             return Ok(());
         }
         if self.transform.scale.is_some() {
             let instead = "read as one in the units of SC, as in HP-GL/2 (IW)";
-            self.warn(it, "window in a scale", instead);
+            self.warn(command, "window in a scale", instead);
         }
         let corners = [a, b].map(|p| self.transform.plotter_units(p).to_point());
         for p in corners {
             self.sketch
-                .check(it.at, (p.to_vec2() * UNIT_MM).to_point())?;
+                .check(command.at, (p.to_vec2() * UNIT_MM).to_point())?;
         }
         self.sketch.lift();
         self.window = Some(Window {

@@ -36,7 +36,7 @@ impl<'d> Field<'d> {
         let text = child.first_child().filter(Node::is_text);
         Some(Self {
             text: text.and_then(|text| text.text()).unwrap_or_default(),
-            at: text.map_or(child.range().start, |it| it.range().start),
+            at: text.map_or(child.range().start, |text| text.range().start),
         })
     }
 
@@ -70,7 +70,7 @@ impl<'d> Field<'d> {
 
 /// The number of an attribute, 0 if missing.
 pub(super) fn number(file: &str, node: Node<'_, '_>, name: &str) -> Result<f64, SourceError> {
-    Field::attribute(node, name).map_or(Ok(0.0), |it| it.number(file))
+    Field::attribute(node, name).map_or(Ok(0.0), |field| field.number(file))
 }
 
 /// The length of an attribute, 0 or more; 0 if missing.

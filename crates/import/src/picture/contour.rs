@@ -121,7 +121,7 @@ impl EdgeMap<'_> {
         } else {
             from + width
         };
-        let [a, b] = [from, to].map(|it| f64::from(self.tone.ink[it]));
+        let [a, b] = [from, to].map(|value| f64::from(self.tone.ink[value]));
         let middle = |cell: usize| self.tone.middle(cell % width, cell / width);
         middle(from).lerp(middle(to), ((self.threshold - a) / (b - a)).clamp(0.0, 1.0))
     }

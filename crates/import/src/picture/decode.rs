@@ -116,7 +116,7 @@ fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
     decoder.set_transformations(Transformations::normalize_to_color8());
     let info = decoder.read_header_info().map_err(bad_png)?;
-    let [width, height] = [info.width, info.height].map(|it| it as usize);
+    let [width, height] = [info.width, info.height].map(|value| value as usize);
     let mut header = Header {
         width,
         height,

@@ -20,7 +20,7 @@ pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<St
             spacing_mm,
             angle_deg: shading.angle_deg + turn_deg(level),
         };
-        let steps = [2 * level, 2 * level + 1].map(|it| threshold(it, 2 * shading.levels));
+        let steps = [2 * level, 2 * level + 1].map(|value| threshold(value, 2 * shading.levels));
         let lines = rows.lines().into_iter().zip(steps.into_iter().cycle());
         let pieces = |(line, threshold)| pieces(&tone, &rows, line, threshold);
         strokes(

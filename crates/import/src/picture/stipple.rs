@@ -133,7 +133,7 @@ impl<'a> Nearest<'a> {
             let own = y * width + x;
             let mut best = far(held);
             for other in [Some(own), before.map(|before| before * width + x)] {
-                let other = other.map_or(NOBODY, |it| self.dot[it]);
+                let other = other.map_or(NOBODY, |other| self.dot[other]);
                 if other != held && far(other) < best {
                     (best, held) = (far(other), other);
                 }

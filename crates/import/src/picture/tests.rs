@@ -110,7 +110,7 @@ fn an_outline_leaves_specks_out_and_a_threshold_says_where_it_runs() {
     wide.shading.threshold = Some(0.2);
     let mut narrow = options(ShadingStyle::Outline);
     narrow.shading.threshold = Some(0.8);
-    let [wide, narrow] = [wide, narrow].map(|it| drawn(&cone, &it));
+    let [wide, narrow] = [wide, narrow].map(|value| drawn(&cone, &value));
     assert_eq!([wide.len(), narrow.len()], [1, 1]);
     assert!(wide[0].length_mm() > 2.0 * narrow[0].length_mm());
 }
@@ -161,7 +161,7 @@ fn dots_are_shared_out_as_the_tone_is() {
 #[test]
 fn dots_keep_apart_and_leave_white_alone() {
     let checker = |x: f64, y: f64| {
-        let [column, row] = [x, y].map(|it| (it / 40.0).floor());
+        let [column, row] = [x, y].map(|value| (value / 40.0).floor());
         (column + row) % 2.0
     };
     let file = grey(160, 160, checker);

@@ -28,8 +28,10 @@ pub(crate) fn read(
     sketch.finish(Y::Down, "no points in the lines")
 }
 
-fn is_allowed(it: Point) -> bool {
-    [it.x, it.y].iter().all(|it| it.abs() <= LIMIT_MM)
+fn is_allowed(point: Point) -> bool {
+    [point.x, point.y]
+        .iter()
+        .all(|value| value.abs() <= LIMIT_MM)
 }
 
 #[cfg(test)]

@@ -95,7 +95,7 @@ impl<'a> Variables<'a> {
                 let mixed = deeper(&other[..comma(other)]);
                 // The alpha value.
                 let share = mixed.rfind(' ').filter(|_| mixed.ends_with('%'));
-                share.map_or(mixed.clone(), |it| mixed[..it].to_owned())
+                share.map_or(mixed.clone(), |share| mixed[..share].to_owned())
             }
             "color" => {
                 let (_, channels) = arguments.trim().split_once(' ')?;
@@ -230,7 +230,7 @@ fn without_line_heights(css: &str) -> String {
             Some((size, height)) => {
                 whole += size;
                 let height = height.trim_start();
-                whole += height.find(' ').map_or("", |it| &height[it..]);
+                whole += height.find(' ').map_or("", |at| &height[at..]);
             }
             None => whole += value,
         }

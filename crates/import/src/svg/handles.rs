@@ -59,7 +59,7 @@ fn free(from: [f64; 2], segment: &mut Segment) -> bool {
 }
 
 fn towards(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
-    [0, 1].map(|it| from[it] + SHARE * (to[it] - from[it]))
+    [0, 1].map(|value| from[value] + SHARE * (to[value] - from[value]))
 }
 
 fn words(segment: &Segment) -> String {

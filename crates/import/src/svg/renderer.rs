@@ -240,7 +240,9 @@ impl<'a> TreeRenderer<'a> {
         for outline in &mut outlines {
             place(&mut outline.points, transform)?;
         }
-        let rule = path.fill().map_or(FillRule::NonZero, |it| rule(it.rule()));
+        let rule = path
+            .fill()
+            .map_or(FillRule::NonZero, |fill| rule(fill.rule()));
         Ok(ClipArea::new(&outlines, rule, within))
     }
 

@@ -193,15 +193,15 @@ fn attribute(inner: &str) -> Option<Question> {
     let sign = name.chars().next_back().filter(|it| "^$*".contains(*it))?;
     let name = name.strip_suffix(sign)?.trim();
     let value = value.trim();
-    let quoted = ['"', '\''].into_iter().find_map(|it| {
-        let inner = value.strip_prefix(it)?.strip_suffix(it)?;
-        (!inner.contains(it)).then_some(inner)
+    let quoted = ['"', '\''].into_iter().find_map(|name| {
+        let inner = value.strip_prefix(name)?.strip_suffix(name)?;
+        (!inner.contains(name)).then_some(inner)
     });
     let is_name = |text: &str| {
         text.chars()
             .all(|c| c.is_alphanumeric() || "-_".contains(c))
     };
-    let value = quoted.or(Some(value).filter(|it| is_name(it)))?;
+    let value = quoted.or(Some(value).filter(|value| is_name(value)))?;
     (is_name(name) && !value.contains('\\')).then(|| Question::Part {
         name: name.to_owned(),
         sign,
@@ -253,7 +253,7 @@ fn part_end(text: &str) -> Option<usize> {
         b':' => {
             let is_of_name = |c: char| c.is_alphanumeric() || c == '-';
             let name = text[1..].find(|text| !is_of_name(text));
-            let name = name.map_or(text.len(), |it| it + 1);
+            let name = name.map_or(text.len(), |name| name + 1);
             let has_argument = text[name..].starts_with('(');
             let end = has_argument.then(|| text[name..].find(')'));
             end.map_or(Some(name), |end| Some(name + end? + 1))

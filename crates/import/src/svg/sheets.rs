@@ -57,11 +57,13 @@ pub(super) fn unread_rules(css: &str) -> usize {
     statements(css).filter(is_unread).count()
 }
 
-fn is_unread(it: &Statement<'_>) -> bool {
-    let body = it.body.filter(|_| !it.prelude.starts_with('@'));
+fn is_unread(statement: &Statement<'_>) -> bool {
+    let body = statement
+        .body
+        .filter(|_| !statement.prelude.starts_with('@'));
     let shows = body.is_some_and(|body| VISIBLE.iter().any(|visible| body.contains(visible)));
     let nests = body.is_some_and(|body| body.contains('{'));
-    let mut selectors = it.prelude.split(',').map(str::trim);
+    let mut selectors = statement.prelude.split(',').map(str::trim);
     let mut is_unknown = || {
         selectors.any(|selector| !selector.contains("::") && Selector::parse(selector).is_none())
     };
@@ -115,7 +117,7 @@ fn without_comments(mut css: &str) -> &str {
         let Some(comment) = css.strip_prefix("/*") else {
             return css;
         };
-        css = comment.split_once("*/").map_or("", |it| it.1);
+        css = comment.split_once("*/").map_or("", |parts| parts.1);
     }
 }
 

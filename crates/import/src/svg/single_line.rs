@@ -183,7 +183,7 @@ fn spelled(chunk: &TextChunk, span: &TextSpan, font: StrokeFont) -> Vec<(char, u
     while !rest.is_empty() {
         let mut following = rest.char_indices().skip(1);
         let end = following.find(|following| !is_combining_mark(following.1));
-        let (parts, behind) = rest.split_at(end.map_or(rest.len(), |it| it.0));
+        let (parts, behind) = rest.split_at(end.map_or(rest.len(), |end| end.0));
         // The shifts of all characters apply to the first.
         let mut number = parts.chars().count();
         for character in composed(parts, font).chars() {
@@ -204,7 +204,7 @@ fn width(chunk: &TextChunk, span: &TextSpan) -> f64 {
 
 /// The distance between letters.
 fn advance(span: &TextSpan, font: StrokeFont, character: char) -> f64 {
-    let own = Letter::of(font, character).map_or(0.0, |it| it.advance * unit(span));
+    let own = Letter::of(font, character).map_or(0.0, |letter| letter.advance * unit(span));
     let word = if character == ' ' {
         span.word_spacing()
     } else {

@@ -103,8 +103,8 @@ const SANS_SERIF: &[&str] = &[
     "myriad",
 ];
 
-fn family(it: &FontFamily) -> Family<'_> {
-    match it {
+fn family(font_family: &FontFamily) -> Family<'_> {
+    match font_family {
         FontFamily::Serif => Family::Serif,
         FontFamily::SansSerif => Family::SansSerif,
         FontFamily::Cursive => Family::Cursive,

@@ -69,7 +69,7 @@ fn lines_stand_apart_and_meet_where_asked() {
         let lower = artwork.points().filter(|p| p.y > 15.0);
         let lower = bounds(lower);
         assert!((lower.y0 - 17.5).abs() < 1e-9, "{lower:?}");
-        [lower.x0, artwork.width_mm - lower.x1].map(|it| it.abs() < 1e-9)
+        [lower.x0, artwork.width_mm - lower.x1].map(|value| value.abs() < 1e-9)
     };
     assert_eq!(end(Align::Left), [true, false]);
     assert_eq!(end(Align::Center), [false, false]);

@@ -158,8 +158,8 @@ mod tests {
         on.status.suction = true;
         let all: Vec<_> = [sample(0, 0.0), on, sample(200, 0.0)]
             .into_iter()
-            .flat_map(|it| frames.push(it))
-            .map(|it| it.status.suction)
+            .flat_map(|value| frames.push(value))
+            .map(|value| value.status.suction)
             .collect();
         assert_eq!(all, [false, false, false, true, true, false]);
     }

@@ -205,7 +205,7 @@ fn episode_columns() -> Vec<Column> {
             "meta/episodes/chunk_index",
             "meta/episodes/file_index",
         ]
-        .map(|it| column(it, Kind::Integer)),
+        .map(|name| column(name, Kind::Integer)),
     );
     columns.extend(Summaries::columns());
     columns

@@ -100,7 +100,7 @@ fn victim() {
             println!(
                 "{}",
                 file.and_then(|file| file.metadata().ok())
-                    .map_or(0, |it| it.len())
+                    .map_or(0, |file| file.len())
             );
             std::thread::yield_now();
         }

@@ -96,7 +96,7 @@ fn nine_cubes_go_from_tray_to_tray() {
     let names: Vec<String> = (1..=9).map(|n| format!("cube {n}")).collect();
     for (n, name) in names.iter().enumerate() {
         #[expect(clippy::cast_precision_loss, reason = "nine")]
-        let [column, row] = [n % 3, n / 3].map(|it| it as f64);
+        let [column, row] = [n % 3, n / 3].map(|value| value as f64);
         expected.push((
             name.as_str(),
             [190.0 + 30.0 * column, -110.0 + 30.0 * row, 0.0],

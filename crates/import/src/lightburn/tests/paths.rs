@@ -14,7 +14,7 @@ fn both_formats_tell_the_same_path() {
     let old = format!(
         "<V vx=\"10\" vy=\"0\" c0x=\"10\" c0y=\"{k}\" c1x=\"1\"/><V vx=\"0\" vy=\"10\" c0x=\"1\" c1x=\"{k}\" c1y=\"10\"/><P T=\"B\" p0=\"0\" p1=\"1\"/><P T=\"L\" p0=\"1\" p1=\"0\"/>"
     );
-    let [new, old] = [new, old].map(|it| draw(&path(&it)));
+    let [new, old] = [new, old].map(|value| draw(&path(&value)));
     assert_eq!(new, old);
     assert!(strokes(&new)[0].closed);
     same(length_mm(&new), PI * 5.0 + 200.0_f64.sqrt(), 0.05);

@@ -134,7 +134,7 @@ proptest! {
         // Edges of all squares lie on different lines, so that none is along another.
         let box_of = |(i, &(x, y, w, h)): (usize, &(u32, u32, u32, u32))| {
             let off = f64::from(u32::try_from(i).unwrap()) * 0.03;
-            let [x0, y0] = [x, y].map(|it| f64::from(it) + off);
+            let [x0, y0] = [x, y].map(|value| f64::from(value) + off);
             [x0, y0, x0 + f64::from(w) + 0.011, y0 + f64::from(h) + 0.017]
         };
         let boxes: Vec<[f64; 4]> = squares.iter().enumerate().map(box_of).collect();

@@ -186,7 +186,7 @@ fn words(line: &str) -> Vec<(char, f64)> {
 
 /// An arc in chords.
 fn arc(from: Point, to: Point, center: Point, clockwise: bool) -> Vec<Point> {
-    let [begin, end] = [from, to].map(|it| (it - center).atan2());
+    let [begin, end] = [from, to].map(|value| (value - center).atan2());
     let sign = if clockwise { -1.0 } else { 1.0 };
     let turn = (sign * (end - begin)).rem_euclid(TAU);
     let turn = if from == to { TAU } else { turn };
