@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn an_xml_file_is_read_in_the_encoding_that_it_tells() {
+    fn an_xml_file_is_read_in_the_encoding_that_it_states() {
         let latin = b"<?xml version=\"1.0\" encoding='ISO-8859-1'?><svg id=\"K\xfcche\"/>";
         assert!(read(latin).ends_with("<svg id=\"Küche\"/>"));
         let cyrillic = b"<?xml version=\"1.0\" encoding = \"windows-1251\" ?><svg id=\"\xc4\"/>";
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn what_tells_no_encoding_stays_as_it_is() {
+    fn what_states_no_encoding_stays_as_it_is() {
         let plain: [&[u8]; 5] = [
             b"",
             b"G1 X1 (Fr\xe4ser)",
@@ -105,8 +105,8 @@ mod tests {
     }
 
     #[test]
-    fn an_encoding_that_is_not_known_or_not_kept_to_is_told() {
-        for (bytes, told) in [
+    fn an_encoding_that_is_not_known_or_not_kept_to_is_reported() {
+        for (bytes, message) in [
             (
                 &b"<?xml encoding=\"klingon\"?><svg/>"[..],
                 "the file declares the encoding \"klingon\", which is unknown; save it as UTF-8",
@@ -117,7 +117,7 @@ mod tests {
             ),
         ] {
             let error = in_utf8(bytes.to_vec()).unwrap_err();
-            assert_eq!(error.to_string(), told);
+            assert_eq!(error.to_string(), message);
         }
     }
 }

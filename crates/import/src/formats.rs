@@ -279,7 +279,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_format_is_told_from_how_it_begins() {
+    fn each_format_is_distinguished_from_how_it_begins() {
         for (start, name) in [
             ("", Some("SVG")),
             ("\u{FEFF}<?xml version=\"1.0\"?>", Some("SVG")),
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn the_page_about_drawing_tells_what_becomes_of_each_format() {
+    fn the_page_about_drawing_states_what_becomes_of_each_format() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
         let page = fs::read_to_string(folder.join("../../docs/drawing.md")).unwrap();
         let rows = page.lines().filter(|line| line.starts_with("| `."));
@@ -347,8 +347,8 @@ mod tests {
                 format.name
             );
         }
-        let told = sources.iter().flat_map(|source| source.split_whitespace());
-        for extension in told.filter_map(|word| word.strip_prefix("`.")?.strip_suffix('`')) {
+        let words = sources.iter().flat_map(|source| source.split_whitespace());
+        for extension in words.filter_map(|word| word.strip_prefix("`.")?.strip_suffix('`')) {
             let file = format!("a.{extension}");
             assert!(Format::of_name(&file).is_some(), "{file} cannot be drawn");
         }

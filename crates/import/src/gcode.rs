@@ -62,7 +62,7 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
         sketch.warn(None, what, &instead);
     }
     let mut inker = Inker::new(&mut sketch, rule, switch);
-    run(text, &mut Warnings::new(text), |it| inker.draw(it))?;
+    run(text, &mut Warnings::new(text), |motion| inker.draw(motion))?;
     inker.finish()?;
     Ok((sketch, rule))
 }

@@ -5,7 +5,6 @@ mod command;
 mod encoded;
 mod label;
 mod line_type;
-mod names;
 mod plotter;
 mod polygon;
 mod shapes;

@@ -6,7 +6,6 @@ mod cut;
 mod field;
 mod fill;
 mod list;
-mod palette;
 mod path;
 mod renderer;
 mod shapes;

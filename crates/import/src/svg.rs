@@ -85,12 +85,12 @@ fn draw(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
     let tree_warnings = TreeWarnings::new(substitutes);
-    let (tree, groups, told) = parse(text, options, &tree_warnings)?;
+    let (tree, groups, facts) = parse(text, options, &tree_warnings)?;
     let mut page = SvgPage::new(renderer::page_mm(&tree), options);
     TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
     // It takes as much memory as the page, which may need more of it now.
     drop(tree);
-    let others = page.cut().into_iter().chain(told.lone);
+    let others = page.cut().into_iter().chain(facts.lone);
     let (artwork, mut warnings) = page.finish()?;
     tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
@@ -98,12 +98,12 @@ fn draw(
     }
     let warnings = warnings
         .into_iter()
-        .map(|warning| told.unread.warning(warning));
+        .map(|warning| facts.unread.warning(warning));
     Ok((artwork, warnings.chain(others).collect()))
 }
 
 /// Facts about the original file, collected before it is rewritten.
-struct Told {
+struct FileFacts {
     /// The warning about points without y.
     lone: Option<Warning>,
     unread: UnreadPlaces,
@@ -246,7 +246,7 @@ fn parse(
     text: &str,
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
-) -> Result<(Tree, HashMap<String, String>, Told), SourceError> {
+) -> Result<(Tree, HashMap<String, String>, FileFacts), SourceError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile.into());
     }
@@ -254,7 +254,7 @@ fn parse(
     let doc = xml::tree(text, true)?;
     check_root(&doc)?;
     styles::check(&doc)?;
-    let told = Told {
+    let facts = FileFacts {
         lone: lone_coordinates(&doc),
         unread: UnreadPlaces::of(&doc, text),
     };
@@ -268,14 +268,14 @@ fn parse(
     tree_warnings.solid.store(readable.solid, Ordering::Relaxed);
     let Some(text) = readable.text else {
         let (tree, groups) = tree_of(doc, text, options, tree_warnings)?;
-        return Ok((tree, groups, told));
+        return Ok((tree, groups, facts));
     };
     // There is no memory for two.
     drop(doc);
     let doc = xml::tree(&text, true)?;
     styles::check(&doc)?;
     let (tree, groups) = tree_of(doc, &text, options, tree_warnings)?;
-    Ok((tree, groups, told))
+    Ok((tree, groups, facts))
 }
 
 /// The tree of a rewritten file whose styles were checked.
@@ -340,8 +340,8 @@ fn nothing_to_draw(warnings: &[WarningCount], others: Vec<Warning>) -> SourceErr
     if others.is_empty() && warnings.iter().all(only_text) {
         return SvgError::NoFont.into();
     }
-    let told = warnings.iter().copied().map(Warning::from).chain(others);
-    let texts = told.map(|message| message.to_string());
+    let all = warnings.iter().copied().map(Warning::from).chain(others);
+    let texts = all.map(|message| message.to_string());
     SourceError::nothing_to_draw(texts)
 }
 

@@ -52,7 +52,7 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream
     );
     let mut is_cut = ends;
-    while let Some(start) = text[at..].find('<').map(|it| at + it) {
+    while let Some(start) = text[at..].find('<').map(|offset| at + offset) {
         let tag = &text[start..];
         let Some(end) = tag_end(tag) else {
             let begins = place(text.as_bytes(), start);
@@ -304,7 +304,7 @@ mod tests {
 
     #[test]
     fn a_text_that_ends_too_soon_names_the_innermost_element_that_is_not_closed() {
-        for (text, told) in [
+        for (text, message) in [
             (
                 "<a>\n <b><c/></b><d e='>'>",
                 "2:13: not well-formed XML: the file ends too soon: <d> starts here and is not closed",
@@ -350,16 +350,16 @@ mod tests {
                 "1:4: not well-formed XML: the file ends too soon: <! starts",
             ),
         ] {
-            refused(text, &[told]);
+            refused(text, &[message]);
         }
     }
 
     #[test]
     fn a_quote_that_is_missing_is_not_taken_for_an_end_that_is() {
         for text in ["<a>\n  <b c='>\n<d e=''></b></a>", "<a b='&c;'><d"] {
-            let told = tree(text, false).expect_err("no XML").to_string();
-            assert!(told.contains("not well-formed XML"), "{told}");
-            assert!(!told.contains("too soon"), "{told}");
+            let message = tree(text, false).expect_err("no XML").to_string();
+            assert!(message.contains("not well-formed XML"), "{message}");
+            assert!(!message.contains("too soon"), "{message}");
         }
     }
 
@@ -374,16 +374,16 @@ mod tests {
             "=",
         ] {
             let text = format!("<x>\n{}</x>", part.repeat(20_000_000 / part.len()));
-            let told = [
+            let message = [
                 "found more than 9",
                 " elements, texts and attributes; expected at most that in a file of 21 MB",
             ];
-            refused(&text, &told);
+            refused(&text, &message);
         }
     }
 
     #[test]
-    fn a_text_that_is_too_large_for_any_tree_is_told_by_its_size() {
+    fn a_text_that_is_too_large_for_any_tree_is_reported_by_its_size() {
         let text = format!("<x>{}</x>", " ".repeat(100_000_000));
         refused(
             &text,

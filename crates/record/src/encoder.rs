@@ -146,7 +146,7 @@ impl Encoder {
         self.repeats = None;
         if with_views {
             self.shown = None;
-            self.scene.tell_again();
+            self.scene.report_again();
         }
     }
 
@@ -492,7 +492,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_dialects_read_differently_is_told_only_when_the_dialect_is_known() {
+    fn what_the_dialects_read_differently_is_reported_only_when_the_dialect_is_known() {
         let mut encoder = encoder();
         let record = Record::ToArm(target(MovingMode::MovL).to_vec());
         let messages = encoder.write(Duration::ZERO, &record).unwrap();

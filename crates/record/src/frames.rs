@@ -47,7 +47,7 @@ impl Frames {
 
     fn mounted(&self, tool: Tool) -> Option<MountedTool> {
         let mut tools = self.tools.iter().copied();
-        tools.find(|it| it.kind() == tool.end_effector())
+        tools.find(|mounted| mounted.kind() == tool.end_effector())
     }
 }
 

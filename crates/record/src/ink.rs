@@ -19,7 +19,7 @@ pub(crate) struct Ink {
     /// The number of points of the kept pieces.
     kept_points: usize,
     /// The number of the newest pieces that are not reported yet.
-    untold: usize,
+    unreported: usize,
     /// Reported pieces that were removed.
     gone: Vec<u64>,
     count: u64,
@@ -93,10 +93,10 @@ impl Ink {
 
     /// The changes, if there are any.
     pub(crate) fn poll(&mut self, time: &Value, tip_mm: f64) -> Option<Value> {
-        if self.untold == 0 && self.gone.is_empty() {
+        if self.unreported == 0 && self.gone.is_empty() {
             return None;
         }
-        let new = self.kept.len() - std::mem::take(&mut self.untold);
+        let new = self.kept.len() - std::mem::take(&mut self.unreported);
         let entities = self
             .kept
             .range(new..)
@@ -111,13 +111,13 @@ impl Ink {
 
     /// All reported and kept pieces, for a late subscriber, in messages of moderate length.
     pub(crate) fn so_far(&self, time: &Value, tip_mm: f64) -> Vec<Value> {
-        let told = self.kept.len() - self.untold;
+        let reported = self.kept.len() - self.unreported;
         let mut messages = Vec::new();
         let (mut entities, mut count) = (Vec::new(), 0);
-        for (n, piece) in self.kept.range(..told).enumerate() {
+        for (n, piece) in self.kept.range(..reported).enumerate() {
             entities.push(piece.entity(time, tip_mm));
             count += piece.points_mm.len();
-            if count >= MESSAGE_POINTS || n + 1 == told {
+            if count >= MESSAGE_POINTS || n + 1 == reported {
                 let entities = std::mem::take(&mut entities);
                 messages.push(json!({ "deletions": [], "entities": entities }));
                 count = 0;
@@ -160,13 +160,13 @@ impl Ink {
             burns: line.burns,
         });
         self.count += 1;
-        self.untold += 1;
+        self.unreported += 1;
         while self.kept_points > MOST_POINTS
             && let Some(oldest) = self.kept.pop_front()
         {
             self.kept_points -= oldest.points_mm.len();
-            if self.kept.len() < self.untold {
-                self.untold = self.kept.len();
+            if self.kept.len() < self.unreported {
+                self.unreported = self.kept.len();
             } else {
                 self.gone.push(oldest.number);
             }
@@ -266,9 +266,10 @@ mod tests {
             self.model = self.model.after(&command, &way);
         }
 
-        fn told(&mut self) -> Vec<Value> {
-            let told = self.ink.poll(&json!({}), 60.0);
-            told.into_iter()
+        fn reported(&mut self) -> Vec<Value> {
+            let reported = self.ink.poll(&json!({}), 60.0);
+            reported
+                .into_iter()
                 .flat_map(|item| item["entities"].as_array().unwrap().clone())
                 .collect()
         }
@@ -288,16 +289,16 @@ mod tests {
         hand.go(4.0, 0.0, 0.0);
         hand.go(0.0, 0.0, 5.0);
         hand.go(0.0, 8.0, 0.0);
-        let told = hand.told();
-        assert_eq!(lines(&told), [3]);
-        let points = told[0]["lines"][0]["points"].as_array().unwrap();
+        let reported = hand.reported();
+        assert_eq!(lines(&reported), [3]);
+        let points = reported[0]["lines"][0]["points"].as_array().unwrap();
         let along = |n: usize, axis: &str| points[n][axis].as_f64().unwrap();
         assert!((along(1, "y") - along(0, "y") - 0.004).abs() < 1e-6);
         assert!((along(2, "x") - along(1, "x") - 0.004).abs() < 1e-6);
         // The tip is 60 mm below the wrist, which was 2.5 mm below the drawing height of the pen.
         let expected = (hand.below_mm - 2.5 - 60.0) / 1000.0;
         assert!((along(0, "z") - expected).abs() < 2e-6, "{}", along(0, "z"));
-        assert_eq!(hand.told(), [] as [Value; 0]);
+        assert_eq!(hand.reported(), [] as [Value; 0]);
     }
 
     #[test]
@@ -305,9 +306,9 @@ mod tests {
         let mut hand = Hand::new();
         hand.go(0.0, 0.0, -5.0);
         hand.go(0.0, 0.0, 5.0);
-        let told = hand.told();
-        assert_eq!(told[0]["spheres"].as_array().map(Vec::len), Some(1));
-        assert_eq!(lines(&told), [0; 0]);
+        let reported = hand.reported();
+        assert_eq!(reported[0]["spheres"].as_array().map(Vec::len), Some(1));
+        assert_eq!(lines(&reported), [0; 0]);
     }
 
     #[test]
@@ -317,10 +318,10 @@ mod tests {
         let mut pieces = Vec::new();
         for n in 0..50 {
             hand.go(0.0, if n % 20 < 10 { 1.0 } else { -1.0 }, 0.0);
-            pieces.extend(hand.told());
+            pieces.extend(hand.reported());
         }
         hand.go(0.0, 0.0, 5.0);
-        pieces.extend(hand.told());
+        pieces.extend(hand.reported());
         // One second each, of ten vectors.
         assert!((4..=6).contains(&pieces.len()), "{}", pieces.len());
         let total: usize = lines(&pieces).iter().map(|line| line - 1).sum();
@@ -340,12 +341,12 @@ mod tests {
         let mut longest = 0;
         for n in 0..2 * MOST_POINTS {
             hand.go(0.0, if n % 20 < 10 { 1.0 } else { -1.0 }, 0.0);
-            if let Some(told) = hand.ink.poll(&json!({}), 0.0) {
-                longest = longest.max(told.to_string().len());
-                for it in told["deletions"].as_array().unwrap() {
+            if let Some(reported) = hand.ink.poll(&json!({}), 0.0) {
+                longest = longest.max(reported.to_string().len());
+                for it in reported["deletions"].as_array().unwrap() {
                     assert!(there.remove(it["id"].as_str().unwrap()));
                 }
-                for it in told["entities"].as_array().unwrap() {
+                for it in reported["entities"].as_array().unwrap() {
                     assert!(there.insert(it["id"].as_str().unwrap().to_owned()));
                 }
             }

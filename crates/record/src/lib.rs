@@ -19,9 +19,9 @@
 //!
 //! let file = &recordings(folder.path())?[0].path;
 //! assert!(file.ends_with("dobot-2026-11-21T12-30-01Z.mcap"));
-//! let told: Vec<_> = Recording::open(file)?.collect();
-//! assert_eq!(told[0].at, Duration::from_secs(1));
-//! assert_eq!(told[0].entry, Entry::ToArm(vec![0xA5, 0x5A]));
+//! let entries: Vec<_> = Recording::open(file)?.collect();
+//! assert_eq!(entries[0].at, Duration::from_secs(1));
+//! assert_eq!(entries[0].entry, Entry::ToArm(vec![0xA5, 0x5A]));
 //! # Ok(())
 //! # }
 //! ```

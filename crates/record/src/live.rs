@@ -80,18 +80,18 @@ mod tests {
     use crate::{FROM_ARM, TRANSFORMS};
 
     #[test]
-    fn an_arm_that_rests_is_told_with_each_status_and_shown_once_a_second() {
+    fn an_arm_that_rests_is_reported_with_each_status_and_shown_once_a_second() {
         let mut live = Live::new("2026-11-21T12:30:00Z".parse().unwrap()).unwrap();
         let status = Record::FromArm(Status::AT_ZERO.emit().to_bytes().to_vec());
-        let (mut told, mut shown) = (0, 0);
+        let (mut sent, mut shown) = (0, 0);
         // 20 per second, for ten seconds.
         for n in 0..=200 {
             for message in live.write(Duration::from_millis(50 * n), &status) {
-                told += u32::from(message.topic.name() == FROM_ARM);
+                sent += u32::from(message.topic.name() == FROM_ARM);
                 shown += u32::from(message.topic.name() == TRANSFORMS);
             }
         }
-        assert_eq!(told, 201);
+        assert_eq!(sent, 201);
         assert_eq!(shown, 11);
     }
 }

@@ -83,7 +83,10 @@ impl Playback {
     /// Returns the result; recorded packets up to now that were not sent count as missing.
     pub(crate) fn report(&mut self) -> Report {
         self.look_ahead();
-        while self.expected.front().is_some_and(|it| it.0 <= self.now)
+        while self
+            .expected
+            .front()
+            .is_some_and(|packet| packet.0 <= self.now)
             && let Some((at, recorded)) = self.expected.pop_front()
         {
             self.report.push(Difference {

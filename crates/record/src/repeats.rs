@@ -54,7 +54,7 @@ impl Repeats {
         let last_ns = last_ns.or_else(|| self.ends_ns.last().copied());
         let end = self.place + bytes.len();
         let is_same = self.packet[self.place..].starts_with(bytes) && is_end == (end == LEN);
-        if last_ns.is_some_and(|it| at_ns < it) || !is_same {
+        if last_ns.is_some_and(|last_ns| at_ns < last_ns) || !is_same {
             return false;
         }
         if is_end {

@@ -14,7 +14,7 @@ pub(crate) struct Target {
     /// Whether it changed since the last report.
     is_news: bool,
     is_shown: bool,
-    told_at: Option<Duration>,
+    reported_at: Option<Duration>,
 }
 
 impl Target {
@@ -24,7 +24,7 @@ impl Target {
     }
 
     /// Requests another report if the view is visible.
-    pub(crate) const fn tell_again(&mut self) {
+    pub(crate) const fn report_again(&mut self) {
         self.is_news |= self.is_shown;
     }
 
@@ -36,8 +36,8 @@ impl Target {
         ways: impl Iterator<Item = &'w Trajectory>,
         tip_mm: f64,
     ) -> Option<Value> {
-        let is_due = |it| at.saturating_sub(it) >= PERIOD;
-        if !self.is_news || !self.told_at.is_none_or(is_due) {
+        let is_due = |last| at.saturating_sub(last) >= PERIOD;
+        if !self.is_news || !self.reported_at.is_none_or(is_due) {
             return None;
         }
         self.is_news = false;
@@ -46,7 +46,7 @@ impl Target {
         if !was_shown && !self.is_shown {
             return None;
         }
-        self.told_at = Some(at);
+        self.reported_at = Some(at);
         let places = points(&places, tip_mm);
         let Some(end) = places.last() else {
             return Some(json!({ "deletions": [removal(time, NAME)], "entities": [] }));

@@ -85,7 +85,7 @@ impl Thinning {
             return;
         }
         // The end of a rest is kept: between its ends the arm did not move.
-        if let Some(held) = self.held.take_if(|it| it.status == last.status) {
+        if let Some(held) = self.held.take_if(|held| held.status == last.status) {
             self.keep(held);
         }
         self.held = Some(sample);
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rest_is_told_by_its_ends() {
+    fn a_rest_is_reported_by_its_ends() {
         let found = track(100, [200.0, 200.0, 200.0, 210.0, 220.0, 220.0, 220.0]);
         assert_eq!(
             xs(&found),

@@ -148,7 +148,7 @@ impl Compiler<'_> {
             second.commands
         };
         // A cycle that runs once is not a repeat.
-        self.out.repeat = Some(JobRepeat { from, times }).filter(|it| it.times != Some(1));
+        self.out.repeat = Some(JobRepeat { from, times }).filter(|repeat| repeat.times != Some(1));
         Ok(())
     }
 

@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_form_cannot_carry_is_told() {
+    fn what_a_form_cannot_carry_is_reported() {
         let mixed = format!("{JOINTS}[[steps]]\ngo = {{ x = 200, y = 0, z = 0 }}\n");
         let mixed = Program::from_toml(&mixed).unwrap();
         let places = Program::from_toml("[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n").unwrap();
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn names_tell_the_form_by_their_end_alone() {
+    fn names_state_the_form_by_their_end_alone() {
         for (name, form) in [
             ("PlayBackPoints.xml", Some(ProgramForm::Xml)),
             ("a.toml.PLAY", Some(ProgramForm::Play)),

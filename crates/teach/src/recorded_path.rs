@@ -40,7 +40,7 @@ impl RecordedPlace {
     pub fn point(&self) -> Point {
         Point::Cartesian {
             position: self.point_mm.map(|point_mm| rounded(point_mm, 100.0)),
-            rotation: Some(rounded(self.rotation_deg, 100.0)).filter(|it| *it != 0.0),
+            rotation: Some(rounded(self.rotation_deg, 100.0)).filter(|rotation| *rotation != 0.0),
             frame: None,
         }
     }
@@ -83,7 +83,7 @@ pub fn simplified(places: &[RecordedPlace], tolerance: f64) -> Vec<RecordedPlace
     }
     let places = places.iter().zip(kept);
     places
-        .filter_map(|(it, kept)| kept.then_some(*it))
+        .filter_map(|(place, kept)| kept.then_some(*place))
         .collect()
 }
 

@@ -48,8 +48,8 @@ pub(super) fn in_utf8(text: &[u8]) -> (Cow<'_, [u8]>, Option<String>) {
         return (Cow::Borrowed(text), None);
     }
     let header = Header::read(text);
-    let told = header.code_page.map_or(Some(WESTERN), CodePage::of);
-    let code_page = told.unwrap_or(WESTERN);
+    let declared = header.code_page.map_or(Some(WESTERN), CodePage::of);
+    let code_page = declared.unwrap_or(WESTERN);
     let may_stay = header.is_in_utf8() || code_page.is_single_byte();
     let mut decoded = Vec::with_capacity(text.len());
     for line in text.split_inclusive(|&byte| byte == b'\n') {
@@ -59,7 +59,7 @@ pub(super) fn in_utf8(text: &[u8]) -> (Cow<'_, [u8]>, Option<String>) {
             decoded.extend_from_slice(code_page.decode(line).as_bytes());
         }
     }
-    let unknown = header.code_page.filter(|_| told.is_none());
+    let unknown = header.code_page.filter(|_| declared.is_none());
     let unknown = unknown.map(|unknown| String::from_utf8_lossy(unknown).into_owned());
     (Cow::Owned(decoded), unknown)
 }
@@ -75,7 +75,7 @@ enum CodePage {
 impl CodePage {
     fn of(name: &[u8]) -> Option<Self> {
         let name = name.to_ascii_lowercase();
-        let dos = DOS.iter().find(|it| name == it.0.as_bytes());
+        let dos = DOS.iter().find(|page| name == page.0.as_bytes());
         match dos {
             Some(&(_, letters)) => Some(Self::Dos(letters)),
             None => encoding(&name).map(Self::Known),

@@ -366,7 +366,7 @@ fn unit_mm(code: f64) -> Option<f64> {
         (14.0, 100.0),
         (21.0, 304.800_609_601_219),
     ];
-    CODES.iter().find(|it| it.0 == code).map(|at| at.1)
+    CODES.iter().find(|unit| unit.0 == code).map(|at| at.1)
 }
 
 /// Each object takes about 100 bytes, and a line as much again when drawn.

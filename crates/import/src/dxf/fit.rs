@@ -53,7 +53,7 @@ fn distinct(points: &[Point]) -> Vec<Point> {
     let around = bounds(points.iter().copied());
     let near = (around.width() + around.height()) * 1e-9;
     let mut distinct = points.to_vec();
-    distinct.dedup_by(|next, it| next.distance(*it) <= near);
+    distinct.dedup_by(|next, point| next.distance(*point) <= near);
     distinct
 }
 

@@ -57,7 +57,7 @@ fn sorted<'a>(
     places: &HashMap<u64, u64>,
 ) -> Result<Vec<Span<'a>>, SourceError> {
     let mut keys = Vec::with_capacity(entities.len());
-    let mut is_told = false;
+    let mut is_listed = false;
     for (number, span) in entities.iter().enumerate() {
         let is_part = matches!(span.kind, b"VERTEX" | b"ATTRIB" | b"SEQEND");
         let whole = keys.last().filter(|_| is_part);
@@ -66,7 +66,7 @@ fn sorted<'a>(
             None => match own_handle(text, span)? {
                 Some(handle) => {
                     let place = places.get(&handle);
-                    is_told |= place.is_some();
+                    is_listed |= place.is_some();
                     place.copied().unwrap_or(handle)
                 }
                 None => u64::MAX,
@@ -74,7 +74,7 @@ fn sorted<'a>(
         };
         keys.push((place, number));
     }
-    if is_told {
+    if is_listed {
         keys.sort_unstable();
     }
     Ok(keys

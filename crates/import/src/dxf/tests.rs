@@ -58,19 +58,19 @@ fn error(text: &[u8]) -> String {
 #[test]
 fn more_objects_and_groups_than_fit_are_refused_with_their_place() {
     let many = file("", "", &"0 X ".repeat(1_000_000));
-    let told = error(many.as_bytes());
+    let message = error(many.as_bytes());
     let expected =
         "found more than 1000000 entities, layers, blocks and objects; expected fewer; purge";
-    assert!(told.contains(expected), "{told}");
+    assert!(message.contains(expected), "{message}");
     let wide = file(
         "",
         "",
         &format!("0 LWPOLYLINE {}", "10 1 20 2 ".repeat(500_001)),
     );
-    let told = error(wide.as_bytes());
+    let message = error(wide.as_bytes());
     let expected =
         "2000029:1: found an entity with more than 1000000 groups; expected fewer; simplify";
-    assert_eq!(told.split(" it,").next(), Some(expected));
+    assert_eq!(message.split(" it,").next(), Some(expected));
 }
 
 #[test]
@@ -81,9 +81,9 @@ fn a_text_that_nobody_reads_is_refused() {
             "",
             &format!("0 {kind} 10 0 20 0 40 5 1 {}", "A".repeat(100_001)),
         );
-        let told = error(text.as_bytes());
+        let message = error(text.as_bytes());
         let expected = "found a text of 100001 bytes; expected at most 100000; divide it";
-        assert!(told.ends_with(expected), "{told}");
+        assert!(message.ends_with(expected), "{message}");
     }
 }
 
@@ -98,10 +98,10 @@ fn the_last_of_the_groups_of_a_layer_count_and_so_many_layers_are_refused() {
     };
     let (artwork, _) = draw_text(&layers(5));
     assert_eq!(artwork.layers[0].color, Some([0, 0, 255]));
-    let told = error(layers(95_000).as_bytes());
+    let message = error(layers(95_000).as_bytes());
     assert!(
-        told.contains("found more than 1000000 entities, layers"),
-        "{told}"
+        message.contains("found more than 1000000 entities, layers"),
+        "{message}"
     );
 }
 
@@ -154,8 +154,8 @@ fn what_lies_far_from_the_drawing_is_refused_with_both_places() {
         "",
         "0 POINT 10 3 20 4 0 POINT 10 3000000 20 0 0 POINT 10 5 20 5",
     );
-    let told = "33:1: found an object at (3000000, 0) mm, far from that at 27:1; expected all objects within 1000000 mm; delete objects far away from the drawing";
-    assert_eq!(error(text.as_bytes()), told);
+    let message = "33:1: found an object at (3000000, 0) mm, far from that at 27:1; expected all objects within 1000000 mm; delete objects far away from the drawing";
+    assert_eq!(error(text.as_bytes()), message);
 }
 
 #[test]
@@ -383,8 +383,8 @@ fn the_edges_of_old_meshes_are_drawn_once() {
         faces(&[]),
     ] {
         let (_, warnings) = draw(&format!("0 POINT 10 0 20 0 {broken}"));
-        let told = "1 POLYLINE: left out, because its faces are incomplete";
-        assert!(warnings[0].ends_with(told), "{warnings:?}");
+        let message = "1 POLYLINE: left out, because its faces are incomplete";
+        assert!(warnings[0].ends_with(message), "{warnings:?}");
     }
 }
 
@@ -480,9 +480,9 @@ fn what_lies_on_layers_that_never_plot_is_left_out_with_a_warning() {
         0 LINE 8 DEFPOINTS 10 0 20 5 11 9 21 5 0 POINT 8 Defpoints 10 0 20 7";
     let (artwork, warnings) = draw_text(&file(tables, "", entities));
     assert_eq!(corners(&artwork), [[(0.0, 0.0), (9.0, 0.0)]]);
-    let told = "2 unplotted objects: left out, because its layer is not plotted";
+    let message = "2 unplotted objects: left out, because its layer is not plotted";
     assert!(
-        warnings.len() == 1 && warnings[0].ends_with(told),
+        warnings.len() == 1 && warnings[0].ends_with(message),
         "{warnings:?}"
     );
 }
@@ -537,9 +537,9 @@ fn names_of_layers_and_blocks_are_the_same_in_capitals() {
     // Programs that tell such names apart are not AutoCAD, and may have both.
     let wanted = [("Türen", Some([255, 0, 0])), ("türen", Some([0, 0, 255]))];
     assert_eq!(found, wanted);
-    let told = "1 hidden object: left out, because its layer is off or frozen";
+    let message = "1 hidden object: left out, because its layer is off or frozen";
     assert!(
-        warnings.len() == 1 && warnings[0].ends_with(told),
+        warnings.len() == 1 && warnings[0].ends_with(message),
         "{warnings:?}"
     );
 }
@@ -549,8 +549,8 @@ fn a_block_that_is_missing_is_left_out_with_a_warning() {
     let (artwork, warnings) =
         draw("0 LINE 10 0 20 0 11 9 21 0 0 INSERT 2 foo 10 0 20 0 0 INSERT 2 bar 10 5 20 5");
     assert_eq!(corners(&artwork), [[(0.0, 0.0), (9.0, 0.0)]]);
-    let told = "37:1: 2 INSERTs: left out, because its block is not in the file: \"foo\"";
-    assert_eq!(warnings, [told]);
+    let message = "37:1: 2 INSERTs: left out, because its block is not in the file: \"foo\"";
+    assert_eq!(warnings, [message]);
 }
 
 #[test]
@@ -824,8 +824,9 @@ fn names_from_2007_on_are_in_utf8_and_those_without_a_code_page_western() {
     let unknown = "9 $ACADVER 1 AC1009 9 $DWGCODEPAGE 3 dos863";
     let (name, warnings) = layer_name(unknown, b"Fr\xe4ser");
     assert_eq!(name, "Fräser");
-    let told = "1 file in an unknown code page: read as Windows-1252; its header names \"dos863\"";
-    assert_eq!(warnings, [told]);
+    let message =
+        "1 file in an unknown code page: read as Windows-1252; its header names \"dos863\"";
+    assert_eq!(warnings, [message]);
     assert_eq!(layer_name(unknown, b"wall").1, [""; 0]);
 }
 
@@ -837,8 +838,8 @@ fn lines_may_end_as_on_old_macs() {
     let marked = format!("\u{FEFF}{}", returns(&text));
     assert_eq!(draw_text(&marked), draw_text(&text));
     let broken = text.replace("21\n0", "21\nzero");
-    let told = "38:1: found \"zero\" for group 21; expected a number from -1e12 to 1e12";
-    assert_eq!(error(returns(&broken).as_bytes()), told);
+    let message = "38:1: found \"zero\" for group 21; expected a number from -1e12 to 1e12";
+    assert_eq!(error(returns(&broken).as_bytes()), message);
 }
 
 #[test]

@@ -65,7 +65,7 @@ impl EntityRenderer<'_, '_> {
         let whole = pair.whole_text();
         check_length(entity, &whole)?;
         let content = line(&whole).composed();
-        self.tell_plainer(entity, &content);
+        self.warn_plain(entity, &content);
         if content.text.trim().is_empty() {
             return Ok(());
         }
@@ -87,7 +87,7 @@ impl EntityRenderer<'_, '_> {
         let whole = whole_text(entity);
         check_length(entity, &whole)?;
         let content = lines(&whole).composed();
-        self.tell_plainer(entity, &content);
+        self.warn_plain(entity, &content);
         let unit = entity.number(40)? / CAPITAL;
         let (right, up) = paragraph_directions(entity)?;
         let pose = Pose {
@@ -172,7 +172,7 @@ impl EntityRenderer<'_, '_> {
         Ok(())
     }
 
-    fn tell_plainer(&mut self, entity: &Entity<'_>, content: &Content) {
+    fn warn_plain(&mut self, entity: &Entity<'_>, content: &Content) {
         if content.is_plainer {
             let instead = "written plainly: one height, no underlines, fractions on one line";
             self.sketch.warn(entity.at, "formatted text", instead);

@@ -50,7 +50,9 @@ impl Block {
     }
 
     pub(super) fn has_any(&self, letters: &[u8]) -> bool {
-        let bits = letters.iter().fold(0, |bits, it| bits | 1 << (it - b'A'));
+        let bits = letters
+            .iter()
+            .fold(0, |bits, letter| bits | 1 << (letter - b'A'));
         self.letters & bits != 0
     }
 
@@ -60,8 +62,8 @@ impl Block {
 
     /// Whether letters may have no value here: `G28 X` names an axis.
     fn allows_bare_letters(&self) -> bool {
-        let homes = self.g.0.iter().any(|it| [280, 300].contains(&it.1));
-        homes || self.m.0.iter().any(|it| it.1 > 90)
+        let homes = self.g.0.iter().any(|entry| [280, 300].contains(&entry.1));
+        homes || self.m.0.iter().any(|entry| entry.1 > 90)
     }
 
     /// Whether a laser or a spindle is switched: `M3 I` does so with the following moves (Marlin).
@@ -112,11 +114,14 @@ pub(super) struct Codes(pub(super) Vec<(usize, u32)>);
 
 impl Codes {
     pub(super) fn has(&self, code: u32) -> bool {
-        self.0.iter().any(|it| it.1 == code)
+        self.0.iter().any(|entry| entry.1 == code)
     }
 
     pub(super) fn first(&self, codes: &[u32]) -> Option<(usize, u32)> {
-        self.0.iter().copied().find(|it| codes.contains(&it.1))
+        self.0
+            .iter()
+            .copied()
+            .find(|entry| codes.contains(&entry.1))
     }
 }
 

@@ -81,12 +81,12 @@ impl GrblServoStatistics {
     pub(super) fn up(&self, text: &[u8], end: &ToolState) -> Option<(f64, UpSource)> {
         let is_mixed = self.rapids.is_mixed || self.feeds.is_mixed;
         let has_both = self.rapids.first.is_some() && self.feeds.first.is_some();
-        let is_told_by_haste = has_both && !is_mixed && self.rapids.first != self.feeds.first;
-        let fits = self.turns >= LEAST_TURNS && (!self.is_hasty || is_told_by_haste);
+        let differs_by_haste = has_both && !is_mixed && self.rapids.first != self.feeds.first;
+        let fits = self.turns >= LEAST_TURNS && (!self.is_hasty || differs_by_haste);
         let is_zero = |x: Option<f64>| x == Some(0.0);
         // A laser that is off at 0 draws the same; 0 lowers a pen only without another indication.
         let has_zero = is_zero(self.held) || is_zero(self.other);
-        let is_laser = has_zero && (!is_told_by_haste || is_zero(self.rapids.first));
+        let is_laser = has_zero && (!differs_by_haste || is_zero(self.rapids.first));
         if self.is_none || !fits || is_laser {
             return None;
         }

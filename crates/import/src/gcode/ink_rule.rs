@@ -242,7 +242,7 @@ impl MoveStatistics {
         match full {
             Some(most) if height.is_none() || !self.is_mill() => {
                 let burnt = self.burns();
-                let full = told_full(text).unwrap_or_else(|| scale(most));
+                let full = commented_full(text).unwrap_or_else(|| scale(most));
                 InkRule::Laser {
                     full: full.max(most),
                     travel: self.travel_power(),
@@ -419,7 +419,7 @@ fn scale(most: f64) -> f64 {
 }
 
 /// The S of full power from comments: `; Cut @ 600 mm/min, 20% power` before S200.
-fn told_full(text: &[u8]) -> Option<f64> {
+fn commented_full(text: &[u8]) -> Option<f64> {
     let mut percent = None;
     for line in text.split(|&byte| byte == b'\n') {
         // Only a power in a comment counts.

@@ -172,7 +172,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             self.warn(block.at, "optional line", "drawn (/)");
         }
         self.check_codes(block)?;
-        if block.g.0.is_empty() && block.m.0.iter().any(|it| codes::has_own_words(it.1)) {
+        if block.g.0.is_empty() && block.m.0.iter().any(|code| codes::has_own_words(code.1)) {
             self.switch_tool(block);
             return Ok(());
         }
@@ -276,7 +276,7 @@ impl<'a, 'w> Machine<'a, 'w> {
                 _ => {}
             }
         }
-        let mut motions = block.g.0.iter().filter(|it| it.1 <= 30);
+        let mut motions = block.g.0.iter().filter(|code| code.1 <= 30);
         match motions.nth(1) {
             Some(&(at, code)) => {
                 let expected = "one of G0 to G3 per line";
@@ -342,7 +342,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             let is_others = |code: u32| code > 90 && ![1060, 1070].contains(&code);
             // With P, which is the time, S is not the time.
             let is_time = block.g.has(40) && block.value(b'P').is_none();
-            if !is_time && !block.m.0.iter().any(|it| is_others(it.1)) {
+            if !is_time && !block.m.0.iter().any(|code| is_others(code.1)) {
                 self.laser.power = Some(s);
             }
         }

@@ -113,8 +113,10 @@ impl ServoStatistics {
             return None;
         }
         let angles = || self.angles.iter().map(|angle| angle.angle).chain(last);
-        if let Some(told) = told_up(text, code).filter(|up| angles().any(|angle| angle == *up)) {
-            return Some((told, UpSource::Comment));
+        if let Some(up_angle) =
+            commented_up(text, code).filter(|up| angles().any(|angle| angle == *up))
+        {
+            return Some((up_angle, UpSource::Comment));
         }
         // The first one with the largest share.
         let shares = || self.angles.iter().map(AngleUse::share_of_rapids);
@@ -149,7 +151,7 @@ impl AngleUse {
 }
 
 /// The raised angle according to a comment: `M300 S50 (pen up)`, `M280 P0 S90 ; up`.
-fn told_up(text: &[u8], code: ServoCode) -> Option<f64> {
+fn commented_up(text: &[u8], code: ServoCode) -> Option<f64> {
     let mut lines = text.split(|byte| b"\r\n".contains(byte));
     lines.find_map(|line| {
         let comment = line.iter().position(|byte| b"(;".contains(byte))?;
@@ -170,7 +172,7 @@ fn told_up(text: &[u8], code: ServoCode) -> Option<f64> {
 fn calls_up(comment: &[u8]) -> bool {
     let has = |word: &[u8]| {
         let mut words = comment.split(|byte| !byte.is_ascii_alphabetic());
-        words.any(|it| it.eq_ignore_ascii_case(word))
+        words.any(|found| found.eq_ignore_ascii_case(word))
     };
     has(b"up") && !has(b"down")
 }

@@ -86,7 +86,7 @@ fn a_laser_burns_while_m3_or_m4_hold_with_power_and_never_in_g0() {
 }
 
 #[test]
-fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_told() {
+fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_reported() {
     let text = "M3\nG1 X9 S1000 F600\nG0 Y1\nG1 X0 S300\nG0 Y2\nG1 X9 S1000\nG0 Y3\nG1 X0 F60\n";
     let (artwork, warnings) = draw(text);
     let names: Vec<_> = artwork
@@ -114,7 +114,7 @@ fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_told() {
 }
 
 #[test]
-fn what_only_a_laser_burns_otherwise_is_not_told_of_a_pen() {
+fn what_only_a_laser_burns_otherwise_is_not_reported_of_a_pen() {
     let text = "; Cut @ 600 mm/min, 20% power\nM4\nG0 X1 Y1\nG1 X9 S200 F600\nM5\n";
     assert_eq!(draw_by_pen(text).1, <[&str; 0]>::default());
     assert_eq!(draw(text).1.len(), 1);
@@ -138,7 +138,7 @@ fn numbers_with_an_exponent_are_read_and_an_extruder_behind_a_number_stays_one()
 }
 
 #[test]
-fn power_that_the_file_tells_in_percent_is_burned_as_fast_as_the_arm_can() {
+fn power_that_the_file_states_in_percent_is_burned_as_fast_as_the_arm_can() {
     let job = |percent: u32, s: u32| {
         format!(
             "; LightBurn 1.4\n; GRBL device profile\nG21\nM4\n; Line @ 600 mm/min, {percent}% power\nG0 X1 Y1\n; Layer C00\nG1 X9 S{s} F600\nG1 Y9\nM5\n"
@@ -391,7 +391,7 @@ fn inches_relative_ways_and_moved_origins_are_millimetres() {
 }
 
 #[test]
-fn speeds_in_inches_are_told_in_millimetres_per_second() {
+fn speeds_in_inches_are_reported_in_millimetres_per_second() {
     let layers = layers("G20 M3 S1\nG1 X1 F60");
     assert_eq!(
         (layers[0].name.as_str(), layers[0].speed_mm_s),

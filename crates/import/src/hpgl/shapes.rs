@@ -194,12 +194,12 @@ impl Plotter<'_> {
             b"AT" | b"RT" => 4,
             _ => 3,
         };
-        let told = command.number(place)?.abs();
+        let given = command.number(place)?.abs();
         let chord_deg = if self.chords_by_deviation {
-            let share = told / (2.0 * radius.abs());
+            let share = given / (2.0 * radius.abs());
             (4.0 * share.min(1.0).sqrt().asin()).to_degrees()
         } else {
-            told
+            given
         };
         (chord_deg > ROUND_DEG).then(|| chord_deg.min(180.0).to_radians())
     }

@@ -220,7 +220,7 @@ fn circles_arcs_and_wedges_stay_within_the_tolerance() {
 
 /// The polygons that old programs draw as circles of few chords.
 #[test]
-fn arcs_have_the_chords_that_they_tell() {
+fn arcs_have_the_chords_that_they_state() {
     let corners = |text: &str| -> Vec<[f64; 2]> {
         let points = strokes(text)[0].points.clone();
         points.iter().map(|p| [p.x, p.y]).collect()
@@ -275,7 +275,7 @@ fn a_chord_angle_that_no_plotter_has_is_taken_for_the_nearest_that_it_has() {
 }
 
 #[test]
-fn chords_that_are_told_by_how_far_they_leave_the_arc_leave_it_as_far() {
+fn chords_that_are_reported_by_how_far_they_leave_the_arc_leave_it_as_far() {
     let corners = |text: &str| strokes(text)[0].points.len();
     // A chord over the angle a leaves a circle by r (1 - cos(a / 2)): by half of r over 120 degrees.
     assert_eq!(corners("CT1;CI400,200"), 4);

@@ -5,7 +5,6 @@ use std::collections::{BTreeMap, HashMap};
 use usvg::roxmltree::Node;
 
 use super::field::Field;
-use super::palette;
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::place::printable;
@@ -84,7 +83,7 @@ impl Cut {
             name: name
                 .filter(|name| !name.is_empty())
                 .unwrap_or_else(|| code(index)),
-            color: palette::color(index),
+            color: palette_color(index),
             filling: fills.then_some(filling),
             output,
             at: Some(node.range().start),
@@ -93,11 +92,11 @@ impl Cut {
     }
 
     /// The default of a layer without a setting: lines.
-    fn untold(index: u32) -> Self {
+    fn default_of(index: u32) -> Self {
         let is_tool = TOOLS.contains(&index);
         Self {
             name: code(index),
-            color: palette::color(index),
+            color: palette_color(index),
             filling: None,
             output: if is_tool { Output::Tool } else { Output::On },
             at: None,
@@ -146,7 +145,9 @@ impl Cuts {
     }
 
     pub(super) fn of(&mut self, index: u32) -> &Cut {
-        self.0.entry(index).or_insert_with(|| Cut::untold(index))
+        self.0
+            .entry(index)
+            .or_insert_with(|| Cut::default_of(index))
     }
 }
 
@@ -160,3 +161,18 @@ fn code(index: u32) -> String {
 
 /// The numbers of the tool layers.
 const TOOLS: [u32; 2] = [30, 31];
+
+/// The colour of a layer number, as in `LightBurn`.
+fn palette_color(index: u32) -> Option<[u8; 3]> {
+    let rgb = *PALETTE.get(usize::try_from(index).ok()?)?;
+    let [_, red, green, blue] = rgb.to_be_bytes();
+    Some([red, green, blue])
+}
+
+/// C00 to C29, and the tool layers T1 and T2.
+const PALETTE: [u32; 32] = [
+    0x00_00_00, 0x00_00_ff, 0xff_00_00, 0x00_e0_00, 0xd0_d0_00, 0xff_80_00, 0x00_e0_e0, 0xff_00_ff,
+    0xb4_b4_b4, 0x00_00_a0, 0xa0_00_00, 0x00_a0_00, 0xa0_a0_00, 0xc0_80_00, 0x00_a0_ff, 0xa0_00_a0,
+    0x80_80_80, 0x7d_87_b9, 0xbb_77_84, 0x4a_6f_e3, 0xd3_3f_6a, 0x8c_d7_8c, 0xf0_b9_8d, 0xf6_c4_e1,
+    0xfa_9e_d4, 0x50_0a_78, 0xb4_5a_00, 0x00_47_54, 0x86_fa_88, 0xff_db_66, 0xf3_69_26, 0x0c_96_d9,
+];

@@ -95,9 +95,9 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
     pub(super) fn finish(mut self) -> Result<(), SourceError> {
         self.fills.draw(self.sketch, &mut self.cuts)?;
         let off = "left out, because the output of its layer is off in LightBurn";
-        self.off.tell(self.sketch, "switched-off shape", off);
+        self.off.warn(self.sketch, "switched-off shape", off);
         let tools = "left out, because LightBurn does not output tool layers";
-        self.tools.tell(self.sketch, "tool-layer shape", tools);
+        self.tools.warn(self.sketch, "tool-layer shape", tools);
         for cut in self.drawn {
             if let Some(at) = self.cuts.of(cut).at {
                 let instead = "drawn without its speed, power, passes and kerf, which are for another laser; \
@@ -276,7 +276,7 @@ impl LeftOut {
         }
     }
 
-    fn tell(&self, sketch: &mut Sketch<'_>, what: &str, instead: &str) {
+    fn warn(&self, sketch: &mut Sketch<'_>, what: &str, instead: &str) {
         let names: Vec<&str> = self.layers.iter().map(String::as_str).collect();
         let instead = format!("{instead} ({})", names.join(", "));
         for _ in 0..self.count {

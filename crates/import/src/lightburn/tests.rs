@@ -153,7 +153,7 @@ fn round_corners_are_quarters_of_circles() {
 }
 
 #[test]
-fn corners_that_are_too_round_or_turned_inwards_are_told() {
+fn corners_that_are_too_round_or_turned_inwards_are_reported() {
     let with = |radius: &str| {
         let it = format!("Type=\"Rect\" CutIndex=\"0\" W=\"30\" H=\"20\" Cr=\"{radius}\"");
         read_text(&project(&shape(&it, HERE, "")))
@@ -248,7 +248,7 @@ fn a_text_lies_where_its_outlines_are_whatever_group_it_is_in() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_told_with_what_to_do() {
+fn what_cannot_be_drawn_is_reported_with_what_to_do() {
     let line = shape(
         "Type=\"Path\"",
         HERE,
@@ -265,14 +265,14 @@ fn what_cannot_be_drawn_is_told_with_what_to_do() {
         &(cut(0, "Cut", "") + &line + &text + &code + &picture),
     ));
     assert_eq!(strokes(&artwork).len(), 1);
-    let told = warnings.join("\n");
+    let message = warnings.join("\n");
     for part in [
         "1 plain text: left out, because the project has no outlines of it; convert it to a path in LightBurn",
         "1 unsupported shape: left out (the first is a \"QrCode\")",
         "1 picture: left out; save it from LightBurn and draw it separately: dobot draw picture.png",
         "1 laser layer: drawn without its speed, power, passes and kerf",
     ] {
-        assert!(told.contains(part), "{told}");
+        assert!(message.contains(part), "{message}");
     }
 }
 

@@ -516,21 +516,21 @@ fn pictures_of_other_formats_are_drawn_as_the_same_png() {
 }
 
 #[test]
-fn a_file_that_is_no_picture_is_told_from_a_damaged_one() {
+fn a_file_that_is_no_picture_is_distinguished_from_a_damaged_one() {
     for name in ["a.jpg", "a.png"] {
-        let told = |bytes: &[u8]| {
+        let message = |bytes: &[u8]| {
             let source = crate::Source::of_file(name, bytes.to_vec()).unwrap();
             source.picture_page().unwrap_err().to_string()
         };
         assert_eq!(
-            told(b""),
+            message(b""),
             "the file is empty; a picture is a PNG, JPEG, GIF, WebP, BMP or TIFF file"
         );
         assert_eq!(
-            told(b"FORM89a"),
+            message(b"FORM89a"),
             "the file is not a PNG, JPEG, GIF, WebP, BMP or TIFF file; save the picture as PNG or JPEG"
         );
-        assert!(told(b"\xff\xd8\xff").starts_with("cannot read the JPEG picture: "));
+        assert!(message(b"\xff\xd8\xff").starts_with("cannot read the JPEG picture: "));
     }
 }
 
@@ -551,34 +551,37 @@ fn gigapixels_are_refused_before_they_are_read() {
 
 #[test]
 fn a_picture_without_pixels_is_refused_with_its_size() {
-    let told = |file: &[u8]| read(file, &ReadOptions::default()).unwrap_err().to_string();
+    let message = |file: &[u8]| read(file, &ReadOptions::default()).unwrap_err().to_string();
     let needed = "allowed are 1 x 1 or more; save it again as PNG or JPEG";
     for size in [[0, 16], [16, 0], [0, 0]] {
         let [width, height] = size;
         assert_eq!(
-            told(&sized(Gif, size)),
+            message(&sized(Gif, size)),
             format!("the picture has {width} x {height} pixels; {needed}")
         );
         for format in [Bmp, Tiff] {
-            let told = told(&sized(format, size));
-            assert!(told.starts_with("the "), "{format:?} {size:?}: {told}");
+            let message = message(&sized(format, size));
+            assert!(
+                message.starts_with("the "),
+                "{format:?} {size:?}: {message}"
+            );
         }
     }
 }
 
 #[test]
 fn pictures_whose_header_says_that_they_are_huge_are_refused() {
-    let told = |format| {
+    let message = |format| {
         let file = sized(format, [u16::MAX, u16::MAX]);
         let error = read(&file, &ReadOptions::default()).unwrap_err();
         error.to_string()
     };
     let wanted = "the picture has 65535 x 65535 pixels; allowed are 25 million";
     for format in [Gif, Bmp] {
-        assert!(told(format).starts_with(wanted), "{format:?}");
+        assert!(message(format).starts_with(wanted), "{format:?}");
     }
     // Its parts have sizes too, and these do not fit.
-    assert!(told(Tiff).starts_with("cannot read the TIFF picture: "));
+    assert!(message(Tiff).starts_with("cannot read the TIFF picture: "));
 }
 
 /// A picture of 16 x 16 pixels whose header says that it has another size.
@@ -618,25 +621,25 @@ fn a_spacing_that_would_take_days_is_refused_with_the_least() {
 #[test]
 fn settings_out_of_range_are_named() {
     let file = grey(10, 10, |_, _| 0.0);
-    let told = |change: fn(&mut Shading)| {
+    let message = |change: fn(&mut Shading)| {
         let mut options = ReadOptions::default();
         change(&mut options.shading);
         read(&file, &options).unwrap_err().to_string()
     };
     assert_eq!(
-        told(|it| it.spacing_mm = f64::NAN),
+        message(|it| it.spacing_mm = f64::NAN),
         "the spacing of the shading is NaN; allowed is a number above 0, in mm"
     );
     assert_eq!(
-        told(|it| it.levels = 9),
+        message(|it| it.levels = 9),
         "the levels of the shading is 9; allowed is from 1 to 8"
     );
     assert_eq!(
-        told(|it| it.threshold = Some(1.0)),
+        message(|it| it.threshold = Some(1.0)),
         "the threshold of the shading is 1; allowed is between 0 and 1"
     );
-    assert!(told(|it| it.darkness = 0.0).starts_with("the darkness"));
-    assert!(told(|it| it.angle_deg = f64::INFINITY).starts_with("the angle"));
+    assert!(message(|it| it.darkness = 0.0).starts_with("the darkness"));
+    assert!(message(|it| it.angle_deg = f64::INFINITY).starts_with("the angle"));
 }
 
 #[test]

@@ -125,7 +125,7 @@ impl<'a> CsvReader<'a> {
             .split(separator)
             .map(|part| part.trim().to_ascii_lowercase())
             .collect();
-        let column = |name: &str| names.iter().position(|it| it == name);
+        let column = |name: &str| names.iter().position(|column| column == name);
         let (Some(x), Some(y)) = (column("x"), column("y")) else {
             let is_header = line.contains(|c: char| c.is_alphabetic() && !"eE".contains(c));
             if is_header || names.len() != 2 {

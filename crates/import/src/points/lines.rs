@@ -53,15 +53,15 @@ mod tests {
     }
 
     #[test]
-    fn a_point_that_is_no_place_is_told_with_its_line() {
-        for (x, y, told) in [
+    fn a_point_that_is_no_place_is_reported_with_its_line() {
+        for (x, y, message) in [
             (f64::NAN, 0.0, "point 2 of line 1 is (NaN, 0)"),
             (0.0, f64::INFINITY, "point 2 of line 1 is (0, inf)"),
             (-1_000_001.0, 0.0, "point 2 of line 1 is (-1000001, 0)"),
         ] {
             let line = vec![Point::ZERO, Point::new(x, y)];
             let error = read(&[line], &ReadOptions::default()).unwrap_err();
-            assert!(error.to_string().starts_with(told), "{error}");
+            assert!(error.to_string().starts_with(message), "{error}");
         }
         assert!(read(&[], &ReadOptions::default()).is_err());
     }

@@ -221,7 +221,8 @@ fn bad_json_is_refused_with_its_place() {
 }
 
 #[test]
-fn strokes_are_drawn_as_they_are_read_so_that_one_too_many_is_told_before_what_is_wrong_behind() {
+fn strokes_are_drawn_as_they_are_read_so_that_one_too_many_is_reported_before_what_is_wrong_behind()
+{
     let strokes: Vec<String> = (0..1001)
         .map(|i| format!(r#"{{"layer":"{i}","points":[[0,0]]}}"#))
         .collect();

@@ -54,7 +54,7 @@ impl<'a> Variables<'a> {
     /// Replaces functions by their values.
     fn without_functions<'t>(&self, css: &'t str, depth: u32) -> Cow<'t, str> {
         let (mut whole, mut done, mut at) = (String::new(), 0, 0);
-        while let Some(open) = css[at..].find('(').map(|it| at + it) {
+        while let Some(open) = css[at..].find('(').map(|offset| at + offset) {
             let head = &css[at..open];
             let begin = open - head.len() + head.trim_end_matches(is_of_name).len();
             at = open + 1;

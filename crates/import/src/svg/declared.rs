@@ -30,7 +30,7 @@ impl<'a> Declared<'a> {
         });
         Self {
             is_it,
-            selectors: declares.map(|it| &it.selector).collect(),
+            selectors: declares.map(|rule| &rule.selector).collect(),
         }
     }
 

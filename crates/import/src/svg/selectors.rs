@@ -74,7 +74,7 @@ impl Marks {
 
     /// The mark attribute of a test.
     fn mark(&mut self, question: Question) -> Option<String> {
-        let known = self.questions.iter().position(|it| *it == question);
+        let known = self.questions.iter().position(|known| *known == question);
         let number = known.unwrap_or(self.questions.len());
         if known.is_none() {
             self.questions.push(question);
@@ -190,7 +190,10 @@ fn question(part: &str) -> Option<Question> {
 /// Parses `name^=value`, with or without quotes around the value.
 fn attribute(inner: &str) -> Option<Question> {
     let (name, value) = inner.split_once('=')?;
-    let sign = name.chars().next_back().filter(|it| "^$*".contains(*it))?;
+    let sign = name
+        .chars()
+        .next_back()
+        .filter(|sign| "^$*".contains(*sign))?;
     let name = name.strip_suffix(sign)?.trim();
     let value = value.trim();
     let quoted = ['"', '\''].into_iter().find_map(|name| {
@@ -297,7 +300,7 @@ mod tests {
                 .any(|element| element == mark)
         });
         let names: Vec<&str> = meant
-            .map(|it| it.attribute("id").unwrap_or(it.tag_name().name()))
+            .map(|node| node.attribute("id").unwrap_or(node.tag_name().name()))
             .collect();
         Some(names.join(" "))
     }

@@ -20,7 +20,7 @@ pub(super) fn readable_sheet<'t>(
     marks: &mut Marks,
 ) -> Cow<'t, str> {
     let css = replaced(Cow::Borrowed(css), without_html_signs);
-    let css = replaced(css, |it| it.contains('@').then(|| unwrapped(it, 0)));
+    let css = replaced(css, |text| text.contains('@').then(|| unwrapped(text, 0)));
     let css = replaced(css, |it| {
         it.contains(":root").then(|| it.replace(":root", "svg"))
     });

@@ -78,8 +78,9 @@ fn kind_of(name: &str) -> Option<Family<'static>> {
         (Family::Cursive, CURSIVE),
         (Family::SansSerif, SANS_SERIF),
     ];
-    let told = |(_, words): &(Family<'_>, &[&str])| words.iter().any(|word| name.contains(word));
-    kinds.into_iter().find(told).map(|(kind, _)| kind)
+    let is_in_name =
+        |(_, words): &(Family<'_>, &[&str])| words.iter().any(|word| name.contains(word));
+    kinds.into_iter().find(is_in_name).map(|(kind, _)| kind)
 }
 
 const MONOSPACE: &[&str] = &["mono", "courier", "consol", "typewriter", "menlo", "fixed"];

@@ -14,11 +14,11 @@ pub(super) struct UnreadPlaces(Vec<(WarningKind, Place)>);
 
 impl UnreadPlaces {
     pub(super) fn of(doc: &Document<'_>, text: &str) -> Self {
-        let mut told = PROPERTIES
+        let mut properties = PROPERTIES
             .iter()
             .filter(|property| text.contains(property.1))
             .peekable();
-        if told.peek().is_none() {
+        if properties.peek().is_none() {
             return Self::default();
         }
         let rules = rules(doc);
@@ -34,18 +34,19 @@ impl UnreadPlaces {
             let mut having = doc.descendants().filter(has_it);
             // Fonts may be given in other ways.
             let any = having.clone().next();
-            let node = having.find(|it| it.descendants().any(is_in_single_lines));
+            let node = having.find(|node| node.descendants().any(is_in_single_lines));
             Some(doc.text_pos_at(node.or(any)?.range().start).into())
         };
         Self(
-            told.filter_map(|message| Some((message.0, first(message.1)?)))
+            properties
+                .filter_map(|message| Some((message.0, first(message.1)?)))
                 .collect(),
         )
     }
 
     /// Adds the place to a warning, if known.
     pub(super) fn warning(&self, count: WarningCount) -> Warning {
-        let place = self.0.iter().find(|it| it.0 == count.kind);
+        let place = self.0.iter().find(|place| place.0 == count.kind);
         Warning {
             place: place.map(|place| place.1),
             ..Warning::from(count)

@@ -102,7 +102,7 @@ fn files_and_folder_keep_within_their_limits_and_the_newest_stay() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_told_and_tried_again() {
+fn a_folder_that_cannot_be_written_is_reported_and_tried_again() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("recordings");
     std::fs::write(&folder, "something is in the way").unwrap();
@@ -129,7 +129,7 @@ fn a_folder_that_cannot_be_written_is_told_and_tried_again() {
 }
 
 #[test]
-fn a_new_arm_is_told_in_the_middle_of_a_file_and_in_the_next() {
+fn a_new_arm_is_reported_in_the_middle_of_a_file_and_in_the_next() {
     let folder = tempfile::tempdir().unwrap();
     let mut rotation = rotation(folder.path());
     rotation.handle_record(s(0), &Record::ToArm(vec![1]));
@@ -229,7 +229,7 @@ fn state(at: Duration, seed: &mut u64) -> Record {
 fn idle_hour(cuts: &[usize]) -> u64 {
     let folder = tempfile::tempdir().unwrap();
     let mut rotation = rotation(folder.path());
-    let (mut seed, mut told) = (7, 0);
+    let (mut seed, mut message) = (7, 0);
     for n in 0..45_000_u64 {
         let late = |seed: &mut u64| Duration::from_secs_f64(0.001 * random(seed));
         let mut at = Duration::from_millis(80 * n);
@@ -250,7 +250,7 @@ fn idle_hour(cuts: &[usize]) -> u64 {
     let files = recordings(folder.path()).unwrap();
     for file in &files {
         let mut recording = Recording::open(&file.path).unwrap();
-        told += recording
+        message += recording
             .by_ref()
             .filter_map(|recording| match recording.entry {
                 Entry::FromArm(bytes) => Some(bytes.len()),
@@ -259,7 +259,7 @@ fn idle_hour(cuts: &[usize]) -> u64 {
             .sum::<usize>();
         assert_eq!(recording.damage(), None);
     }
-    assert_eq!(told, 45_000 * 42, "nothing is missing");
+    assert_eq!(message, 45_000 * 42, "nothing is missing");
     files.iter().map(|file| file.bytes).sum()
 }
 
@@ -294,13 +294,13 @@ fn at_rest_a_killed_program_loses_the_latest_repeats_and_of_anything_new_a_secon
         let last = last.map(|last| last.at).unwrap_or_default();
         let repeats = Duration::from_millis(11_200);
         assert!(at <= last + repeats, "at {at:?}, last {last:?}");
-        let is_told = last >= news || at <= news + Duration::from_millis(1_080);
-        assert!(is_told, "at {at:?}, last {last:?}, new at {news:?}");
+        let is_recorded = last >= news || at <= news + Duration::from_millis(1_080);
+        assert!(is_recorded, "at {at:?}, last {last:?}, new at {news:?}");
     }
 }
 
 #[test]
-fn records_that_were_lost_are_told_behind_what_came_before_them() {
+fn records_that_were_lost_are_reported_behind_what_came_before_them() {
     let folder = tempfile::tempdir().unwrap();
     let mut rotation = rotation(folder.path());
     for n in 0..5 {
@@ -311,11 +311,11 @@ fn records_that_were_lost_are_told_behind_what_came_before_them() {
     rotation.finish();
     let path = &recordings(folder.path()).unwrap()[0].path;
     let moments = Recording::open(path).unwrap();
-    let told: Vec<_> = moments
+    let message: Vec<_> = moments
         .filter(|moment| [RECORDER, crate::FROM_ARM].contains(&&*moment.topic))
         .map(|moment| (moment.at, &*moment.topic == RECORDER))
         .collect();
     let statuses = (0..5).map(|n| (s(n), false));
     let expected: Vec<_> = statuses.chain([(s(6), true), (s(6), false)]).collect();
-    assert_eq!(told, expected);
+    assert_eq!(message, expected);
 }

@@ -172,7 +172,7 @@ mod tests {
             frames.push(sample(0, 0.0));
             for gap_ms in gaps_ms {
                 at_ms += gap_ms;
-                let found: Vec<_> = frames.push(sample(at_ms, 0.0)).iter().map(|it| it.number).collect();
+                let found: Vec<_> = frames.push(sample(at_ms, 0.0)).iter().map(|frame| frame.number).collect();
                 if gap_ms > 1000 {
                     (begin_ms, expected) = (at_ms, 0);
                     prop_assert_eq!(found, [0]);

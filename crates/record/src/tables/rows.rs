@@ -68,13 +68,13 @@ pub(crate) fn each_row(
         if moment.at > *stretch.end() {
             break;
         }
-        let (told, sent) = packets.of(&moment);
+        let (statuses, sent) = packets.of(&moment);
         if moment.at < *stretch.start() {
             continue;
         }
         let start = recording.start().unwrap_or_default();
-        let dialect = recording.about().and_then(|it| it.dialect);
-        for status in told {
+        let dialect = recording.about().and_then(|about| about.dialect);
+        for status in statuses {
             take(Row::Status(of_status(start, moment.at, &status)))?;
         }
         for packet in sent {
@@ -92,8 +92,8 @@ pub fn holds_packets(recording: &mut Recording, stretch: &RangeInclusive<Duratio
     recording
         .take_while(|recording| recording.at <= *stretch.end())
         .any(|moment| {
-            let (told, sent) = packets.of(&moment);
-            moment.at >= *stretch.start() && !(told.is_empty() && sent.is_empty())
+            let (statuses, sent) = packets.of(&moment);
+            moment.at >= *stretch.start() && !(statuses.is_empty() && sent.is_empty())
         })
 }
 

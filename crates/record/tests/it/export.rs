@@ -307,8 +307,8 @@ fn files_that_are_there_are_written_over_only_where_that_is_asked_for() {
     assert!(error.to_string().contains("run.commands.csv"), "{error}");
     assert!(!out.exists(), "half of it is left behind");
     assert_eq!(std::fs::read_to_string(&beside).unwrap(), "mine");
-    let (written, told) = export(true).unwrap();
-    assert_eq!((written.statuses, told), (43, beside.clone()));
+    let (written, message) = export(true).unwrap();
+    assert_eq!((written.statuses, message), (43, beside.clone()));
     assert_eq!(rows(&std::fs::read(&beside).unwrap()).len(), 3);
     assert!(matches!(export(false), Err(ExportError::File { .. })));
     assert_eq!(rows(&std::fs::read(&out).unwrap()).len(), 43);

@@ -16,7 +16,7 @@ fn recorder(folder: &std::path::Path) -> Recorder {
 }
 
 #[test]
-fn what_does_not_fit_is_counted_and_the_file_tells() {
+fn what_does_not_fit_is_counted_and_the_file_states() {
     let folder = tempfile::tempdir().unwrap();
     let recorder = recorder(folder.path());
     let topic = Topic::new("/big", "x.Big", &json!({ "type": "object" })).unwrap();
@@ -31,11 +31,11 @@ fn what_does_not_fit_is_counted_and_the_file_tells() {
     let file = &recordings(folder.path()).unwrap()[0].path;
     let moments: Vec<_> = Recording::open(file).unwrap().collect();
     assert_eq!(&*moments[0].topic, RECORDER);
-    let Entry::Json(told) = &moments[0].entry else {
+    let Entry::Json(message) = &moments[0].entry else {
         panic!("{moments:?}");
     };
-    assert_eq!(told["lost"], 1);
-    assert!(told["reason"].as_str().unwrap().contains("128 KiB"));
+    assert_eq!(message["lost"], 1);
+    assert!(message["reason"].as_str().unwrap().contains("128 KiB"));
     assert_eq!(&*moments[1].topic, "/big");
 }
 
@@ -52,16 +52,16 @@ fn a_flood_is_recorded_or_counted_and_nothing_else() {
     }
     let health = recorder.finish();
     let file = &recordings(folder.path()).unwrap()[0].path;
-    let (mut read, mut told) = (0, 0);
+    let (mut read, mut message) = (0, 0);
     for moment in Recording::open(file).unwrap() {
         match moment.entry {
             Entry::ToArm(_) => read += 1,
-            Entry::Json(value) => told += value["lost"].as_u64().unwrap(),
+            Entry::Json(value) => message += value["lost"].as_u64().unwrap(),
             other => panic!("{other:?}"),
         }
     }
     assert_eq!(read + health.lost, u64::from(count));
-    assert!(told <= health.lost);
+    assert!(message <= health.lost);
 }
 
 #[test]

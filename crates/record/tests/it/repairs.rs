@@ -71,7 +71,7 @@ fn read(file: &Path) -> (Vec<Moment>, Option<Damage>) {
 }
 
 /// The note at the end of a repaired file.
-fn told(moments: &[Moment]) -> &Value {
+fn message(moments: &[Moment]) -> &Value {
     match moments.last() {
         Some(Moment {
             topic,
@@ -108,7 +108,7 @@ fn a_file_that_breaks_off_anywhere_is_whole_after_the_next_start() {
         assert_eq!((health.repaired, still), (1, None), "{len} bytes");
         assert_eq!(after.split_last().unwrap().1, before, "{len} bytes");
         let unread = len as u64 - damage.unwrap().good_bytes;
-        assert_eq!(told(&after)["unreadable_bytes"], unread, "{len} bytes");
+        assert_eq!(message(&after)["unreadable_bytes"], unread, "{len} bytes");
         let bytes = std::fs::read(&file).unwrap();
         let summary = mcap::Summary::read(&bytes).unwrap().expect("it has one");
         let count = mcap::MessageStream::new(&bytes).unwrap().count() as u64;
@@ -167,7 +167,7 @@ fn a_file_that_was_ended_in_order_and_one_that_is_being_written_are_left_alone()
 }
 
 #[test]
-fn damage_in_the_middle_costs_its_chunk_and_is_told() {
+fn damage_in_the_middle_costs_its_chunk_and_is_reported() {
     let whole = session();
     let summary = mcap::Summary::read(&whole).unwrap().expect("it has one");
     let mut chunks = summary.chunk_indexes;
@@ -187,7 +187,7 @@ fn damage_in_the_middle_costs_its_chunk_and_is_told() {
     // The content after it is there too.
     assert!(after.len() > before.len() + 1, "{}", after.len());
     assert!(after[after.len() - 2].at > Duration::from_secs(3));
-    let unread = told(&after)["unreadable_bytes"].as_u64().unwrap();
+    let unread = message(&after)["unreadable_bytes"].as_u64().unwrap();
     assert!(unread >= chunks[1].chunk_length, "{unread}");
 }
 

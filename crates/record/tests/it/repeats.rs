@@ -91,7 +91,7 @@ fn a_status_that_comes_again_is_one_message_with_the_gaps_between_its_times() {
 }
 
 #[test]
-fn repeats_are_told_every_ten_seconds() {
+fn repeats_are_reported_every_ten_seconds() {
     let folder = tempfile::tempdir().unwrap();
     let same = |n: u64| {
         let at = Duration::from_millis(80 * n);

@@ -73,7 +73,7 @@ async fn the_same_client_sees_the_same_and_does_the_same() {
 }
 
 #[tokio::test]
-async fn a_client_that_does_something_else_is_told_with_time_expected_and_found() {
+async fn a_client_that_does_something_else_is_reported_with_time_expected_and_found() {
     let folder = tempfile::tempdir().unwrap();
     let (file, _) = recorded(folder.path()).await;
     let replay = Replay::open(file).unwrap();

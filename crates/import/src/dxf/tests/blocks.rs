@@ -183,7 +183,7 @@ fn a_mesh_is_drawn_by_the_edges_of_its_faces_each_once() {
 }
 
 #[test]
-fn a_wipeout_is_told_to_cover_nothing() {
+fn a_wipeout_is_meant_to_cover_nothing() {
     let (_, warnings) = draw("0 LINE 10 0 20 0 11 5 21 5 0 WIPEOUT 10 0 20 0 11 1 21 0 12 0 22 1");
     assert!(
         warnings[0].contains("1 WIPEOUT: left out, and what it covers is drawn"),

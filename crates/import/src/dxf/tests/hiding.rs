@@ -209,7 +209,7 @@ fn ordered(places: &str, in_block: bool) -> Artwork {
 }
 
 #[test]
-fn entities_hide_each_other_in_the_order_that_the_file_tells() {
+fn entities_hide_each_other_in_the_order_that_the_file_states() {
     for in_block in [false, true] {
         let length_mm = |places: &str| length_mm(&ordered(places, in_block));
         // As they stand: over the line, under the polyline.
@@ -233,8 +233,8 @@ fn a_handle_that_is_none_is_refused() {
         ..ReadOptions::default()
     };
     let error = super::super::read(text.as_bytes(), &hides).unwrap_err();
-    let told = "found \"xyz\" for group 5; expected a handle such as 1F";
-    assert!(error.to_string().contains(told), "{error}");
+    let message = "found \"xyz\" for group 5; expected a handle such as 1F";
+    assert!(error.to_string().contains(message), "{error}");
 }
 
 #[test]

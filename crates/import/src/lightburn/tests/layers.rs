@@ -81,7 +81,7 @@ fn an_open_line_of_a_fill_layer_is_a_line() {
 }
 
 #[test]
-fn what_a_laser_would_not_burn_is_left_out_and_told() {
+fn what_a_laser_would_not_burn_is_left_out_and_reported() {
     let cuts = cut(0, "Cut", "")
         + &cut(3, "Cut", "<doOutput Value=\"0\"/>")
         + &cut(4, "Cut", "<hide Value=\"1\"/>")
@@ -90,12 +90,12 @@ fn what_a_laser_would_not_burn_is_left_out_and_told() {
         square(3, 9.0, 0.0) + &square(0, 3.0, 0.0) + &square(30, 5.0, 0.0) + &square(3, 2.0, 0.0);
     let (artwork, warnings) = read_text(&project(&(cuts.clone() + &shapes)));
     assert_eq!(strokes(&artwork).len(), 1);
-    let told = warnings.join("\n");
+    let message = warnings.join("\n");
     for part in [
         "2 switched-off shapes: left out, because the output of its layer is off in LightBurn (C03)",
         "1 tool-layer shape: left out, because LightBurn does not output tool layers (C30)",
     ] {
-        assert!(told.contains(part), "{told}");
+        assert!(message.contains(part), "{message}");
     }
     let (artwork, warnings) = read_text(&project(&(cuts + &square(4, 2.0, 0.0))));
     assert_eq!(strokes(&artwork).len(), 1);

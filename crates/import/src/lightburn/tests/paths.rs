@@ -5,7 +5,7 @@ fn path(lists: &str) -> String {
 }
 
 #[test]
-fn both_formats_tell_the_same_path() {
+fn both_formats_state_the_same_path() {
     // A quarter of a circle, and a line back to where it begins.
     let k = 5.522_847_498;
     let new = format!(
@@ -80,7 +80,7 @@ fn numbers_may_have_exponents_and_points_may_be_marked_as_smooth() {
 }
 
 #[test]
-fn a_path_without_lines_is_told() {
+fn a_path_without_lines_is_reported() {
     let lists = "<VertList>V0 0V4 0</VertList>";
     let line = path("<VertList>V0 0V4 0</VertList><PrimList>L0 1</PrimList>");
     let (artwork, warnings) = read_text(&project(&(path(lists) + &line)));

@@ -5,7 +5,7 @@ use dobot_geometry::steps;
 use super::*;
 use crate::picture::shading::ShadingStyle;
 
-/// A page of 120 mm by 60 mm, as dark as told.
+/// A page of 120 mm by 60 mm, of this darkness.
 fn page(ink: impl Fn(Point) -> f64) -> Tone {
     let mut tone = Tone {
         width: 480,

@@ -11,7 +11,7 @@ fn with_root(attributes: &str) -> (Drawing, Vec<Warning>) {
 }
 
 #[test]
-fn a_size_of_the_page_that_browsers_ignore_is_told_and_the_view_box_decides() {
+fn a_size_of_the_page_that_browsers_ignore_is_reported_and_the_view_box_decides() {
     for size in [
         "200 mm",
         "",
@@ -171,7 +171,7 @@ fn rules_mean_elements_by_parts_of_their_attributes_and_by_their_places() {
 }
 
 #[test]
-fn rules_inside_a_rule_are_told_as_not_read() {
+fn rules_inside_a_rule_are_reported_as_not_read() {
     let (strokes, warnings) =
         draw(r#"<style>g { path { stroke: blue } }</style><g><path d="M1 1H9" stroke="red"/></g>"#);
     assert_eq!(strokes.len(), 1);

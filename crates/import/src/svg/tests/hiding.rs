@@ -105,7 +105,7 @@ fn the_hidden_part_of_an_area_is_not_hatched() {
 }
 
 #[test]
-fn where_too_many_shapes_lie_over_each_other_all_is_drawn_and_told() {
+fn where_too_many_shapes_lie_over_each_other_all_is_drawn_and_reported() {
     let shapes = 3000_u32;
     let mut svg = String::new();
     for i in 0..shapes {

@@ -200,7 +200,7 @@ fn letters_are_areas_too() {
 }
 
 #[test]
-fn a_font_that_is_not_here_is_told_with_the_one_taken_for_it() {
+fn a_font_that_is_not_here_is_reported_with_the_one_taken_for_it() {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_system_fonts();
     let first = fonts.faces().next().map(|face| face.families[0].0.clone());
@@ -244,7 +244,7 @@ fn a_font_that_is_not_here_is_told_with_the_one_taken_for_it() {
 }
 
 #[test]
-fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_tells() {
+fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_states() {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_system_fonts();
     let mut names: Vec<_> = fonts
@@ -273,9 +273,9 @@ fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_tells()
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50"><text font-family="{asked}" x="10" y="30" font-size="20">o</text></svg>"#
         );
         let (_, warnings) = read(&svg, &options).unwrap();
-        let told = format!("1 font {asked}: not installed, drawn in {taken}");
+        let message = format!("1 font {asked}: not installed, drawn in {taken}");
         let warnings: Vec<_> = warnings.iter().map(Warning::to_string).collect();
-        assert!(warnings.contains(&told), "{told}: {warnings:?}");
+        assert!(warnings.contains(&message), "{message}: {warnings:?}");
     }
 }
 
