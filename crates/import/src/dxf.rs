@@ -27,7 +27,7 @@ mod xclip;
 use dobot_geometry::{Affine, Vec2};
 
 use self::file::File;
-use self::pairs::MOST_COORDINATE;
+use self::pairs::MAX_COORDINATE;
 use self::renderer::EntityRenderer;
 use crate::artwork::Artwork;
 use crate::error::SourceError;
@@ -54,7 +54,7 @@ pub(crate) fn read(
     let code_page = unknown_code_page.as_deref();
     let (far, from_origin) = match draw(&file, options, code_page, Vec2::ZERO) {
         Err(error @ SourceError::TooFar { x_mm, y_mm, .. })
-            if x_mm.hypot(y_mm) <= 2.0 * MOST_COORDINATE =>
+            if x_mm.hypot(y_mm) <= 2.0 * MAX_COORDINATE =>
         {
             (Vec2::new(x_mm, y_mm), error)
         }

@@ -36,7 +36,7 @@ fn encoding_of(bytes: &[u8]) -> Result<Option<&'static Encoding>, SourceError> {
 /// The encoding in the XML declaration. A declaration readable as ASCII is not UTF-16, whatever it
 /// declares.
 fn declared(bytes: &[u8]) -> Result<&'static Encoding, SourceError> {
-    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(MOST_OF_A_FIRST_LINE)]);
+    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(MAX_FIRST_LINE)]);
     let line = start.strip_prefix("<?xml");
     let line = line
         .and_then(|line| line.split_once("?>"))
@@ -58,7 +58,7 @@ fn declared(bytes: &[u8]) -> Result<&'static Encoding, SourceError> {
     }
 }
 
-const MOST_OF_A_FIRST_LINE: usize = 256;
+const MAX_FIRST_LINE: usize = 256;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

@@ -48,8 +48,8 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let mut moves = 0;
     let (tool, laser) = run(text, sketch.warnings(), |it| {
         moves += 1;
-        if moves > MOST_MOVES {
-            let found = format!("more than {MOST_MOVES} moves");
+        if moves > MAX_MOVES {
+            let found = format!("more than {MAX_MOVES} moves");
             let expected = "at most that in a drawing; simplify it, or draw it in parts";
             return Err(SourceError::found(text, it.at, found, expected));
         }
@@ -80,7 +80,7 @@ fn run<'a>(
 
 /// The largest number of moves: lines of a drawing and travels; all are analysed before the first
 /// is drawn.
-const MOST_MOVES: usize = MAX_SEGMENTS / 2 * 3;
+const MAX_MOVES: usize = MAX_SEGMENTS / 2 * 3;
 
 /// A word such as `G21`, or what may precede the first word.
 pub(crate) fn is_likely(start: &str) -> bool {

@@ -37,7 +37,7 @@ impl Budget {
 
     fn over(&self) -> OverBudget {
         let limit = self.limit;
-        if self.curved.get() > limit / LEAST_CURVED {
+        if self.curved.get() > limit / MIN_CURVED {
             OverBudget::Segments { limit }
         } else {
             OverBudget::Corners { limit }
@@ -113,13 +113,13 @@ pub(crate) fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
 }
 
 /// The largest unpacked file except for pictures: a million points have about twenty million bytes.
-pub(crate) const MOST_BYTES: u64 = 64_000_000;
+pub(crate) const MAX_BYTES: u64 = 64_000_000;
 /// The largest picture: an unpacked scan of a sheet at a high resolution.
-pub(crate) const MOST_PICTURE_BYTES: u64 = 256_000_000;
+pub(crate) const MAX_PICTURE_BYTES: u64 = 256_000_000;
 /// The largest number of line segments: the arm takes two days for it.
 pub(crate) const MAX_SEGMENTS: usize = 2_000_000;
 /// If fewer than one in this many segments are from curves, a larger tolerance hardly helps.
-const LEAST_CURVED: usize = 10;
+const MIN_CURVED: usize = 10;
 /// The largest number of edge tests for clipping: one or two seconds.
 const MAX_LOOKS: usize = 150_000_000;
 /// The largest coordinate, in mm.

@@ -5,7 +5,7 @@ use std::io::{ErrorKind, Read};
 use flate2::read::MultiGzDecoder;
 
 use crate::error::SourceError;
-use crate::limits::MOST_BYTES;
+use crate::limits::MAX_BYTES;
 
 /// Unpacks a gzip file; any other stays unchanged. Some small files expand to terabytes.
 pub(crate) fn unpacked(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
@@ -13,7 +13,7 @@ pub(crate) fn unpacked(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
         return Ok(bytes);
     }
     let mut unpacked = Vec::new();
-    let mut reader = MultiGzDecoder::new(bytes.as_slice()).take(MOST_BYTES + 1);
+    let mut reader = MultiGzDecoder::new(bytes.as_slice()).take(MAX_BYTES + 1);
     let read = reader.read_to_end(&mut unpacked);
     read.map_err(|error| SourceError::Packed {
         problem: match error.kind() {
@@ -21,8 +21,8 @@ pub(crate) fn unpacked(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
             _ => "it is damaged",
         },
     })?;
-    if unpacked.len() as u64 > MOST_BYTES {
-        return Err(SourceError::TooLarge { most: MOST_BYTES });
+    if unpacked.len() as u64 > MAX_BYTES {
+        return Err(SourceError::TooLarge { most: MAX_BYTES });
     }
     Ok(unpacked)
 }

@@ -89,7 +89,7 @@ fn toned(bytes: &[u8], shading: &Shading, spacing_mm: f64) -> Result<(Header, To
     let paper = if shading.invert { 0 } else { 255 };
     let (header, grey) = pixels(bytes, paper)?;
     let page = header.stored_page();
-    let cells = |mm: f64| tone::cell((CELLS * mm / spacing_mm).ceil(), MOST_CELLS).max(2);
+    let cells = |mm: f64| tone::cell((CELLS * mm / spacing_mm).ceil(), MAX_CELLS).max(2);
     let tone = resample::resample(
         &grey,
         [header.width, header.height],
@@ -113,9 +113,9 @@ fn strokes(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
 
 fn check_size(page: Point, spacing_mm: f64, scale: f64) -> Result<(), ImageError> {
     let [width_mm, height_mm] = [page.x, page.y].map(|mm| mm * scale);
-    let least_mm = (width_mm * height_mm / MOST_SPACINGS)
+    let least_mm = (width_mm * height_mm / MAX_SPACINGS)
         .sqrt()
-        .max(width_mm.max(height_mm) * CELLS / count(MOST_CELLS));
+        .max(width_mm.max(height_mm) * CELLS / count(MAX_CELLS));
     if spacing_mm >= least_mm {
         return Ok(());
     }
@@ -136,9 +136,9 @@ fn warnings(header: Header) -> Vec<Warning> {
 /// Grid cells per spacing.
 const CELLS: f64 = 4.0;
 /// The largest number of cells along a side of the page.
-const MOST_CELLS: usize = 100_000;
+const MAX_CELLS: usize = 100_000;
 /// The largest number of square spacings on a page: 8 million cells.
-const MOST_SPACINGS: f64 = 500_000.0;
+const MAX_SPACINGS: f64 = 500_000.0;
 
 #[cfg(test)]
 mod tests;

@@ -276,7 +276,7 @@ impl<'a> Sketch<'a> {
         let period: f64 = lengths.iter().sum();
         self.change_since(mark, |stroke, budget| {
             let turns = stroke.length_mm() / period;
-            if (1.0..MOST_DASHES).contains(&turns) {
+            if (1.0..MAX_DASHES).contains(&turns) {
                 dash(stroke, lengths, offset, budget)
             } else {
                 Ok(vec![stroke])
@@ -292,7 +292,7 @@ impl<'a> Sketch<'a> {
         lengths: &[f64],
     ) -> Result<(), SourceError> {
         self.change_since(mark, |stroke, budget| {
-            fitted_dashes(stroke, lengths, [LEAST_TURN_MM, MOST_DASHES], budget)
+            fitted_dashes(stroke, lengths, [MIN_TURN_MM, MAX_DASHES], budget)
         })
     }
 
@@ -494,9 +494,9 @@ pub(super) struct SketchMark {
 }
 
 /// A line with more periods of dashes is drawn whole.
-const MOST_DASHES: f64 = 2000.0;
+const MAX_DASHES: f64 = 2000.0;
 /// A pattern with a shorter period is drawn whole, in mm.
-const LEAST_TURN_MM: f64 = 0.5;
+const MIN_TURN_MM: f64 = 0.5;
 
 /// The edge of an area.
 #[derive(Debug)]

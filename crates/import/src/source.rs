@@ -5,7 +5,7 @@ use dobot_geometry::Point;
 use crate::artwork::Artwork;
 use crate::error::SourceError;
 use crate::formats::{Contents, FORMATS, Format};
-use crate::limits::{MOST_BYTES, MOST_PICTURE_BYTES};
+use crate::limits::{MAX_BYTES, MAX_PICTURE_BYTES};
 use crate::options::ReadOptions;
 use crate::text::{Font, Text};
 use crate::warning::Warning;
@@ -53,9 +53,9 @@ impl Source {
     #[must_use]
     pub fn most_bytes(start: &[u8]) -> u64 {
         if picture::format(start).is_some() {
-            MOST_PICTURE_BYTES
+            MAX_PICTURE_BYTES
         } else {
-            MOST_BYTES
+            MAX_BYTES
         }
     }
 

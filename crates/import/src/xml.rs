@@ -14,7 +14,7 @@ pub(crate) fn tree(text: &str, allow_dtd: bool) -> Result<Document<'_>, SourceEr
     Measure::new(text).whole()?;
     let options = ParsingOptions {
         allow_dtd,
-        nodes_limit: MOST_NODES,
+        nodes_limit: MAX_NODES,
         ..ParsingOptions::default()
     };
     Document::parse_with_options(text, options).map_err(|error| match error {
@@ -136,7 +136,7 @@ impl<'a> Measure<'a> {
         Self {
             text,
             parts: 0,
-            most: MOST_BYTES.saturating_sub(text.len()) / PART_BYTES,
+            most: MAX_BYTES.saturating_sub(text.len()) / PART_BYTES,
             element: 0,
             attributes: 0,
             prefixes: HashSet::new(),
@@ -208,9 +208,9 @@ impl<'a> Measure<'a> {
     fn attribute(&mut self, at: usize) -> Result<(), SourceError> {
         self.count(at, 1)?;
         self.attributes += 1;
-        if self.attributes > MOST_ATTRIBUTES {
-            let found = format!("an element with more than {MOST_ATTRIBUTES} attributes");
-            let expected = format!("at most {MOST_ATTRIBUTES}; remove what draws nothing");
+        if self.attributes > MAX_ATTRIBUTES {
+            let found = format!("an element with more than {MAX_ATTRIBUTES} attributes");
+            let expected = format!("at most {MAX_ATTRIBUTES}; remove what draws nothing");
             return Err(SourceError::found(self.text, self.element, found, expected));
         }
         let name = name_before(self.text, at);
@@ -218,8 +218,8 @@ impl<'a> Measure<'a> {
             self.prefixes.insert(name);
             self.count(at, NAMESPACE_PARTS)?;
         }
-        if self.prefixes.len() > MOST_PREFIXES {
-            let found = format!("more than {MOST_PREFIXES} namespace prefixes (xmlns)");
+        if self.prefixes.len() > MAX_PREFIXES {
+            let found = format!("more than {MAX_PREFIXES} namespace prefixes (xmlns)");
             let expected = "fewer; save it as plain SVG";
             return Err(SourceError::found(self.text, at, found, expected));
         }
@@ -246,7 +246,7 @@ impl<'a> Measure<'a> {
         if most == 0 {
             let megabytes = self.text.len().div_ceil(1_000_000);
             let found = format!("a file of {megabytes} MB");
-            let most_mb = crate::limits::MOST_BYTES / 1_000_000;
+            let most_mb = crate::limits::MAX_BYTES / 1_000_000;
             let expected = format!("at most {most_mb} MB; remove what draws nothing");
             return Err(SourceError::found(self.text, at, found, expected));
         }
@@ -261,26 +261,26 @@ impl<'a> Measure<'a> {
 
 /// The name of the attribute whose sign `=` is at an offset.
 fn name_before(text: &[u8], at: usize) -> &[u8] {
-    let name = text[at.saturating_sub(LONGEST_NAME)..at].trim_ascii_end();
+    let name = text[at.saturating_sub(MAX_NAME_LEN)..at].trim_ascii_end();
     let before = name.iter().rposition(|item| b" \n\t\r\"'".contains(item));
     &name[before.map_or(0, |before| before + 1)..]
 }
 
 const XMLNS: &[u8] = b"xmlns:";
 /// Longer prefixes are not tracked.
-const LONGEST_NAME: usize = 60;
-const MOST_PREFIXES: usize = 50;
+const MAX_NAME_LEN: usize = 60;
+const MAX_PREFIXES: usize = 50;
 /// The cost of all prefixes, in attributes.
 const NAMESPACE_PARTS: usize = 2;
 /// Each is compared with all the others.
-const MOST_ATTRIBUTES: usize = 250;
+const MAX_ATTRIBUTES: usize = 250;
 /// The memory of an element, a text or an attribute, in bytes.
 const PART_BYTES: usize = 80;
 /// The memory limit of a file and its tree; the rest of a reader's memory is for its drawing.
-const MOST_BYTES: usize = 100_000_000;
+const MAX_BYTES: usize = 100_000_000;
 /// The largest number of nodes of a tree: elements, attributes, texts and comments.
 #[expect(clippy::cast_possible_truncation, reason = "some millions")]
-const MOST_NODES: u32 = (MOST_BYTES / PART_BYTES) as u32;
+const MAX_NODES: u32 = (MAX_BYTES / PART_BYTES) as u32;
 
 #[cfg(test)]
 mod tests {

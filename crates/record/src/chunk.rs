@@ -18,7 +18,7 @@ impl Chunk {
             return Err(BAD_RECORD.to_owned());
         };
         let is_whole = body.len() == NUMBERS_LEN + header.compression.len() + data.len();
-        if !is_whole || header.uncompressed_size > LONGEST {
+        if !is_whole || header.uncompressed_size > MAX_LEN {
             return Err(BAD_RECORD.to_owned());
         }
         let is_compressed = match header.compression.as_str() {
@@ -34,7 +34,7 @@ impl Chunk {
             skip_start_magic: true,
             skip_end_magic: true,
             prevalidate_chunk_crcs: is_compressed,
-            record_length_limit: usize::try_from(LONGEST).ok(),
+            record_length_limit: usize::try_from(MAX_LEN).ok(),
             ..LinearReaderOptions::default()
         });
         let record = [&[op::CHUNK][..], &(body.len() as u64).to_le_bytes(), body].concat();
@@ -71,6 +71,6 @@ impl Chunk {
 const NUMBERS_LEN: usize = 40;
 
 /// The longest record and the longest chunk, in bytes.
-pub(crate) const LONGEST: u64 = 8 << 20;
+pub(crate) const MAX_LEN: u64 = 8 << 20;
 
 pub(crate) const BAD_RECORD: &str = "a record does not match its type";

@@ -173,7 +173,7 @@ pub(crate) fn options() -> WriteOptions {
         .compression_threads(0)
         // A chunk is complete in memory before any of it is written.
         .disable_seeking(true)
-        .chunk_size(Some(MOST_CHUNK_LEN))
+        .chunk_size(Some(MAX_CHUNK_LEN))
 }
 
 /// An upper bound of the length of schema and channel of a topic, and of its part in the indexes of
@@ -209,7 +209,7 @@ const CHUNK_LEN: u64 = 64 << 10;
 /// ... or after this period, in nanoseconds.
 const CHUNK_NS: u64 = 1_000_000_000;
 /// The longest unflushed chunk; a single message may be long.
-const MOST_CHUNK_LEN: u64 = 1 << 20;
+const MAX_CHUNK_LEN: u64 = 1 << 20;
 
 /// Magic, header, statistics, footer.
 const FRAME_LEN: u64 = 2048;

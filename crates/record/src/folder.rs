@@ -118,7 +118,7 @@ pub(crate) fn tidy(folder: &Path) -> io::Result<()> {
 /// Creates a file for a recording with this start; creates the folder if it is missing.
 pub(crate) fn create(folder: &Path, begin: Timestamp) -> io::Result<(PathBuf, File)> {
     std::fs::create_dir_all(folder)?;
-    for number in 1..=MOST_PER_SECOND {
+    for number in 1..=MAX_PER_SECOND {
         let path = folder.join(name(begin, number));
         match alone(OpenOptions::new().write(true).create_new(true)).open(&path) {
             Ok(file) => {
@@ -198,7 +198,7 @@ fn sync_folder(folder: &Path) {
 const REPAIRED: &str = ".repair";
 
 /// The largest number of recordings that start in one second.
-const MOST_PER_SECOND: u32 = 1000;
+const MAX_PER_SECOND: u32 = 1000;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

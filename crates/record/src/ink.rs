@@ -161,7 +161,7 @@ impl Ink {
         });
         self.count += 1;
         self.unreported += 1;
-        while self.kept_points > MOST_POINTS
+        while self.kept_points > MAX_POINTS
             && let Some(oldest) = self.kept.pop_front()
         {
             self.kept_points -= oldest.points_mm.len();
@@ -216,7 +216,7 @@ fn name(number: u64) -> String {
 }
 
 /// The largest number of kept points: about two hours at six vectors a second.
-pub(crate) const MOST_POINTS: usize = 50_000;
+pub(crate) const MAX_POINTS: usize = 50_000;
 const PIECE_POINTS: usize = 100;
 /// The interval at which a growing line is reported.
 const PIECE_PERIOD: Duration = Duration::from_secs(1);
@@ -339,7 +339,7 @@ mod tests {
         hand.go(0.0, 0.0, -5.0);
         let mut there = std::collections::BTreeSet::new();
         let mut longest = 0;
-        for n in 0..2 * MOST_POINTS {
+        for n in 0..2 * MAX_POINTS {
             hand.go(0.0, if n % 20 < 10 { 1.0 } else { -1.0 }, 0.0);
             if let Some(reported) = hand.ink.poll(&json!({}), 0.0) {
                 longest = longest.max(reported.to_string().len());
@@ -351,7 +351,7 @@ mod tests {
                 }
             }
         }
-        assert!(hand.ink.kept_points <= MOST_POINTS);
+        assert!(hand.ink.kept_points <= MAX_POINTS);
         assert!(longest < 10_000, "{longest} bytes");
         let so_far = hand.ink.so_far(&json!({}), 0.0);
         let entities = so_far

@@ -103,9 +103,9 @@ impl Recorder {
     /// Records an event at a time since the start; never waits. A record that does not fit into the
     /// queue, or is longer than 128 KiB, is counted as lost.
     pub fn record(&self, at: Duration, record: Record) {
-        let size = record.size(LONGEST);
+        let size = record.size(MAX_LEN);
         let waiting = self.shared.waiting.fetch_add(size, Ordering::Relaxed);
-        let fits = size <= LONGEST && waiting + size <= MOST_WAITING;
+        let fits = size <= MAX_LEN && waiting + size <= MAX_WAITING;
         if !fits || self.queue.try_send((at, record)).is_err() {
             self.shared.waiting.fetch_sub(size, Ordering::Relaxed);
             self.shared.crowded_out.fetch_add(1, Ordering::Relaxed);
@@ -200,7 +200,7 @@ impl Worker {
         while count < QUEUE_LEN
             && let Ok((at, record)) = self.records.try_recv()
         {
-            let size = record.size(LONGEST);
+            let size = record.size(MAX_LEN);
             self.shared.waiting.fetch_sub(size, Ordering::Relaxed);
             self.note_crowded_out();
             self.rotation.handle_record(at, &record);
@@ -226,10 +226,10 @@ const IDLE: Duration = Duration::from_secs(1);
 const QUEUE_LEN: usize = 4096;
 
 /// The largest number of queued bytes ...
-const MOST_WAITING: usize = 8 << 20;
+const MAX_WAITING: usize = 8 << 20;
 
 /// ... and of bytes per record.
-const LONGEST: usize = 128 << 10;
+const MAX_LEN: usize = 128 << 10;
 
 const CROWDED: &str =
     "records arrived faster than they could be written, or a record was longer than 128 KiB";

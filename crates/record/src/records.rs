@@ -6,7 +6,7 @@ use mcap::MAGIC;
 use mcap::records::op;
 
 use crate::OpenError;
-use crate::chunk::{Chunk, LONGEST};
+use crate::chunk::{Chunk, MAX_LEN};
 
 /// An iterator over the records of an MCAP file up to its end or to the damage. It uses a few
 /// megabytes of memory at most, whatever the file declares.
@@ -128,9 +128,9 @@ impl Records {
     }
 
     fn body(&mut self, len: u64) -> Result<Vec<u8>, Flaw> {
-        if len > LONGEST {
+        if len > MAX_LEN {
             return Err(Flaw::within(format!(
-                "a record has a length of {len} bytes; allowed are {LONGEST}"
+                "a record has a length of {len} bytes; allowed are {MAX_LEN}"
             )));
         }
         let body = self.read(len)?;

@@ -78,7 +78,7 @@ impl Repairs {
     /// Starts to repair a file, with room for the new one and for the current recording.
     fn begin(&self, file: &RecordedFile) -> Option<Repair> {
         let limits = self.limits;
-        let most = (2 * file.bytes + LEAST_BYTES).min(limits.file_bytes.max(file.bytes));
+        let most = (2 * file.bytes + MIN_BYTES).min(limits.file_bytes.max(file.bytes));
         let room = limits.file_bytes + most;
         if room + file.bytes > limits.total_bytes {
             return None;
@@ -89,4 +89,4 @@ impl Repairs {
 }
 
 /// The length of the schemas and the index of a nearly empty file.
-const LEAST_BYTES: u64 = 256 << 10;
+const MIN_BYTES: u64 = 256 << 10;

@@ -71,7 +71,7 @@ impl Repeats {
     /// Whether the held-back data must be written now.
     pub(crate) fn is_due(&self) -> bool {
         match &self.ends_ns[..] {
-            [first, .., last] => self.place == 0 && last - first >= LONGEST_NS,
+            [first, .., last] => self.place == 0 && last - first >= MAX_HELD_NS,
             _ => false,
         }
     }
@@ -101,4 +101,4 @@ impl Repeats {
 pub(crate) const LEN: usize = 42;
 
 /// The longest time that repetitions are held back.
-const LONGEST_NS: u64 = 10_000_000_000;
+const MAX_HELD_NS: u64 = 10_000_000_000;

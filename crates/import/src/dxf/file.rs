@@ -165,7 +165,7 @@ impl<'a> SectionReader<'a> {
             self.end_entity(pair.at);
             self.count += 1;
         }
-        if self.count > MOST_OBJECTS {
+        if self.count > MAX_OBJECTS {
             return Err(too_many(self.file.text, pair.at));
         }
         match (pair.code, pair.value) {
@@ -346,7 +346,7 @@ impl<'a> SectionReader<'a> {
 
 /// Refuses more objects than the memory allows.
 pub(super) fn too_many(text: &[u8], at: usize) -> SourceError {
-    let found = format!("more than {MOST_OBJECTS} entities, layers, blocks and objects");
+    let found = format!("more than {MAX_OBJECTS} entities, layers, blocks and objects");
     let expected = "fewer; purge the drawing, or draw it in parts";
     SourceError::found(text, at, found, expected)
 }
@@ -370,7 +370,7 @@ fn unit_mm(code: f64) -> Option<f64> {
 }
 
 /// Each object takes about 100 bytes, and a line as much again when drawn.
-pub(super) const MOST_OBJECTS: usize = 1_000_000;
+pub(super) const MAX_OBJECTS: usize = 1_000_000;
 /// The cost of a layer, whose name is copied.
 const LAYER_OBJECTS: usize = 10;
 /// The cost of a block, whose name is copied.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::file::{File, MOST_OBJECTS, Span, too_many};
+use super::file::{File, MAX_OBJECTS, Span, too_many};
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
 
@@ -43,7 +43,7 @@ fn read(text: &[u8], table: &Span<'_>, places: &mut HashMap<u64, u64>) -> Result
             }
             _ => {}
         }
-        if places.len() > MOST_OBJECTS {
+        if places.len() > MAX_OBJECTS {
             return Err(too_many(text, pair.at));
         }
     }

@@ -33,7 +33,7 @@ impl<'a> Pair<'a> {
     /// millimetres.
     pub(super) fn number(&self) -> Result<f64, SourceError> {
         let (most, expected) = match self.code {
-            10..=39 => (MOST_COORDINATE, "a number from -1e12 to 1e12"),
+            10..=39 => (MAX_COORDINATE, "a number from -1e12 to 1e12"),
             _ => (MAX_NUMBER, "a number from -1e9 to 1e9"),
         };
         let number = std::str::from_utf8(self.value)
@@ -120,4 +120,4 @@ fn next_line<'a>(text: &'a [u8], at: &mut usize) -> &'a [u8] {
 }
 
 /// Beyond this, places 0.0001 apart are equal.
-pub(super) const MOST_COORDINATE: f64 = 1e12;
+pub(super) const MAX_COORDINATE: f64 = 1e12;

@@ -72,7 +72,7 @@ impl PatternLine {
         };
         #[expect(clippy::cast_precision_loss, reason = "a handful")]
         let count = (last - first + 1.0) * per_line * self.dashes.len().max(1) as f64;
-        if count.is_nan() || count >= MOST_DASHES {
+        if count.is_nan() || count >= MAX_DASHES {
             return None;
         }
         let mut dashes = Vec::new();
@@ -147,4 +147,4 @@ fn extent(numbers: [f64; 4]) -> [f64; 2] {
 }
 
 /// The largest number of lines of one family in a hatch.
-const MOST_DASHES: f64 = 20_000.0;
+const MAX_DASHES: f64 = 20_000.0;

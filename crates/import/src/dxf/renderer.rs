@@ -45,7 +45,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Self {
             sketch,
             file,
-            copies_left: MOST_COPIED,
+            copies_left: MAX_COPIED,
             layer: None,
             block_is_opaque: true,
             lettering: Lettering::default(),
@@ -382,7 +382,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             kind: b"",
             at: entity.at,
             begin: entity.at,
-            end: entity.at + LEAST_COPY,
+            end: entity.at + MIN_COPY,
         })?;
         let is_opaque = self.is_opaque(entity, self.file.layers.get(copy.layer))?;
         let around = std::mem::replace(&mut self.block_is_opaque, is_opaque);
@@ -432,7 +432,7 @@ const LINES: [&[u8]; 7] = [
     b"POLYLINE",
     b"SPLINE",
 ];
-const MOST_COPIED: usize = 200_000_000;
+const MAX_COPIED: usize = 200_000_000;
 /// The cost of a copy of an empty block, in bytes.
-const LEAST_COPY: usize = 100;
+const MIN_COPY: usize = 100;
 const MOST_DEPTH: u32 = 32;

@@ -19,7 +19,7 @@ impl Spline {
         points: &[Point],
         weights: &[f64],
     ) -> Result<Self, String> {
-        if !(1..=MOST_DEGREE).contains(&degree) {
+        if !(1..=MAX_DEGREE).contains(&degree) {
             return Err(format!("a spline of degree {degree}"));
         }
         if points.len() <= degree || knots.len() != points.len() + degree + 1 {
@@ -97,7 +97,7 @@ impl Spline {
 
     fn at(&self, span: usize, t: f64) -> Point {
         let degree = self.degree;
-        let mut row = [(Vec2::ZERO, 0.0); MOST_DEGREE + 1];
+        let mut row = [(Vec2::ZERO, 0.0); MAX_DEGREE + 1];
         row[..=degree].copy_from_slice(&self.controls[span - degree..=span]);
         for level in 1..=degree {
             for i in (level..=degree).rev() {
@@ -116,6 +116,6 @@ impl Spline {
 
 /// The initial number of pieces per span, so that no wave lies between the test points.
 const PIECES: u32 = 6;
-const MOST_DEGREE: usize = 15;
+const MAX_DEGREE: usize = 15;
 /// The largest number of halvings of a piece.
 const DEPTH: u32 = 12;

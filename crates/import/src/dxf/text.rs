@@ -182,11 +182,11 @@ impl EntityRenderer<'_, '_> {
 
 /// Refuses texts that are too long.
 fn check_length(entity: &Entity<'_>, text: &str) -> Result<(), SourceError> {
-    if text.len() <= MOST_LETTERS {
+    if text.len() <= MAX_LETTERS {
         return Ok(());
     }
     let found = format!("a text of {} bytes", text.len());
-    let expected = format!("at most {MOST_LETTERS}; split it");
+    let expected = format!("at most {MAX_LETTERS}; split it");
     Err(entity.refused(found, &expected))
 }
 
@@ -353,4 +353,4 @@ const NARROW: f64 = 0.8;
 /// The line distance, in heights of capitals.
 const LINE: f64 = 5.0 / 3.0;
 /// The largest number of bytes of a text: thirty pages.
-const MOST_LETTERS: usize = 100_000;
+const MAX_LETTERS: usize = 100_000;

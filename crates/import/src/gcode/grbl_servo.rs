@@ -82,7 +82,7 @@ impl GrblServoStatistics {
         let is_mixed = self.rapids.is_mixed || self.feeds.is_mixed;
         let has_both = self.rapids.first.is_some() && self.feeds.first.is_some();
         let differs_by_haste = has_both && !is_mixed && self.rapids.first != self.feeds.first;
-        let fits = self.turns >= LEAST_TURNS && (!self.is_hasty || differs_by_haste);
+        let fits = self.turns >= MIN_TURNS && (!self.is_hasty || differs_by_haste);
         let is_zero = |x: Option<f64>| x == Some(0.0);
         // A laser that is off at 0 draws the same; 0 lowers a pen only without another indication.
         let has_zero = is_zero(self.held) || is_zero(self.other);
@@ -97,4 +97,4 @@ impl GrblServoStatistics {
 }
 
 /// A laser may once have another power for what follows.
-const LEAST_TURNS: u32 = 2;
+const MIN_TURNS: u32 = 2;

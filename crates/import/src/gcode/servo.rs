@@ -85,7 +85,7 @@ impl ServoStatistics {
         };
         let known = self.angles.iter().position(|motion| motion.angle == angle);
         let i = known.unwrap_or(self.angles.len());
-        if i == MOST_ANGLES {
+        if i == MAX_ANGLES {
             return;
         }
         if known.is_none() {
@@ -178,4 +178,4 @@ fn calls_up(comment: &[u8]) -> bool {
 }
 
 /// The largest number of different angles.
-const MOST_ANGLES: usize = 16;
+const MAX_ANGLES: usize = 16;

@@ -223,9 +223,9 @@ impl<'a> CommandLexer<'a> {
                 expected,
             ));
         }
-        if text.len() > MOST_LETTERS {
+        if text.len() > MAX_LETTERS {
             let found = format!("a label of {} characters", text.len());
-            let expected = format!("at most {MOST_LETTERS}; split it");
+            let expected = format!("at most {MAX_LETTERS}; split it");
             return Err(SourceError::found(self.text, at, found, expected));
         }
         let length = text.len() + usize::from(self.writes_end);
@@ -253,7 +253,7 @@ impl<'a> CommandLexer<'a> {
 }
 
 /// The longest label; it would be kept in three copies.
-const MOST_LETTERS: usize = 100_000;
+const MAX_LETTERS: usize = 100_000;
 const ESC: u8 = 0x1B;
 const ETX: u8 = 3;
 const COMMAND: &str = "a command of two letters such as PD";

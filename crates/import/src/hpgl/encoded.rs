@@ -80,7 +80,7 @@ impl Decoder<'_> {
     fn number(&mut self) -> Result<f64, (usize, &'static str)> {
         let (bits, last) = if self.has_7_bits { (5, 95) } else { (6, 191) };
         let mut value = 0_u64;
-        for shift in (0..MOST_BITS).step_by(bits) {
+        for shift in (0..MAX_BITS).step_by(bits) {
             let digit = self.peek().map(|next| next & self.mask());
             let digit = digit.filter(|&digit| digit >= 63 && digit < last + (1 << bits));
             let digit = digit.ok_or((self.at, DIGIT))?;
@@ -117,5 +117,5 @@ impl Decoder<'_> {
     }
 }
 
-const MOST_BITS: usize = 48;
+const MAX_BITS: usize = 48;
 const DIGIT: &str = "a digit of an encoded number";

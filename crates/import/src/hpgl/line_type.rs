@@ -104,7 +104,7 @@ impl Plotter<'_> {
                     gaps.iter().all(|gap| *gap >= 0.0) && gaps.iter().any(|gap| *gap > 0.0);
                 patterns[pattern] = match gaps {
                     [] => PATTERNS[pattern].to_vec(),
-                    _ if is_pattern && gaps.len() <= MOST_GAPS => gaps.to_vec(),
+                    _ if is_pattern && gaps.len() <= MAX_GAPS => gaps.to_vec(),
                     _ => {
                         return Err(
                             self.refused(command, "up to 20 dashes and gaps, not all of them 0")
@@ -176,4 +176,4 @@ const PATTERNS: [&[f64]; COUNT] = [
 ];
 /// The type before this one.
 const PREVIOUS: f64 = 99.0;
-const MOST_GAPS: usize = 20;
+const MAX_GAPS: usize = 20;

@@ -346,7 +346,7 @@ impl<'a> Plotter<'a> {
         )]
         let color = [red, green, blue].map(|value| value as u8);
         self.colors.retain(|color| color.0 != pen);
-        if self.colors.len() < MOST_PENS {
+        if self.colors.len() < MAX_PENS {
             self.colors.push((pen, color));
         }
     }
@@ -473,5 +473,5 @@ const fn left_out(name: [u8; 2]) -> Option<&'static str> {
 }
 
 /// The largest number of pens.
-const MOST_PENS: usize = 256;
+const MAX_PENS: usize = 256;
 const WHITE: [u8; 3] = [255; 3];

@@ -124,7 +124,7 @@ fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
         orientation: Orientation::default(),
         series: None,
     }
-    .check(MOST_PIXELS)?;
+    .check(MAX_PIXELS)?;
     let reader = decoder.read_info().map_err(bad_png)?;
     let info = reader.info();
     header.series = info.is_animated().then_some(ANIMATION);
@@ -211,7 +211,7 @@ fn jpeg(bytes: &[u8]) -> Result<JpegFile<'_>, ImageError> {
         orientation: Orientation::of_exif(exif),
         series: None,
     };
-    let header = header.check(MOST_PIXELS)?;
+    let header = header.check(MAX_PIXELS)?;
     Ok(JpegFile { decoder, header })
 }
 
@@ -285,6 +285,6 @@ const CUT_OFF: [&str; 4] = [
 
 /// 96 per inch, as in browsers.
 pub(super) const PIXEL_MM: f64 = 25.4 / 96.0;
-const MOST_PIXELS: usize = 100_000_000;
+const MAX_PIXELS: usize = 100_000_000;
 /// The memory limit of the PNG decoder beside the pixels: a few rows, colour profiles, texts.
 const PNG_BYTES: usize = 1 << 26;

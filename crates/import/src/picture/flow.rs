@@ -67,7 +67,7 @@ impl Flow<'_> {
     fn half(&mut self, begin: Mark, begin_way: Vec2, side: f64) -> (Vec<Point>, bool) {
         let step_mm = STEP * self.spacing_mm;
         let (mut here, mut way, mut line) = (begin, begin_way, Vec::new());
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             if let Some(home) = self.home(here.at, way, begin.at, begin_way) {
                 for &at in &home {
                     self.drawn.put(Mark { at, ..here });
@@ -110,7 +110,7 @@ impl Flow<'_> {
             begin - begin_way * third_mm,
             begin,
         );
-        let pieces = cell((length_mm / step_mm).ceil(), MOST_STEPS).max(1);
+        let pieces = cell((length_mm / step_mm).ceil(), MAX_STEPS).max(1);
         let corner = |i| curve.eval(count(i) / count(pieces));
         let mut line: Vec<Point> = (1..pieces).map(corner).collect();
         line.push(begin);
@@ -219,7 +219,7 @@ struct Drawn {
 
 impl Drawn {
     fn new(page: Point, side_mm: f64) -> Self {
-        let squares = |mm: f64| cell((mm / side_mm).ceil(), MOST_SQUARES) + 1;
+        let squares = |mm: f64| cell((mm / side_mm).ceil(), MAX_SQUARES) + 1;
         let (columns, rows) = (squares(page.x), squares(page.y));
         Self {
             columns,
@@ -264,7 +264,7 @@ impl Drawn {
 /// The start candidates: one place in each square of the page, in pseudorandom order.
 fn starts(page: Point, spacing_mm: f64, seed: u64) -> Vec<Point> {
     let side_mm = START * spacing_mm;
-    let squares = |mm: f64| cell((mm / side_mm).ceil(), MOST_SQUARES);
+    let squares = |mm: f64| cell((mm / side_mm).ceil(), MAX_SQUARES);
     let mut random = Random::new(seed);
     let mut starts: Vec<(f64, Point)> = Vec::new();
     for y in 0..squares(page.y) {
@@ -293,14 +293,14 @@ const WHITE: f64 = 0.05;
 const BESIDE: f64 = 2.0;
 /// The cosine of the largest turn towards a line's start, and of the largest bend on arrival.
 const AHEAD: f64 = 0.7;
-const MOST_STEPS: usize = 2000;
+const MAX_STEPS: usize = 2000;
 /// The smoothing radius of directions, in spacings.
 const REGION: f64 = 3.0;
 /// A smaller squared gradient per millimetre gives no direction.
 const FLAT: f64 = 1e-7;
 /// The width of the squares of start candidates, in spacings.
 const START: f64 = 0.7;
-const MOST_SQUARES: usize = 4000;
+const MAX_SQUARES: usize = 4000;
 
 #[cfg(test)]
 mod tests;

@@ -48,15 +48,15 @@ fn set_off(tone: &Tone, radius_mm: f64) -> Tone {
 fn stretched(tone: &Tone) -> Tone {
     let histogram = Histogram::of(tone);
     let [mut low, mut high] = [EXTREMES, 1.0 - EXTREMES].map(|share| histogram.below(share));
-    if high - low < 1.0 / MOST_GAIN {
+    if high - low < 1.0 / MAX_GAIN {
         // A few thin lines on a page of one tone: they are the whole content.
         [low, high] = [histogram.below(0.0), histogram.below(1.0)];
     }
     let range = high - low;
-    if range < LEAST_RANGE {
+    if range < MIN_RANGE {
         return tone.clone();
     }
-    let gain = (1.0 / range).min(MOST_GAIN);
+    let gain = (1.0 / range).min(MAX_GAIN);
     // A range that cannot be fully stretched keeps its position.
     let zero = low - low * (1.0 - gain * range) / (1.0 - range).max(1e-9) / gain;
     let [gain, zero] = [gain, zero].map(as_ink);
@@ -117,7 +117,7 @@ impl Histogram {
             .map(|i| self.below((count(i) + 0.5) / count(tones)))
             .collect();
         let (low, high) = (self.below(0.0), self.below(1.0));
-        if high - low < LEAST_RANGE {
+        if high - low < MIN_RANGE {
             return Vec::new();
         }
         for (i, mean) in means.iter_mut().enumerate() {
@@ -131,7 +131,7 @@ impl Histogram {
                 .map(|(mean, _)| mean)
                 .collect();
         }
-        let least = LEAST_SHARE * count(self.total);
+        let least = MIN_SHARE * count(self.total);
         let means = self.means(&means).into_iter().enumerate();
         let kept =
             means.filter(|&(i, (_, cells))| i == 0 || i + 1 == tones || count(cells) >= least);
@@ -170,9 +170,9 @@ const STEEPEST: f64 = 100.0;
 /// The fraction of cells that may become plain white, and plain black.
 const EXTREMES: f64 = 0.005;
 /// Noise is not amplified.
-const MOST_GAIN: f64 = 5.0;
+const MAX_GAIN: f64 = 5.0;
 /// A smaller range is a page of one tone.
-const LEAST_RANGE: f64 = 0.02;
+const MIN_RANGE: f64 = 0.02;
 /// The radius of the surroundings, in spacings.
 const SURROUNDINGS: f64 = 5.0;
 const CLARITY: f32 = 0.5;
@@ -180,4 +180,4 @@ const CLARITY: f32 = 0.5;
 const MIDDLE: f64 = 0.36;
 const ROUNDS: usize = 30;
 /// The smallest fraction of cells of a separate tone.
-const LEAST_SHARE: f64 = 0.03;
+const MIN_SHARE: f64 = 0.03;

@@ -37,7 +37,7 @@ fn decoder(
 ) -> Result<(impl ImageDecoder + '_, Header), ImageError> {
     let bad = |error| damaged(format, &error);
     let mut limits = Limits::default();
-    limits.max_alloc = Some(MOST_BYTES);
+    limits.max_alloc = Some(MAX_BYTES);
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(bad)?;
@@ -50,7 +50,7 @@ fn decoder(
         orientation: Orientation::numbered(turned.to_exif().into()),
         series: series(bytes, format),
     };
-    Ok((decoder, header.check(MOST_PIXELS)?))
+    Ok((decoder, header.check(MAX_PIXELS)?))
 }
 
 fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
@@ -64,5 +64,5 @@ fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
 }
 
 /// The largest number of pixels; these decoders return all pixels at once, in colour.
-const MOST_PIXELS: usize = 25_000_000;
-const MOST_BYTES: u64 = 128_000_000;
+const MAX_PIXELS: usize = 25_000_000;
+const MAX_BYTES: u64 = 128_000_000;

@@ -137,7 +137,7 @@ fn blur_rows(ink: &[f32], width: usize, sigma: f64) -> Vec<f32> {
 
 /// The normalized weights up to three standard deviations on both sides.
 fn bell(sigma: f64) -> Vec<f32> {
-    let reach = cell((3.0 * sigma).ceil(), MOST_BLUR);
+    let reach = cell((3.0 * sigma).ceil(), MAX_BLUR);
     let share = |i: usize| {
         let away = count(i) - count(reach);
         (-away * away / (2.0 * sigma * sigma).max(1e-9)).exp()
@@ -152,7 +152,7 @@ pub(super) const fn as_ink(value: f64) -> f32 {
     value as f32
 }
 
-const MOST_BLUR: usize = 100;
+const MAX_BLUR: usize = 100;
 
 #[cfg(test)]
 mod tests {

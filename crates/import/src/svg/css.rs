@@ -25,7 +25,7 @@ impl<'a> Variables<'a> {
     pub(super) fn new() -> Self {
         Self {
             values: HashMap::new(),
-            left: Cell::new(MOST_BYTES),
+            left: Cell::new(MAX_BYTES),
         }
     }
 
@@ -299,7 +299,7 @@ fn is_of_name(sign: char) -> bool {
 /// The largest depth of variables in variables.
 pub(super) const MOST_DEPTH: u32 = 8;
 /// More would fill the memory.
-const MOST_BYTES: usize = 20_000_000;
+const MAX_BYTES: usize = 20_000_000;
 /// The functions that are replaced by their values.
 const FUNCTIONS: [&str; 13] = [
     "color",

@@ -104,9 +104,9 @@ fn unknown(name: &str, fonts: &Database) -> TextError {
 
 /// The edit distance of two texts (Levenshtein).
 fn difference(from: &str, to: &str) -> usize {
-    let to: Vec<char> = to.chars().take(LONGEST_NAME).collect();
+    let to: Vec<char> = to.chars().take(MAX_NAME_LEN).collect();
     let mut row: Vec<usize> = (0..=to.len()).collect();
-    for (i, a) in from.chars().take(LONGEST_NAME).enumerate() {
+    for (i, a) in from.chars().take(MAX_NAME_LEN).enumerate() {
         let mut diagonal = std::mem::replace(&mut row[0], i + 1);
         for (j, b) in to.iter().enumerate() {
             let changed = diagonal + usize::from(a != *b);
@@ -132,8 +132,8 @@ fn page(text: &Text, face: &Face, spacing_mm: f64) -> String {
     let longest = text.lines().map(str::len).max().unwrap_or(0);
     #[expect(clippy::cast_precision_loss, reason = "counts of characters")]
     let [longest, lines] = [longest as f64, text.lines().count() as f64];
-    let width = (4.0 * SIZE_MM * (longest + 4.0)).min(MOST_MM);
-    let height = (spacing_mm * lines + 8.0 * SIZE_MM).min(MOST_MM);
+    let width = (4.0 * SIZE_MM * (longest + 4.0)).min(MAX_MM);
+    let height = (spacing_mm * lines + 8.0 * SIZE_MM).min(MAX_MM);
     let (anchor, x) = match text.align {
         Align::Left => ("start", 0.25),
         Align::Center => ("middle", 0.5),
@@ -191,6 +191,6 @@ fn one(artwork: Artwork) -> Layer {
 /// The size at which letters are read: large enough for the reader's single precision.
 const SIZE_MM: f64 = 10.0;
 /// The largest page.
-const MOST_MM: f64 = 500_000.0;
+const MAX_MM: f64 = 500_000.0;
 const NEAREST: usize = 3;
-const LONGEST_NAME: usize = 64;
+const MAX_NAME_LEN: usize = 64;

@@ -40,7 +40,7 @@ impl Frames {
     pub(crate) fn push(&mut self, sample: Sample) -> Vec<Frame> {
         if let Some(episode) = &mut self.episode
             && let Some(silence) = sample.at.checked_sub(episode.last.at)
-            && silence <= LONGEST_SILENCE
+            && silence <= MAX_SILENCE
         {
             return episode.push(sample);
         }
@@ -97,7 +97,7 @@ fn between(before: &Sample, after: &Sample, at: Duration) -> Status {
 
 const PERIOD: Duration = Duration::from_millis(1000 / FPS as u64);
 
-const LONGEST_SILENCE: Duration = Duration::from_secs(1);
+const MAX_SILENCE: Duration = Duration::from_secs(1);
 
 #[cfg(test)]
 mod tests {

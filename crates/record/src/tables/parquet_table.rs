@@ -73,7 +73,7 @@ impl<W: Write + Send> ParquetTable<W> {
             buffer.push(cell);
         }
         self.rows += 1;
-        if self.rows >= MOST_ROWS {
+        if self.rows >= MAX_ROWS {
             self.end_group()?;
         }
         Ok(())
@@ -228,4 +228,4 @@ fn field(column: &Column) -> Result<TypePtr, ExportError> {
 }
 
 /// The largest number of waiting rows; a row of commands has about a hundred bytes.
-const MOST_ROWS: usize = 32_768;
+const MAX_ROWS: usize = 32_768;

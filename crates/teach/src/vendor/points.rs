@@ -9,7 +9,7 @@ use super::text::{decode, number};
 use super::{Read, VendorPoint, bad};
 use crate::ProgramError;
 use crate::number::within;
-use crate::step_table::LONGEST_PAUSE_S;
+use crate::step_table::MAX_PAUSE_S;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError> {
     let (text, warning) = decode(bytes);
@@ -111,7 +111,7 @@ impl<'a> Reader<'a, '_> {
             grab: self.grab()?,
             joints_deg,
             gripper_deg: self.number("gripper", -90.0, 90.0)?,
-            pause_s: self.number("pauseTime", 0.0, LONGEST_PAUSE_S)?,
+            pause_s: self.number("pauseTime", 0.0, MAX_PAUSE_S)?,
         })
     }
 
