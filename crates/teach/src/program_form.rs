@@ -47,9 +47,9 @@ impl ProgramForm {
     pub fn read(self, bytes: &[u8]) -> Result<Read<Program>, ProgramError> {
         let points = match self {
             Self::Toml => {
-                let it = Program::from_toml(text_of(bytes)?)?;
+                let content = Program::from_toml(text_of(bytes)?)?;
                 return Ok(Read {
-                    it,
+                    content,
                     warnings: Vec::new(),
                 });
             }
@@ -57,7 +57,7 @@ impl ProgramForm {
             Self::Play => vendor::read_play(bytes),
         }?;
         Ok(Read {
-            it: vendor::program_of(&points.it),
+            content: vendor::program_of(&points.content),
             warnings: points.warnings,
         })
     }
@@ -71,7 +71,7 @@ impl ProgramForm {
         let write = match self {
             Self::Toml => {
                 return Ok(Read {
-                    it: program.to_toml(),
+                    content: program.to_toml(),
                     warnings: Vec::new(),
                 });
             }
@@ -85,7 +85,7 @@ impl ProgramForm {
             ));
         }
         Ok(Read {
-            it: write(&points),
+            content: write(&points),
             warnings,
         })
     }
@@ -112,7 +112,7 @@ mod tests {
         for form in FORMS {
             let written = form.write(&program).unwrap();
             assert!(written.warnings.is_empty(), "{form:?}");
-            let read = form.read(written.it.as_bytes()).unwrap();
+            let read = form.read(written.content.as_bytes()).unwrap();
             let ways = |program: &Program| -> Vec<_> {
                 let steps = program
                     .steps
@@ -126,7 +126,7 @@ mod tests {
                     })
                     .collect()
             };
-            assert_eq!(ways(&read.it), ways(&program), "{form:?}");
+            assert_eq!(ways(&read.content), ways(&program), "{form:?}");
         }
     }
 

@@ -33,7 +33,7 @@ pub struct VendorPoint {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Read<T> {
     /// The content.
-    pub it: T,
+    pub content: T,
     /// Deviations from the vendor's format that were accepted.
     pub warnings: Vec<String>,
 }

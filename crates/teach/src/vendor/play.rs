@@ -31,7 +31,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
         ));
     }
     Ok(Read {
-        it: points,
+        content: points,
         warnings,
     })
 }

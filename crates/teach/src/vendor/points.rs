@@ -62,7 +62,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
         ));
     }
     Ok(Read {
-        it: points,
+        content: points,
         warnings,
     })
 }

@@ -13,7 +13,7 @@ const PLAY: &str = include_str!("../data/program.play");
 
 fn points(text: &str) -> (Vec<VendorPoint>, Vec<String>) {
     let read = read_points(text.as_bytes()).unwrap();
-    (read.it, read.warnings)
+    (read.content, read.warnings)
 }
 
 #[test]
@@ -23,7 +23,7 @@ fn the_samples_are_written_as_they_were_read() {
     assert_eq!(write_points(&it), POINTS);
     let read = read_play(PLAY.as_bytes()).unwrap();
     assert!(read.warnings.is_empty());
-    assert_eq!(write_play(&read.it), PLAY);
+    assert_eq!(write_play(&read.content), PLAY);
     let jog = include_str!("../data/JogParams.json");
     assert_eq!(JogParams::read(jog.as_bytes()).unwrap().write(), jog);
     let playback = include_str!("../data/PlayBackParams.json");
@@ -100,7 +100,7 @@ fn surprises_are_read_with_a_warning_each() {
     let (it, warnings) = points(&POINTS.replace('\n', "\r\n"));
     assert_eq!((it, warnings.len()), (expected.clone(), 0));
     let marked = [b"\xEF\xBB\xBF", POINTS.as_bytes()].concat();
-    assert_eq!(read_points(&marked).unwrap().it, expected);
+    assert_eq!(read_points(&marked).unwrap().content, expected);
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn other_encodings_are_read() {
         comment,
     ] {
         let read = read_points(&bytes).unwrap();
-        assert_eq!((read.it, read.warnings.len()), (expected.clone(), 1));
+        assert_eq!((read.content, read.warnings.len()), (expected.clone(), 1));
     }
 }
 
@@ -200,8 +200,8 @@ proptest! {
     ) {
         let it = VendorPoint { joints_deg, mode, grab, gripper_deg, pause_s };
         let read = read_points(write_points(&[it]).as_bytes()).unwrap();
-        prop_assert_eq!((&read.it[..], read.warnings.len()), (&[it][..], 0));
-        let play = read_play(write_play(&[it]).as_bytes()).unwrap().it[0];
+        prop_assert_eq!((&read.content[..], read.warnings.len()), (&[it][..], 0));
+        let play = read_play(write_play(&[it]).as_bytes()).unwrap().content[0];
         for (found, expected) in play.joints_deg.iter().zip(joints_deg) {
             prop_assert!((found - expected).abs() <= 0.0005 + 1e-9);
         }

@@ -210,11 +210,11 @@ pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Proble
         _ => return Err(BAD_PROGRAM.problem("one of text and data says what it is")),
     };
     let program = asked.from.read(&bytes).map_err(bad)?;
-    let written = asked.to.write(&program.it).map_err(bad)?;
+    let written = asked.to.write(&program.content).map_err(bad)?;
     let mut warnings = program.warnings;
     warnings.extend(written.warnings);
     Ok(ConvertedProgram {
-        text: written.it,
+        text: written.content,
         warnings,
     })
 }
