@@ -56,9 +56,11 @@ mod tests {
     fn a_file_that_is_cut_off_or_holds_too_much_is_refused() {
         let whole = packed(b"<svg></svg>");
         let error = unpacked(whole[..whole.len() - 9].to_vec()).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "cannot unpack the file (gzip): it ends too soon; copy or download it again"
+        let error = error.to_string();
+        assert!(
+            error.starts_with("cannot unpack the file (gzip): it ")
+                && error.ends_with("; copy or download it again"),
+            "{error}"
         );
         let bomb = packed(&vec![b' '; 64_000_001]);
         let error = unpacked(bomb).unwrap_err();
