@@ -200,7 +200,7 @@ fn the_unit_of_the_file_counts() {
     }
 }
 
-/// How far lines leave a circle of that radius about the middle of their page, and their length.
+/// The largest deviation of lines from a circle of this radius about the middle of their page, and their length.
 fn on_circle(artwork: &Artwork, radius: f64) -> (f64, f64) {
     let strokes = &artwork.layers[0].strokes;
     let center = bounds_of_strokes(strokes).center();
@@ -534,7 +534,7 @@ fn names_of_layers_and_blocks_are_the_same_in_capitals() {
         .iter()
         .map(|layer| (layer.name.as_str(), layer.color));
     let found: Vec<_> = found.collect();
-    // Programs that tell such names apart are not AutoCAD, and may have both.
+    // Programs that distinguish such names are not AutoCAD, and may have both.
     let wanted = [("Türen", Some([255, 0, 0])), ("türen", Some([0, 0, 255]))];
     assert_eq!(found, wanted);
     let message = "1 hidden object: left out, because its layer is off or frozen";
@@ -804,7 +804,7 @@ fn names_are_in_the_code_page_of_the_header_before_2007() {
         ("DOS850", b"\x9dre, \xb5", "Øre, Á"),
         ("dos852", b"\x88\xa2d\xab", "łódź"),
         ("ISO8859-2", b"\xb3", "ł"),
-        // Written by programs that tell another code page than they use.
+        // Written by programs that declare another code page than they use.
         ("ANSI_1252", "Küche".as_bytes(), "Küche"),
         ("ANSI_936", "模".as_bytes(), "模"),
     ] {

@@ -62,7 +62,7 @@ fn error(text: &str) -> String {
     read.unwrap_err().to_string()
 }
 
-/// How far a layer's lines leave the circle of that radius about the middle of a page as large.
+/// The largest deviation of a layer's lines from the circle of this radius about the middle of a page of its size.
 fn leaves_circle_by(layer: &Layer, radius: f64) -> f64 {
     let center = Point::new(radius, radius);
     let strokes = layer.strokes.iter();

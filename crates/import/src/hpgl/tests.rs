@@ -357,7 +357,7 @@ fn edges_along_which_the_pen_went_lifted_are_not_drawn() {
     );
 }
 
-/// The length of all lines that show, in mm.
+/// The length of all visible lines, in mm.
 fn shown_mm(text: &str) -> f64 {
     let hides = ReadOptions {
         hides: true,
@@ -440,7 +440,7 @@ fn packed_lines_are_read() {
     );
 }
 
-/// From where to where the lines of a plot go along X, in hundredths of a millimetre.
+/// The extents of the lines of a plot along X, in hundredths of a millimetre.
 fn spans(text: &str) -> Vec<[f64; 2]> {
     let ends = |stroke: &Stroke| [stroke.points[0].x, stroke.points[stroke.points.len() - 1].x];
     let round = |x: f64| (x * 100.0).round();

@@ -23,7 +23,7 @@ fn mirrored(x: &str, y: &str, inside: &str) -> String {
     format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{root}\n{inside}\n</LightBurnProject>\n")
 }
 
-/// A layer that `LightBurn` calls so, of a mode, with more settings.
+/// A layer with this name in `LightBurn`, a mode and more settings.
 fn cut(index: u32, mode: &str, more: &str) -> String {
     format!(
         "<CutSetting type=\"{mode}\"><index Value=\"{index}\"/><name Value=\"C{index:02}\"/>{more}</CutSetting>"
@@ -41,7 +41,7 @@ fn read_text(text: &str) -> (Artwork, Vec<String>) {
     (artwork, warnings.iter().map(Warning::to_string).collect())
 }
 
-/// What becomes of these shapes, on layer 0 for lines.
+/// The result of these shapes on layer 0, a line layer.
 fn draw(inside: &str) -> Artwork {
     let (artwork, warnings) = read_text(&project(&(cut(0, "Cut", "") + inside)));
     let others = warnings

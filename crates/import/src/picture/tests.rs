@@ -135,7 +135,7 @@ fn dots_are_shared_out_as_the_tone_is() {
             cell: Point::new(0.25, 0.25),
             ink: ink.collect(),
         };
-        // What the edge swallows is a matter of chance: five drawings tell.
+        // The loss at the edge is random: five drawings average it out.
         let drawings = (1..=5).map(|seed| {
             let shading = Shading {
                 seed,
@@ -200,7 +200,7 @@ fn bands() -> Vec<u8> {
     grey(300, 200, |x, _| 1.0 - (x / 60.0).floor() / 4.0)
 }
 
-/// In which band a place is, unless it is near a border.
+/// The band of a place, unless it is near a border.
 fn band(p: Point) -> Option<usize> {
     let place = p.x / PIXEL_MM / 60.0;
     (0..5).find(|&band| (place - count(band) - 0.5).abs() < 0.25)
@@ -580,7 +580,7 @@ fn pictures_whose_header_says_that_they_are_huge_are_refused() {
     for format in [Gif, Bmp] {
         assert!(message(format).starts_with(wanted), "{format:?}");
     }
-    // Its parts have sizes too, and these do not fit.
+    // Its parts have sizes too, which do not match.
     assert!(message(Tiff).starts_with("cannot read the TIFF picture: "));
 }
 

@@ -15,7 +15,7 @@ fn hidden_text(text: &str) -> (Artwork, Vec<String>) {
     (artwork, warnings.iter().map(Warning::to_string).collect())
 }
 
-/// The length of all lines that show.
+/// The length of all visible lines.
 #[track_caller]
 fn shown_mm(entities: &str) -> f64 {
     let (artwork, warnings) = hidden_text(&file("", "", entities));
@@ -189,7 +189,7 @@ fn an_inverted_wipeout_covers_what_lies_outside_its_corners() {
     same(shown_mm(&format!("{near} {wipeout} 290 1")), 40.0);
 }
 
-/// A line, a solid and a polyline of two parts, with handles, and the table that tells their order.
+/// A line, a solid and a polyline of two parts, with handles, and the table with their order.
 fn ordered(places: &str, in_block: bool) -> Artwork {
     let line = LINE.replace("LINE", "LINE 5 A1");
     let solid = SOLID.replace("SOLID", "SOLID 5 A2");

@@ -55,7 +55,7 @@ fn shallow_cuts_are_drawn_where_only_moves_along_z_go_above_zero() {
         draw(machine).1,
         ["1 file with travels below Z 0: drawn where Z is below -40.00 mm"]
     );
-    // A hole alone has no line that could tell a height.
+    // A single hole has no line with a height.
     assert_eq!(
         corners_by_pen("G0 X5 Y5\nG0 Z5\nG1 Z-1\nG0 Z5"),
         [[(0.0, 0.0)]]

@@ -1,4 +1,4 @@
-//! What a laser burns: never where the file says that it is off.
+//! The burn of a laser: never where the file switches it off.
 
 mod reference;
 

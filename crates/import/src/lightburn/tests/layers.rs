@@ -5,7 +5,7 @@ fn square(cut: u32, side_mm: f64, x: f64) -> String {
     shape(&it, &format!("1 0 0 1 {x} 0"), "")
 }
 
-/// How many areas a layer has, and how many rings each.
+/// The number of areas of a layer, and of rings of each.
 fn rings(artwork: &Artwork) -> Vec<usize> {
     let areas = artwork.layers.iter().flat_map(|layer| &layer.areas);
     areas.map(|area| area.rings.len()).collect()

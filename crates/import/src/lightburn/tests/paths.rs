@@ -22,7 +22,7 @@ fn both_formats_state_the_same_path() {
 
 #[test]
 fn a_curve_without_its_pulls_is_straight() {
-    // A lone c0x1 says that nothing pulls.
+    // A single c0x1 means no control point.
     let artwork = draw(&path(
         "<VertList>V0 0c0x1c1x1V9 0c0x1c1x1</VertList><PrimList>B0 1</PrimList>",
     ));

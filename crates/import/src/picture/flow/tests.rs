@@ -47,7 +47,7 @@ fn stair(p: Point) -> f64 {
     }
 }
 
-/// Points along a stroke, each with its way from the begin.
+/// Points along a stroke, each with its distance from the start.
 fn places(stroke: &Stroke) -> Vec<(f64, Point)> {
     let (mut places, mut before_mm) = (Vec::new(), 0.0);
     for (a, b) in stroke.segments() {

@@ -1,4 +1,4 @@
-//! What browsers show and the library would draw otherwise.
+//! Differences between browsers and the library.
 
 use super::*;
 

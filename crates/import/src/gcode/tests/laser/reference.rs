@@ -1,4 +1,4 @@
-//! Random programs, and what a laser burns of them by the rules that GRBL publishes for laser mode ($32=1).
+//! Random programs and their burn by the published rules of GRBL's laser mode ($32=1).
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -12,7 +12,7 @@ use proptest::prelude::*;
 /// - G1, G2 and G3 burn while M3, M4 or M106 hold and S is above 0. Before the first of them the laser is off. M5 and M107
 ///   switch it off.
 /// - S holds from its line on, and is 0 before; without any S in the file M3, M4 and M106 have full power.
-/// - A file without any of these words says nothing of a laser: then G1, G2 and G3 burn.
+/// - In a file without any of these words G1, G2 and G3 burn.
 /// - A dwell may burn a dot while the laser is on, if it is neither before the first line that burns nor above all of them,
 ///   and nothing is drilled.
 #[derive(Debug, Default)]
@@ -208,7 +208,7 @@ fn distance(p: Point, a: Point, b: Point) -> f64 {
     p.distance(a.lerp(b, t))
 }
 
-/// Which words random programs have.
+/// The words of random programs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Words {
     /// Z, and drilling cycles.
