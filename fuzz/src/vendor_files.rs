@@ -7,17 +7,17 @@ use dobot_teach::vendor::{
 pub fn vendor_files(input: &[u8]) {
     let bytes = crate::spelled(input, WORDS);
     if let Ok(read) = read_points(&bytes) {
-        let again = read_points(write_points(&read.it).as_bytes());
+        let again = read_points(write_points(&read.content).as_bytes());
         let again = again.expect("what was written can be read");
-        assert_eq!((again.it, again.warnings.len()), (read.it.clone(), 0));
-        let (points, lost) = points_of(&program_of(&read.it));
-        assert_eq!((points, lost.len()), (read.it, 0));
+        assert_eq!((again.content, again.warnings.len()), (read.content.clone(), 0));
+        let (points, lost) = points_of(&program_of(&read.content));
+        assert_eq!((points, lost.len()), (read.content, 0));
     }
     if let Ok(read) = read_play(&bytes) {
-        let text = write_play(&read.it);
+        let text = write_play(&read.content);
         let again = read_play(text.as_bytes()).expect("what was written can be read");
         // It carries thousandths of a degree: those are kept from then on.
-        assert_eq!(write_play(&again.it), text);
+        assert_eq!(write_play(&again.content), text);
     }
     if let Ok(params) = JogParams::read(&bytes) {
         assert_eq!(JogParams::read(params.write().as_bytes()), Ok(params));

@@ -47,7 +47,7 @@ impl Taught {
             let read = form.read(&bytes).map_err(in_file)?;
             let text = match form {
                 ProgramForm::Toml => String::from_utf8_lossy(&bytes).into_owned(),
-                _ => read.it.to_toml(),
+                _ => read.content.to_toml(),
             };
             let name = file.file_stem().unwrap_or_default().to_string_lossy();
             let folder = file.parent().unwrap_or(Path::new(""));
@@ -105,7 +105,7 @@ impl Taught {
             form => {
                 let written = form.write(&self.source.program);
                 let written = written.map_err(|error| value_error(&error))?;
-                (written.it, written.warnings)
+                (written.content, written.warnings)
             }
         };
         fs::write(file, text)?;

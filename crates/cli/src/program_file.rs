@@ -40,7 +40,7 @@ pub(crate) fn read(file: &Path, form: ProgramForm) -> Result<Program, Failure> {
     for warning in read.warnings {
         eprintln!("warning: {}: {warning}", named(file));
     }
-    Ok(read.it)
+    Ok(read.content)
 }
 
 /// The kind of a file, by its extension.

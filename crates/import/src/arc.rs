@@ -2,8 +2,8 @@
 
 use dobot_geometry::{Point, Vec2};
 
-/// A part of an ellipse, `center + across cos t + along sin t`; its size may drift on the way, so
-/// that it ends where the file says.
+/// An elliptic arc, `center + across cos t + along sin t`; its size may change along the arc, so
+/// that it ends where the file specifies.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arc {
     center: Point,
@@ -11,14 +11,14 @@ pub(crate) struct Arc {
     along: Vec2,
     from_rad: f64,
     sweep_rad: f64,
-    /// How much larger it is at its end.
+    /// The ratio of its size at the end to that at the start.
     growth: f64,
     pub(crate) start: Point,
     pub(crate) end: Point,
 }
 
 impl Arc {
-    /// Counterclockwise where `sweep_rad` is above 0 and y points up.
+    /// The sweep; above 0 is counterclockwise if y points up.
     pub(crate) fn circle(center: Point, radius: f64, from_rad: f64, sweep_rad: f64) -> Self {
         let across = Vec2::new(radius, 0.0);
         Self::ellipse(center, across, Vec2::new(0.0, radius), from_rad, sweep_rad)
@@ -50,8 +50,8 @@ impl Arc {
         }
     }
 
-    /// About a center from a point by an angle to another point, which may be a little nearer or
-    /// farther.
+    /// An arc about a center from a point by an angle to another point, whose distance may differ a
+    /// little.
     pub(crate) fn between(center: Point, start: Point, sweep_rad: f64, end: Point) -> Self {
         let out = start - center;
         let radius = out.length();
@@ -69,10 +69,10 @@ impl Arc {
         self.center + (self.across * cos + self.along * sin) * size
     }
 
-    /// How many chords stay within the tolerance, a whole number from 1 up.
+    /// The number of chords that stay within the tolerance, 1 or more.
     ///
-    /// A chord over the angle `a` leaves its circle by `r (1 - cos(a / 2))`; an ellipse is a circle
-    /// of its larger radius, flattened.
+    /// A chord over the angle `a` deviates from its circle by `r (1 - cos(a / 2))`; an ellipse is a
+    /// flattened circle of its larger radius.
     pub(crate) fn chords(&self, tolerance: f64) -> f64 {
         let radius = self.across.length().max(self.along.length()) * self.growth.max(1.0);
         let share = (tolerance / (2.0 * radius)).sqrt().min(1.0);
@@ -81,5 +81,5 @@ impl Arc {
     }
 }
 
-/// Points that are nearer than this are the same: sums of rounded numbers differ by less.
+/// Points nearer than this are equal: sums of rounded numbers differ by less.
 pub(crate) const SAME_MM: f64 = 1e-6;

@@ -1,17 +1,17 @@
-//! What a file shows: lines and areas in layers, on a page.
+//! Artwork: lines and areas in layers on a page.
 
 use dobot_geometry::{Area, Point, Stroke, Vec2};
 
 /// A page with layers of lines and areas: x to the right, y down, in millimetres.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Artwork {
-    /// The page's width in millimetres; that of the ink where the file knows no page.
+    /// The page's width in millimetres; that of the ink if the file has no page.
     pub width_mm: f64,
     /// The page's height in millimetres.
     pub height_mm: f64,
-    /// Whether the file knows a page.
+    /// Whether the file defines a page.
     pub has_page: bool,
-    /// What to draw, in the order of the file; each becomes a pass of its own.
+    /// The layers in the order of the file; each becomes a separate pass.
     pub layers: Vec<Layer>,
 }
 
@@ -21,7 +21,7 @@ impl Artwork {
         self.layers.iter().flat_map(Layer::points)
     }
 
-    /// The same, all of it so far away on its page.
+    /// The artwork moved by an offset on its page.
     #[must_use]
     pub fn moved(mut self, way: Vec2) -> Self {
         let points = self.layers.iter_mut().flat_map(Layer::points_mut);
@@ -29,11 +29,11 @@ impl Artwork {
         self
     }
 
-    /// Adds what is on another page. Layers of the same name, colour and speed become one.
+    /// Adds the content of another page. Layers of the same name, colour and speed are merged.
     pub fn add(&mut self, other: Self) {
         for mut layer in other.layers {
             let same = |it: &&mut Layer| {
-                let pen = |it: &Layer| (it.color, it.speed_mm_s, it.is_burned);
+                let pen = |layer: &Layer| (layer.color, layer.speed_mm_s, layer.is_burned);
                 it.name == layer.name && pen(it) == pen(&layer)
             };
             match self.layers.iter_mut().find(same) {
@@ -47,25 +47,25 @@ impl Artwork {
     }
 }
 
-/// The lines and areas that are drawn with one pen, or burned with one speed.
+/// The lines and areas drawn with one pen, or burned with one speed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layer {
-    /// What a person calls it: the label of a group, the name of a colour, a pen's number.
+    /// The name: the label of a group, the name of a colour, the number of a pen.
     pub name: String,
-    /// Red, green and blue, where the file tells a colour.
+    /// The colour (red, green, blue), if the file specifies one.
     pub color: Option<[u8; 3]>,
-    /// How fast the file wants it drawn, in mm/s, where it says so (F of G-code, VS of HP-GL).
+    /// The speed in mm/s, if the file specifies one (F of G-code, VS of HP-GL).
     pub speed_mm_s: Option<f64>,
-    /// Whether that is the speed of a laser.
+    /// Whether the speed is that of a laser.
     pub is_burned: bool,
     /// The lines to draw.
     pub strokes: Vec<Stroke>,
-    /// The areas to fill; hatching makes lines of them.
+    /// The areas to fill; hatching converts them to lines.
     pub areas: Vec<Area>,
 }
 
 impl Layer {
-    /// Whether there is nothing in it.
+    /// Whether the layer is empty.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.strokes.is_empty() && self.areas.is_empty()
@@ -73,21 +73,27 @@ impl Layer {
 
     /// The corners of its lines and areas.
     pub fn points(&self) -> impl Iterator<Item = Point> {
-        let lines = self.strokes.iter().flat_map(|it| it.points.iter().copied());
+        let lines = self
+            .strokes
+            .iter()
+            .flat_map(|stroke| stroke.points.iter().copied());
         let areas = self
             .areas
             .iter()
-            .flat_map(|it| it.rings.iter().flatten().copied());
+            .flat_map(|area| area.rings.iter().flatten().copied());
         lines.chain(areas)
     }
 
-    /// The corners of its lines and areas, to be moved.
+    /// Mutable references to the corners of its lines and areas.
     pub fn points_mut(&mut self) -> impl Iterator<Item = &mut Point> {
-        let lines = self.strokes.iter_mut().flat_map(|it| &mut it.points);
+        let lines = self
+            .strokes
+            .iter_mut()
+            .flat_map(|stroke| &mut stroke.points);
         lines.chain(
             self.areas
                 .iter_mut()
-                .flat_map(|it| it.rings.iter_mut().flatten()),
+                .flat_map(|area| area.rings.iter_mut().flatten()),
         )
     }
 }

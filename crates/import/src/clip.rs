@@ -1,4 +1,4 @@
-//! Hidden parts: strokes cut at the edges of what shows.
+//! Clipping: strokes cut at the edges of visible areas.
 
 use std::cell::{Cell, OnceCell};
 use std::rc::Rc;
@@ -10,11 +10,11 @@ use dobot_geometry::{
 use crate::limits::{Budget, OverBudget};
 use crate::polygon::Polygons;
 
-/// The visible part of a clip path: the union of some areas.
+/// The visible part of a clip path: the union of areas.
 #[derive(Debug, Default)]
 pub(crate) struct Region {
     areas: Vec<ClipArea>,
-    /// The same as polygons, once they are wanted; `None` where they are too entangled.
+    /// The union as polygons, computed on demand; `None` if too complex.
     polygons: OnceCell<Option<Polygons>>,
 }
 
@@ -26,7 +26,7 @@ impl Region {
         }
     }
 
-    /// The visible part as polygons; `None` where they are too entangled.
+    /// The visible part as polygons; `None` if too complex.
     pub(crate) fn polygons(&self) -> Option<&Polygons> {
         let all = || {
             let areas = self.areas.iter().map(ClipArea::polygons);
@@ -35,8 +35,8 @@ impl Region {
         self.polygons.get_or_init(all).as_ref()
     }
 
-    /// The parts of a stroke that show. A line along an edge shows, as half of its ink does in
-    /// a browser.
+    /// The visible parts of a stroke. A line along an edge is visible, as half of its ink is in a
+    /// browser.
     pub(crate) fn cut(
         &self,
         stroke: Stroke,
@@ -58,7 +58,7 @@ impl Region {
         parts(&stroke, cuts, |p| self.shows(p), spend)
     }
 
-    /// Takes what was looked at since the last time from the looks that are left.
+    /// Charges the edge tests since the last call to the budget.
     pub(crate) fn charge(&self, budget: &mut Budget) -> Result<(), OverBudget> {
         let mut looks = 0;
         self.each_area(&mut |area| looks += LOOKS_FOR_ANY + area.looks.take());
@@ -83,26 +83,29 @@ impl Region {
     }
 }
 
-/// One filled outline, which may be clipped itself.
+/// A filled outline, which may itself be clipped.
 #[derive(Debug)]
 pub(crate) struct ClipArea {
     rings: Vec<Vec<Point>>,
-    /// How many corners they have.
+    /// The number of corners.
     corners: usize,
-    /// Its edges by place, once they are wanted; few are looked at one by one.
+    /// A spatial index of its edges, built on demand; a few edges are tested one by one.
     edges: OnceCell<SegmentIndex>,
     rule: FillRule,
     within: Vec<Rc<Region>>,
-    /// How many edges were looked at since that was asked for.
+    /// The number of edges tested since the last charge.
     looks: Cell<usize>,
 }
 
 impl ClipArea {
-    /// The inside of these outlines; each is closed where it is open, as filling does.
+    /// Creates the inside of these outlines; open ones are closed, as filling does.
     pub(crate) fn new(outlines: &[Stroke], rule: FillRule, within: Vec<Rc<Region>>) -> Self {
         Self {
-            rings: outlines.iter().map(|it| it.points.clone()).collect(),
-            corners: outlines.iter().map(|it| it.points.len()).sum(),
+            rings: outlines
+                .iter()
+                .map(|outline| outline.points.clone())
+                .collect(),
+            corners: outlines.iter().map(|outline| outline.points.len()).sum(),
             edges: OnceCell::new(),
             rule,
             within,
@@ -110,20 +113,20 @@ impl ClipArea {
         }
     }
 
-    /// No more of it is left than lies within this region.
+    /// Restricts the area to a region.
     pub(crate) fn clip(&mut self, region: Rc<Region>) {
         self.within.push(region);
     }
 
-    /// The parts of a stroke that this area does not cover; `None` where that takes more looks than are left. A line along
-    /// its edge is not covered, as half of its ink shows.
+    /// The parts of a stroke outside this area; `None` if the budget of edge tests is exhausted. A
+    /// line along the edge is outside, because half of its ink is visible.
     pub(crate) fn uncovered(
         &self,
         stroke: &Stroke,
         budget: &mut Budget,
     ) -> Result<Option<Vec<Stroke>>, OverBudget> {
         let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
-        // Its points were looked at just now.
+        // Its points were tested just now.
         self.looks.set(self.looks.get() + stroke.points.len());
         if stroke.points.len() == 1 || !self.may_cut(bounds) {
             let covered = self.covers(stroke.points[0]);
@@ -145,19 +148,19 @@ impl ClipArea {
         }
     }
 
-    /// Takes what was looked at since the last time from the looks that are left; `false` where they do not reach.
+    /// Charges the edge tests since the last call to the budget; `false` if it is exhausted.
     pub(crate) fn charge(&self, budget: &mut Budget) -> bool {
         let mut looks = LOOKS_FOR_ANY;
         self.each(&mut |area| looks += area.looks.take());
         budget.take_looks(looks)
     }
 
-    /// How many corners its outlines have.
+    /// The number of corners of its outlines.
     pub(crate) const fn corners(&self) -> usize {
         self.corners
     }
 
-    /// The corners of its outlines lie in this rectangle.
+    /// The bounding box of its outlines.
     pub(crate) fn bounds(&self) -> Rect {
         bounds(self.rings.iter().flatten().copied())
     }
@@ -168,19 +171,19 @@ impl ClipArea {
         found
     }
 
-    /// Whether an edge of its own, or of an area in which it is clipped, lies in these bounds.
+    /// Whether an edge of the area, or of a clip of it, lies in these bounds.
     pub(crate) fn may_cut(&self, bounds: Rect) -> bool {
         let mut found = false;
         self.each(&mut |area| found |= area.has_edge_in(bounds));
         found
     }
 
-    /// Whether nothing shows through there.
+    /// Whether a point is covered.
     pub(crate) fn covers(&self, p: Point) -> bool {
         self.is_inside(p) && !self.is_on_edge(p) && self.within.iter().all(|r| r.shows(p))
     }
 
-    /// Itself, and all areas in which it is clipped.
+    /// The area and all areas that clip it.
     fn each(&self, visit: &mut dyn FnMut(&Self)) {
         visit(self);
         for region in &self.within {
@@ -188,7 +191,7 @@ impl ClipArea {
         }
     }
 
-    /// The same as polygons; `None` where they are too entangled.
+    /// The area as polygons; `None` if too complex.
     pub(crate) fn polygons(&self) -> Option<Polygons> {
         let whole = Polygons::new(&self.rings, self.rule);
         let mut within = self.within.iter();
@@ -223,7 +226,7 @@ impl ClipArea {
         self.edges_touching(around, &mut |edge| cuts.extend(meeting(a, b, edge)));
     }
 
-    /// Calls `visit` for each edge whose box touches `around`.
+    /// Calls `visit` for each edge whose bounding box touches `around`.
     fn edges_touching(&self, around: Rect, visit: &mut impl FnMut((Point, Point))) {
         let mut looks = 0;
         if self.corners <= FEW_CORNERS {
@@ -245,14 +248,17 @@ impl ClipArea {
     fn edges(&self) -> impl Iterator<Item = (Point, Point)> {
         let edges = self.rings.iter().flat_map(|ring| {
             let closing = ring.last().map(|&last| (last, ring[0]));
-            ring.windows(2).map(|it| (it[0], it[1])).chain(closing)
+            ring.windows(2)
+                .map(|pair| (pair[0], pair[1]))
+                .chain(closing)
         });
         edges.filter(|(a, b)| a != b)
     }
 }
 
-/// The parts of a stroke that are kept, which changes only where its pieces are cut, told as shares of
-/// their length. What `spend` fails with ends it: it is told how many more pieces there are, for each of them.
+/// The kept parts of a stroke; the decision changes only at its cuts, given as fractions of its
+/// length. `spend` gets the number of further pieces for each cut, and its error ends the
+/// computation.
 fn parts<E>(
     stroke: &Stroke,
     find_cuts: impl Fn(Point, Point, &mut Vec<f64>),
@@ -281,7 +287,7 @@ fn parts<E>(
             open = kept;
         }
     }
-    // Where an edge is only touched, no more than a speck shows.
+    // A mere touch of an edge shows at most a speck.
     pieces.retain(|piece| piece.length_mm() > 2.0 * ON_EDGE_MM);
     match &mut pieces[..] {
         [only] => only.closed = stroke.closed && ends(only) == ends(stroke),
@@ -291,7 +297,7 @@ fn parts<E>(
     Ok(pieces)
 }
 
-/// +1 or -1 where the edge crosses the ray from `p` towards x, 0 where it does not.
+/// +1 or -1 if the edge crosses the ray from `p` in the x direction, else 0.
 fn crossing((a, b): (Point, Point), p: Point) -> i32 {
     if (a.y <= p.y) == (b.y <= p.y) {
         return 0;
@@ -304,7 +310,7 @@ fn crossing((a, b): (Point, Point), p: Point) -> i32 {
     }
 }
 
-/// The share of the way at which the segment meets an edge, if it does.
+/// The fraction of the segment at which it meets an edge, if it does.
 fn meeting(from: Point, to: Point, edge: (Point, Point)) -> Option<f64> {
     let (way, side) = (to - from, edge.1 - edge.0);
     let turn = way.cross(side);
@@ -326,7 +332,7 @@ fn ends(stroke: &Stroke) -> (Point, Option<Point>) {
     (stroke.points[0], stroke.last())
 }
 
-/// A closed stroke that shows at its start goes on from its last piece into its first.
+/// Joins the last and the first piece of a closed stroke whose start is visible.
 fn join_at_seam(pieces: &mut Vec<Stroke>, seam: Point) {
     if (pieces[0].points[0], pieces[pieces.len() - 1].last()) == (seam, Some(seam)) {
         let mut last = pieces.pop().expect("there are two pieces or more");
@@ -335,11 +341,12 @@ fn join_at_seam(pieces: &mut Vec<Stroke>, seam: Point) {
     }
 }
 
-/// Up to so many corners, edges are looked at one by one.
+/// Up to this number of corners, edges are tested one by one.
 const FEW_CORNERS: usize = 16;
-/// What anything costs, in looks at an edge.
+/// The base cost of an operation, in edge tests.
 const LOOKS_FOR_ANY: usize = 4;
-/// How near to an edge counts as on it: single precision leaves no less at this size.
+/// The distance at which a point counts as on an edge; single precision allows no smaller one at
+/// this size.
 const ON_EDGE_MM: f64 = 1e-3;
 
 #[cfg(test)]
@@ -434,7 +441,7 @@ mod tests {
         assert_eq!(cut(&wide, square(300.0, 400.0)), []);
     }
 
-    /// A piece counts as on the edge by its middle: its ends may lie twice as far out.
+    /// A piece counts as on the edge by its middle: its ends may be twice as far away.
     fn edge_distance_mm(area: &ClipArea, p: Point) -> f64 {
         let distances = area
             .edges()
@@ -445,7 +452,7 @@ mod tests {
     proptest! {
         #[test]
         fn pieces_lie_inside_and_nothing_inside_is_lost(
-            // Some are few enough to be looked at one by one.
+            // Some have few enough edges for testing one by one.
             corners in proptest::collection::vec((0.0..50.0_f64, 0.0..50.0_f64), 3..2 * FEW_CORNERS),
             line in proptest::collection::vec((-10.0..60.0_f64, -10.0..60.0_f64), 2..12),
             even_odd in any::<bool>(),

@@ -1,20 +1,21 @@
-//! Dashed lines: a stroke cut into its dashes.
+//! Dashed lines.
 
 use dobot_geometry::{Point, Stroke};
 
 use crate::limits::{Budget, OverBudget};
 
-/// Cuts a stroke into dashes: `lengths` of pen down and pen up in turn, begun `offset` further on.
-/// A dash of length zero is a dot. Lengths that sum up to nothing leave the stroke whole.
+/// Cuts a stroke into dashes: alternating `lengths` of pen down and pen up, starting `offset` into
+/// the pattern. A dash of length zero is a dot. A pattern of total length zero leaves the stroke
+/// whole.
 ///
-/// kurbo would cut them too, but does not end where there are a billion.
+/// kurbo can do this too, but does not terminate within reasonable time for billions of dashes.
 pub(crate) fn dash(
     stroke: Stroke,
     lengths: &[f64],
     offset: f64,
     budget: &mut Budget,
 ) -> Result<Vec<Stroke>, OverBudget> {
-    let lengths: Vec<f64> = lengths.iter().map(|it| it.max(0.0)).collect();
+    let lengths: Vec<f64> = lengths.iter().map(|length| length.max(0.0)).collect();
     let period: f64 = 2.0 * lengths.iter().sum::<f64>();
     if period <= 0.0 || !period.is_finite() {
         return Ok(vec![stroke]);
@@ -28,9 +29,9 @@ pub(crate) fn dash(
     Ok(cutter.dashes)
 }
 
-/// Cuts a stroke into dashes that are fitted to each of its lines: from corner to corner there are whole turns, longer or
-/// shorter than asked for, and half of the first dash at both ends. A line whose turn would be shorter than `least`, or
-/// that would have more than `most` of them, stays whole.
+/// Cuts a stroke into dashes fitted to each of its lines: between corners there are whole periods,
+/// stretched or shrunk, with half of the first dash at both ends. A line whose period would be
+/// shorter than `least`, or that would have more than `most` periods, stays whole.
 ///
 /// ```text
 ///   --  ----  ----  --.      Two lines of three turns and one.
@@ -57,10 +58,13 @@ pub(crate) fn fitted_dashes(
         let pieces = if turn < least || turns > most {
             vec![line]
         } else {
-            let fitted: Vec<f64> = lengths.iter().map(|it| it * turn / period).collect();
+            let fitted: Vec<f64> = lengths
+                .iter()
+                .map(|length| length * turn / period)
+                .collect();
             dash(line, &fitted, 0.5 * fitted[0], budget)?
         };
-        // The half dashes at a corner are one.
+        // The half dashes at a corner are joined.
         let mut pieces = pieces.into_iter().peekable();
         if let (Some(last), Some(first)) = (dashes.last_mut(), pieces.peek())
             && last.last() == Some(first.points[0])
@@ -73,7 +77,7 @@ pub(crate) fn fitted_dashes(
     Ok(dashes)
 }
 
-/// The parts of a line between its corners; where it turns by less it is a curve.
+/// The parts of a line between its corners; smaller turns belong to curves.
 fn lines_between_corners(points: &[Point]) -> Vec<&[Point]> {
     let mut lines = Vec::new();
     let mut from = 0;
@@ -91,7 +95,7 @@ fn lines_between_corners(points: &[Point]) -> Vec<&[Point]> {
 
 struct Cutter<'a> {
     lengths: &'a [f64],
-    /// Which length is being used up; even turns draw.
+    /// The index of the current length; even ones are drawn.
     turn: usize,
     left: f64,
     dashes: Vec<Stroke>,
@@ -153,7 +157,7 @@ impl<'a> Cutter<'a> {
     }
 }
 
-/// Curves are made of lines that turn by less: plotters have 5 degrees from one to the next.
+/// The largest turn within a curve: plotters turn 5 degrees from chord to chord.
 const CORNER_RAD: f64 = 0.2;
 
 #[cfg(test)]
@@ -210,11 +214,11 @@ mod tests {
             let budget = &mut Budget::new(1000);
             fitted_dashes(Stroke::open(points), &[4.0, 2.0], limits, budget).unwrap()
         };
-        let ends = |it: &Stroke| [it.points[0], it.last().unwrap()].map(|p| (p.x, p.y));
+        let ends = |stroke: &Stroke| [stroke.points[0], stroke.last().unwrap()].map(|p| (p.x, p.y));
         let found: Vec<_> = fitted(&[(0.0, 0.0), (6.0, 0.3), (12.0, 0.0), (12.0, 3.0)])
             .iter()
             .map(ends)
-            .map(|it| it.map(|(x, y)| (x.round(), y.round())))
+            .map(|fitted| fitted.map(|(x, y)| (x.round(), y.round())))
             .collect();
         assert_eq!(
             found,

@@ -1,6 +1,6 @@
-//! Reading DXF, the text format of `AutoCAD`, as other programs write it too.
+//! The DXF reader (the text format of `AutoCAD`, also written by other programs).
 //!
-//! A reader of our own: those there are skip what they do not know in silence, hatches among it.
+//! It is our own because existing readers silently skip unknown entities, including hatches.
 
 mod code_page;
 mod content;
@@ -27,7 +27,7 @@ mod xclip;
 use dobot_geometry::{Affine, Vec2};
 
 use self::file::File;
-use self::pairs::MOST_COORDINATE;
+use self::pairs::MAX_COORDINATE;
 use self::renderer::EntityRenderer;
 use crate::artwork::Artwork;
 use crate::error::SourceError;
@@ -35,10 +35,11 @@ use crate::options::ReadOptions;
 use crate::sketch::{Sketch, Y};
 use crate::warning::Warning;
 
-/// Reads a DXF file: its layers are layers, hatches and solids are areas. The page is as large as the
-/// ink and upright (Y points up), in the units that the file tells.
+/// Reads a DXF file: its layers are layers, hatches and solids are areas. The page is as large as
+/// the ink and upright (Y points up), in the units of the file.
 ///
-/// A site plan lies hundreds of kilometres from its origin: what is too far off is looked at from there.
+/// A site plan may be hundreds of kilometres from its origin; a distant drawing is read relative to
+/// its own position.
 pub(crate) fn read(
     text: &[u8],
     options: &ReadOptions,
@@ -53,7 +54,7 @@ pub(crate) fn read(
     let code_page = unknown_code_page.as_deref();
     let (far, from_origin) = match draw(&file, options, code_page, Vec2::ZERO) {
         Err(error @ SourceError::TooFar { x_mm, y_mm, .. })
-            if x_mm.hypot(y_mm) <= 2.0 * MOST_COORDINATE =>
+            if x_mm.hypot(y_mm) <= 2.0 * MAX_COORDINATE =>
         {
             (Vec2::new(x_mm, y_mm), error)
         }
@@ -65,7 +66,7 @@ pub(crate) fn read(
     }
 }
 
-/// Draws a file as it is seen from a point, in mm.
+/// Draws a file relative to a point, in mm.
 fn draw(
     file: &File<'_>,
     options: &ReadOptions,
@@ -87,7 +88,7 @@ fn draw(
     sketch.finish(Y::Up, "no lines in the file")
 }
 
-/// Refuses what is too far off from the origin, and from where the rest of the drawing is too far off.
+/// Refuses objects too far from the origin and from the rest of the drawing.
 fn too_far(from_origin: SourceError, from_there: &SourceError) -> SourceError {
     let SourceError::TooFar {
         place,
@@ -110,10 +111,10 @@ fn too_far(from_origin: SourceError, from_there: &SourceError) -> SourceError {
     }
 }
 
-/// Pairs of lines: a section or a comment comes first.
+/// Pairs of lines at the start: a section or a comment.
 pub(crate) fn is_likely(start: &str) -> bool {
     let lines = start.split(['\r', '\n']).map(str::trim);
-    let mut lines = lines.filter(|it| !it.is_empty());
+    let mut lines = lines.filter(|line| !line.is_empty());
     let first = (lines.next(), lines.next());
     let is_binary = start.starts_with("AutoCAD Binary DXF") || start.starts_with("AC10");
     is_binary || first == (Some("0"), Some("SECTION")) || first.0 == Some("999")

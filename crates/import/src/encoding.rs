@@ -1,19 +1,19 @@
-//! Texts in another encoding than UTF-8 that say so: by a mark at their begin, or in the first line of an XML file.
+//! Text files with a declared encoding other than UTF-8: a byte order mark, or the XML declaration.
 
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 
 use crate::error::SourceError;
 
-/// The same file in UTF-8, if it says that it is in something else; any other stays as it is.
+/// Converts a file to UTF-8 if it declares another encoding; other files stay unchanged.
 pub(crate) fn in_utf8(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
     let Some(encoding) = encoding_of(&bytes)? else {
         return Ok(bytes);
     };
-    let mark = Encoding::for_bom(&bytes).map_or(0, |it| it.1);
+    let mark = Encoding::for_bom(&bytes).map_or(0, |encoding| encoding.1);
     let text = encoding.decode_without_bom_handling_and_without_replacement(&bytes[mark..]);
     match text {
         Some(text) => Ok(text.into_owned().into_bytes()),
-        // Anything may begin with two bytes like a mark.
+        // Any file may start with two bytes like a mark.
         None if mark > 0 => Ok(bytes),
         None => Err(SourceError::Encoding {
             name: encoding.name().to_owned(),
@@ -22,7 +22,7 @@ pub(crate) fn in_utf8(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
     }
 }
 
-/// What a file is in, if not in UTF-8.
+/// The declared encoding of a file, if not UTF-8.
 fn encoding_of(bytes: &[u8]) -> Result<Option<&'static Encoding>, SourceError> {
     let encoding = match Encoding::for_bom(bytes) {
         Some((encoding, _)) => encoding,
@@ -33,13 +33,18 @@ fn encoding_of(bytes: &[u8]) -> Result<Option<&'static Encoding>, SourceError> {
     Ok((encoding != UTF_8).then_some(encoding))
 }
 
-/// What an XML file tells in its first line. Where that can be read as it is, it is not in sixteen bits.
+/// The encoding in the XML declaration. A declaration readable as ASCII is not UTF-16, whatever it
+/// declares.
 fn declared(bytes: &[u8]) -> Result<&'static Encoding, SourceError> {
-    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(MOST_OF_A_FIRST_LINE)]);
+    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(MAX_FIRST_LINE)]);
     let line = start.strip_prefix("<?xml");
-    let line = line.and_then(|it| it.split_once("?>")).map(|it| it.0);
-    let value = line.and_then(|it| it.split_once("encoding")).map(|it| it.1);
-    let Some(quoted) = value.and_then(|it| it.trim_start().strip_prefix('=')) else {
+    let line = line
+        .and_then(|line| line.split_once("?>"))
+        .map(|line| line.0);
+    let value = line
+        .and_then(|line| line.split_once("encoding"))
+        .map(|line| line.1);
+    let Some(quoted) = value.and_then(|value| value.trim_start().strip_prefix('=')) else {
         return Ok(UTF_8);
     };
     let name = quoted.split(['"', '\'']).nth(1).unwrap_or_default();
@@ -53,7 +58,7 @@ fn declared(bytes: &[u8]) -> Result<&'static Encoding, SourceError> {
     }
 }
 
-const MOST_OF_A_FIRST_LINE: usize = 256;
+const MAX_FIRST_LINE: usize = 256;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -65,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn an_xml_file_is_read_in_the_encoding_that_it_tells() {
+    fn an_xml_file_is_read_in_the_encoding_that_it_states() {
         let latin = b"<?xml version=\"1.0\" encoding='ISO-8859-1'?><svg id=\"K\xfcche\"/>";
         assert!(read(latin).ends_with("<svg id=\"Küche\"/>"));
         let cyrillic = b"<?xml version=\"1.0\" encoding = \"windows-1251\" ?><svg id=\"\xc4\"/>";
@@ -81,12 +86,12 @@ mod tests {
             assert_eq!(read(bytes), text);
             assert_eq!(read(&[mark, bytes].concat()), text);
         }
-        // Some programs keep the old first line when they save it as UTF-8.
+        // Some programs keep the old declaration when they save as UTF-8.
         assert_eq!(read(text.as_bytes()), text);
     }
 
     #[test]
-    fn what_tells_no_encoding_stays_as_it_is() {
+    fn what_states_no_encoding_stays_as_it_is() {
         let plain: [&[u8]; 5] = [
             b"",
             b"G1 X1 (Fr\xe4ser)",
@@ -100,8 +105,8 @@ mod tests {
     }
 
     #[test]
-    fn an_encoding_that_is_not_known_or_not_kept_to_is_told() {
-        for (bytes, told) in [
+    fn an_encoding_that_is_not_known_or_not_kept_to_is_reported() {
+        for (bytes, message) in [
             (
                 &b"<?xml encoding=\"klingon\"?><svg/>"[..],
                 "the file declares the encoding \"klingon\", which is unknown; save it as UTF-8",
@@ -112,7 +117,7 @@ mod tests {
             ),
         ] {
             let error = in_utf8(bytes.to_vec()).unwrap_err();
-            assert_eq!(error.to_string(), told);
+            assert_eq!(error.to_string(), message);
         }
     }
 }

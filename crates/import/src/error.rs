@@ -1,4 +1,4 @@
-//! What can be wrong with a source.
+//! Errors of sources.
 
 mod picture;
 mod svg;
@@ -12,11 +12,11 @@ pub use self::text::TextError;
 use crate::formats::extensions;
 use crate::place::{Place, excerpt, place};
 
-/// Why a source cannot be drawn.
+/// The error returned when a source cannot be drawn.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SourceError {
-    /// A calculated point is beyond any table, or no number.
+    /// A calculated point is out of range or not a number.
     #[error("point {point} of line {line} is ({}, {}); allowed are numbers from -1000000 to 1000000 (mm)", found.0, found.1)]
     Point {
         /// The line, counted from 1.
@@ -26,46 +26,46 @@ pub enum SourceError {
         /// Its x and y.
         found: (f64, f64),
     },
-    /// Neither name nor contents tell what it is.
+    /// Neither the name nor the content identifies the format.
     #[error(
         "{name:?} is not a supported file; supported are {} files",
         extensions()
     )]
     UnknownKind {
-        /// The file's name.
+        /// The file name.
         name: String,
     },
-    /// A packed file that cannot be unpacked.
+    /// A gzip file cannot be unpacked.
     #[error("cannot unpack the file (gzip): {problem}; copy or download it again")]
     Packed {
         /// What is wrong with it.
         problem: &'static str,
     },
-    /// A file of more bytes than a drawing has, unpacked.
+    /// A file has too many bytes, after unpacking.
     #[error(
         "the file has more than {} MB, and its format may have {} MB; draw it in parts, or remove detail that no pen can show",
         most / 1_000_000,
         most / 1_000_000
     )]
     TooLarge {
-        /// How many bytes are allowed.
+        /// The largest number of bytes allowed.
         most: u64,
     },
-    /// A file that other programs make a drawing of.
+    /// A file needs conversion by another program.
     #[error("found {what}, which is not supported; {way}")]
     Foreign {
-        /// What it is.
+        /// The kind of file.
         what: &'static str,
-        /// What makes a drawing of it.
+        /// How to convert it.
         way: &'static str,
     },
-    /// A text file that holds something else.
+    /// A text file is not text.
     #[error("line {line}: not UTF-8 text; save the file as UTF-8")]
     NotText {
-        /// From 1.
+        /// The line, counted from 1.
         line: usize,
     },
-    /// A text in an encoding that cannot be read.
+    /// A text is in an encoding that cannot be read.
     #[error("the file declares the encoding {name:?}, {problem}; save it as UTF-8")]
     Encoding {
         /// The encoding.
@@ -73,76 +73,76 @@ pub enum SourceError {
         /// What is wrong with it.
         problem: &'static str,
     },
-    /// An SVG file that cannot be drawn.
+    /// An SVG file cannot be drawn.
     #[error(transparent)]
     Svg(#[from] SvgError),
-    /// A picture that cannot be drawn.
+    /// A picture cannot be drawn.
     #[error(transparent)]
     Picture(#[from] ImageError),
-    /// A text that cannot be written.
+    /// A text cannot be written.
     #[error(transparent)]
     Text(#[from] TextError),
-    /// A text file that goes wrong somewhere.
+    /// A text file contains a mistake.
     #[error("{place}: found {found}; expected {expected}")]
     Found {
-        /// Where.
+        /// The place.
         place: Place,
-        /// What stands there, shortened.
+        /// The text at the place, shortened.
         found: String,
         /// What is allowed there.
         expected: String,
     },
-    /// Nothing that leaves ink.
+    /// The source leaves no ink.
     #[error("nothing to draw: {reason}")]
     NothingToDraw {
-        /// What there is instead.
+        /// The reason.
         reason: String,
     },
-    /// More layers than anybody changes pens.
+    /// The drawing has too many layers.
     #[error("the drawing has more than {limit} layers (pens, or speeds and powers of a laser)")]
     TooManyLayers {
-        /// How many are allowed.
+        /// The largest number allowed.
         limit: usize,
     },
-    /// More line segments than a plotter draws in a lifetime.
+    /// The drawing has too many line segments.
     #[error(
         "the drawing has more than {limit} line segments; simplify it or allow a larger tolerance"
     )]
     TooManySegments {
-        /// How many are allowed.
+        /// The largest number allowed.
         limit: usize,
     },
-    /// The same of straight lines, which no tolerance makes fewer.
+    /// The drawing has too many straight line segments, which no tolerance reduces.
     #[error(
         "the drawing has more than {limit} line segments, most of them straight; simplify it, or draw it in parts"
     )]
     TooManyCorners {
-        /// How many are allowed.
+        /// The largest number allowed.
         limit: usize,
     },
-    /// Outlines that cut so often that it takes for ever.
+    /// Clipping outlines takes too long.
     #[error(
         "clipping lines and areas takes too long; simplify clip paths and hatched areas, or draw it in parts"
     )]
     TooManyCuts,
-    /// A point beyond any table.
+    /// A point is too far from the origin.
     #[error(
         "{place}: leads to ({x_mm:.0}, {y_mm:.0}) mm; at most {limit_mm:.0} mm from the origin are allowed"
     )]
     TooFar {
-        /// Where it is said.
+        /// The place.
         place: Place,
-        /// To the right.
+        /// The x coordinate, to the right.
         x_mm: f64,
-        /// Down.
+        /// The y coordinate, down.
         y_mm: f64,
-        /// How far is allowed.
+        /// The largest distance allowed.
         limit_mm: f64,
     },
 }
 
 impl SourceError {
-    /// Whether it has more line segments than fit, which a larger tolerance may mend.
+    /// Whether it has too many line segments, which a larger tolerance may reduce.
     #[must_use]
     pub const fn is_too_fine(&self) -> bool {
         matches!(
@@ -151,7 +151,7 @@ impl SourceError {
         )
     }
 
-    /// Tells what was found at an offset of a text.
+    /// An error about the text at an offset.
     pub(crate) fn found(
         text: &[u8],
         at: usize,
@@ -165,7 +165,7 @@ impl SourceError {
         }
     }
 
-    /// Tells what stands in a text from an offset on.
+    /// An error about unexpected text at an offset.
     pub(crate) fn unexpected(text: &[u8], at: usize, expected: &str) -> Self {
         Self::found(text, at, excerpt(text, at), expected)
     }

@@ -1,9 +1,9 @@
-//! The fonts of this machine.
+//! The installed fonts.
 
 use usvg::fontdb::Database;
 
-/// The fonts that are installed, and which of them stands for each family that every file may ask for
-/// (sans-serif, serif and so on). The fonts' files are read, which takes a while.
+/// The installed fonts, and the fonts for the generic families (sans-serif, serif and so on).
+/// Reading the font files takes a while.
 #[must_use]
 pub fn system_fonts() -> Database {
     let mut fonts = Database::new();
@@ -12,12 +12,12 @@ pub fn system_fonts() -> Database {
     fonts
 }
 
-/// Takes for each of the families that every file may ask for the first that is here.
+/// Sets each generic family to the first installed font of its list.
 fn name_generic(fonts: &mut Database) {
     let here = |names: &str| {
         let has = |name: &&str| {
-            let mut families = fonts.faces().flat_map(|it| &it.families);
-            families.any(|it| it.0 == *name)
+            let mut families = fonts.faces().flat_map(|face| &face.families);
+            families.any(|family| family.0 == *name)
         };
         names.split(", ").find(has).map(str::to_owned)
     };
@@ -26,7 +26,7 @@ fn name_generic(fonts: &mut Database) {
     if let Some(name) = serif {
         fonts.set_serif_family(name);
     }
-    // Handwriting and display letters are rarer: what is plain comes nearest.
+    // Handwriting and display fonts are rarer: a plain one comes closest.
     if let Some(name) = cursive.or_else(|| sans.clone()) {
         fonts.set_cursive_family(name);
     }

@@ -1,11 +1,11 @@
-//! Files that another program has to convert before they can be drawn.
+//! Files that another program must convert first.
 
 use crate::error::SourceError;
 
-/// Refuses a file of another kind, and says how to convert it.
+/// Refuses a file that another program must convert, and names the conversion.
 pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
     let start = &bytes[..bytes.len().min(1000)];
-    let has = |mark: &[u8]| start.windows(mark.len()).any(|it| it == mark);
+    let has = |mark: &[u8]| start.windows(mark.len()).any(|start| start == mark);
     let converted =
         "Inkscape opens it and saves it as SVG, and so does `pdftocairo -svg in.pdf out.svg`";
     let kinds = [
@@ -21,10 +21,10 @@ pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
             "export it as PNG",
         ),
         (
-            start.get(4..12).is_some_and(|it| {
-                it.starts_with(b"ftyphei")
-                    || it.starts_with(b"ftypmif1")
-                    || it.starts_with(b"ftypavif")
+            start.get(4..12).is_some_and(|start| {
+                start.starts_with(b"ftyphei")
+                    || start.starts_with(b"ftypmif1")
+                    || start.starts_with(b"ftypavif")
             }),
             "an HEIC or AVIF picture",
             "save it as JPEG or PNG; phones have a setting for JPEG",
@@ -40,7 +40,7 @@ pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
             "unpack it and use the drawing in it",
         ),
     ];
-    match kinds.into_iter().find(|it| it.0) {
+    match kinds.into_iter().find(|kind| kind.0) {
         Some((_, what, way)) => Err(SourceError::Foreign { what, way }),
         None => Ok(()),
     }

@@ -1,5 +1,5 @@
-//! The file formats that can be drawn. A new one is a reader and a row here; all texts and lists of formats are made of
-//! this table.
+//! The supported file formats. A new one needs a reader and a row here; all texts and lists of
+//! formats are made from this table.
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -11,7 +11,7 @@ use crate::picture::{self, ImageFormat};
 use crate::warning::Warning;
 use crate::{dxf, gcode, hpgl, lightburn, points, svg};
 
-/// The formats of files that can be drawn, in the order in which the beginning of a file is compared with them.
+/// The formats, in the order in which the start of a file is compared with them.
 ///
 /// ```
 /// use dobot_import::FORMATS;
@@ -83,7 +83,7 @@ pub static FORMATS: [Format; 13] = [
         is_likely: |start| start.text.starts_with(['[', '{']),
         reader: Reader::Text(points::read_json),
     },
-    // Behind CSV, whose header may begin with the same letters.
+    // After CSV, whose header may start with the same letters.
     Format {
         name: "HP-GL",
         extensions: &["plt", "hpgl", "hpg", "hgl"],
@@ -93,7 +93,7 @@ pub static FORMATS: [Format; 13] = [
         is_likely: |start| hpgl::is_likely(&start.text),
         reader: Reader::Bytes(hpgl::read),
     },
-    // Behind HP-GL: `;` begins a comment here, and may stand before a command there.
+    // After HP-GL: `;` starts a comment here, and may precede a command there.
     Format {
         name: "G-code",
         extensions: &["gcode", "nc", "gco", "g", "ngc", "tap", "cnc"],
@@ -122,28 +122,28 @@ const fn picture(
     }
 }
 
-/// A format of files that can be drawn.
+/// A file format.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Format {
     /// The name, as in `HP-GL`.
     pub name: &'static str,
-    /// The extensions of its files in lower case, without dots; the usual one first.
+    /// The file name extensions in lower case, without dots; the usual one first.
     pub extensions: &'static [&'static str],
     /// The MIME type.
     pub mime_type: &'static str,
-    /// What its files hold.
+    /// The content of its files.
     pub contents: Contents,
-    /// Whether a file that begins so is of this format, whatever its name says.
+    /// Whether a file with this start is of this format, whatever its name is.
     #[serde(skip)]
     is_certain: fn(&Start<'_>) -> bool,
-    /// Whether a file that begins so is of this format if its name says nothing.
+    /// Whether a file with this start is of this format if its name does not identify it.
     #[serde(skip)]
     is_likely: fn(&Start<'_>) -> bool,
     #[serde(skip)]
     reader: Reader,
 }
 
-/// What the files of a format hold.
+/// The content of the files of a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Contents {
@@ -153,25 +153,26 @@ pub enum Contents {
     Shapes,
     /// Lines and areas.
     Lines,
-    /// A picture made of pixels.
+    /// A pixel picture.
     Picture,
 }
 
-/// The artwork of a file, and what of it was left out.
+/// The artwork of a file and the warnings.
 type Drawn = Result<(Artwork, Vec<Warning>), SourceError>;
 
 #[derive(Debug)]
 enum Reader {
-    /// Of UTF-8 text.
+    /// A reader of UTF-8 text.
     Text(fn(&str, &ReadOptions) -> Drawn),
-    /// Of bytes: comments may hold anything, letters may be packed numbers, older files are in code pages.
+    /// A reader of bytes: comments may contain anything, letters may be packed numbers, older files
+    /// are in code pages.
     Bytes(fn(&[u8], &ReadOptions) -> Drawn),
 }
 
-/// The beginning of a file.
+/// The start of a file.
 struct Start<'a> {
     bytes: &'a [u8],
-    /// The same as text, without blanks before it.
+    /// The start as text, without leading blanks.
     text: String,
 }
 
@@ -185,8 +186,8 @@ impl<'a> Start<'a> {
 }
 
 impl Format {
-    /// The format of a file, by its beginning where that leaves no doubt, else by its name, else by what it most likely
-    /// is. An empty file without a name counts as SVG, for which the error is the clearest.
+    /// Returns the format of a file: by its start if unambiguous, else by its name, else the most
+    /// likely one. An empty file without a name counts as SVG, which gives the clearest error.
     #[must_use]
     pub fn of_file(name: &str, bytes: &[u8]) -> Option<&'static Self> {
         let start = Start::of(bytes);
@@ -195,7 +196,7 @@ impl Format {
         certain.or_else(|| Self::of_name(name)).or_else(likely)
     }
 
-    /// The format that a file's name tells; `.gz` behind its extension is passed over.
+    /// The format of a file name; `.gz` after its extension is ignored.
     #[must_use]
     pub fn of_name(name: &str) -> Option<&'static Self> {
         let unpacked = name.strip_suffix(".gz").unwrap_or(name);
@@ -225,7 +226,7 @@ impl Format {
         self.contents == Contents::Picture
     }
 
-    /// Checks that a file of this format is text, if it has to be.
+    /// Checks that a file of a text format is text.
     pub(crate) fn check(&self, bytes: &[u8]) -> Result<(), SourceError> {
         match self.reader {
             Reader::Text(_) => text(bytes).map(|_| ()),
@@ -246,13 +247,13 @@ impl Format {
 }
 
 impl PartialEq for Format {
-    /// Names are unique.
+    /// Finds a format by its name.
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
     }
 }
 
-/// The extensions of all files that can be drawn: `.svg, .svgz, .png` and so on.
+/// The extensions of all supported files: `.svg, .svgz, .png` and so on.
 pub(crate) fn extensions() -> String {
     let all = FORMATS.iter().flat_map(|format| format.extensions);
     let dotted: Vec<String> = all.map(|extension| format!(".{extension}")).collect();
@@ -278,7 +279,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_format_is_told_from_how_it_begins() {
+    fn each_format_is_distinguished_from_how_it_begins() {
         for (start, name) in [
             ("", Some("SVG")),
             ("\u{FEFF}<?xml version=\"1.0\"?>", Some("SVG")),
@@ -333,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn the_page_about_drawing_tells_what_becomes_of_each_format() {
+    fn the_page_about_drawing_states_what_becomes_of_each_format() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
         let page = fs::read_to_string(folder.join("../../docs/drawing.md")).unwrap();
         let rows = page.lines().filter(|line| line.starts_with("| `."));
@@ -346,8 +347,8 @@ mod tests {
                 format.name
             );
         }
-        let told = sources.iter().flat_map(|source| source.split_whitespace());
-        for extension in told.filter_map(|word| word.strip_prefix("`.")?.strip_suffix('`')) {
+        let words = sources.iter().flat_map(|source| source.split_whitespace());
+        for extension in words.filter_map(|word| word.strip_prefix("`.")?.strip_suffix('`')) {
             let file = format!("a.{extension}");
             assert!(Format::of_name(&file).is_some(), "{file} cannot be drawn");
         }

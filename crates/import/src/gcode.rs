@@ -1,7 +1,7 @@
-//! Reading G-code: what laser programs, plotter posts and mills write, as lines.
+//! The G-code reader, for files of laser software, plotter posts and mills.
 //!
-//! G-code moves a machine and does not say which moves leave ink. The reader finds the rule from the
-//! whole file: see [`ink_rule::InkRule`].
+//! G-code moves a machine and does not declare which moves leave ink. The reader infers the rule
+//! from the whole file: see [`ink_rule::InkRule`].
 
 mod arc;
 mod block;
@@ -29,10 +29,10 @@ use crate::sketch::{Sketch, Y};
 use crate::warning::Warning;
 use crate::warning::Warnings;
 
-/// Reads G-code: lines and arcs of the plane XY, upright (Y points up), moved so that the ink
-/// begins at the page's corner.
+/// Reads G-code: lines and arcs of the XY plane, upright (Y points up), moved so that the ink
+/// starts at the page's corner.
 ///
-/// Each tool is a layer; for a laser each power and speed is one.
+/// Each tool is a layer; for a laser, each combination of power and speed.
 pub(crate) fn read(
     text: &[u8],
     options: &ReadOptions,
@@ -41,15 +41,15 @@ pub(crate) fn read(
     sketch.finish(Y::Up, rule.nothing(options.burns))
 }
 
-/// The ink where the program has it, and the rule that it was found by.
+/// The ink in the program's coordinates, and its rule.
 fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkRule), SourceError> {
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
     let mut moves = 0;
     let (tool, laser) = run(text, sketch.warnings(), |it| {
         moves += 1;
-        if moves > MOST_MOVES {
-            let found = format!("more than {MOST_MOVES} moves");
+        if moves > MAX_MOVES {
+            let found = format!("more than {MAX_MOVES} moves");
             let expected = "at most that in a drawing; simplify it, or draw it in parts";
             return Err(SourceError::found(text, it.at, found, expected));
         }
@@ -62,12 +62,12 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
         sketch.warn(None, what, &instead);
     }
     let mut inker = Inker::new(&mut sketch, rule, switch);
-    run(text, &mut Warnings::new(text), |it| inker.draw(it))?;
+    run(text, &mut Warnings::new(text), |motion| inker.draw(motion))?;
     inker.finish()?;
     Ok((sketch, rule))
 }
 
-/// Runs the program and hands on all of its moves; what comes back is the tool and the laser at its end.
+/// Runs the program and passes all of its moves on; returns the tool and the laser at its end.
 fn run<'a>(
     text: &'a [u8],
     warnings: &mut Warnings<'a>,
@@ -78,14 +78,15 @@ fn run<'a>(
     Ok(machine.state())
 }
 
-/// Those of as many lines as a drawing may have, and travels: all are looked at before the first is drawn.
-const MOST_MOVES: usize = MAX_SEGMENTS / 2 * 3;
+/// The largest number of moves: lines of a drawing and travels; all are analysed before the first
+/// is drawn.
+const MAX_MOVES: usize = MAX_SEGMENTS / 2 * 3;
 
-/// A word such as `G21`, or what may stand before the first.
+/// A word such as `G21`, or what may precede the first word.
 pub(crate) fn is_likely(start: &str) -> bool {
     let mut letters = start.chars();
     let first = letters.next().unwrap_or_default().to_ascii_uppercase();
-    let second = letters.find(|it| *it != ' ').unwrap_or_default();
+    let second = letters.find(|letter| *letter != ' ').unwrap_or_default();
     "%(;$/".contains(first)
         || ("FGMNSTXYZ".contains(first) && (second.is_ascii_digit() || "-.".contains(second)))
 }

@@ -1,4 +1,4 @@
-//! Hidden lines: what of a drawing shows beside the filled shapes that lie over it.
+//! Hidden line removal: the parts of a drawing visible beside the filled shapes over it.
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -10,17 +10,17 @@ use crate::clip::{ClipArea, Region};
 use crate::limits::{Budget, OverBudget};
 use crate::polygon::Polygons;
 
-/// The areas that hide something, in the order in which they are painted.
+/// The hiding areas, in the order in which they are painted.
 #[derive(Debug, Default)]
 pub(crate) struct Covers(Vec<Cover>);
 
 impl Covers {
-    /// How many there are so far: what is painted now lies above so many.
+    /// Their number: what is painted now is above this many.
     pub(crate) fn count(&self) -> u32 {
         u32::try_from(self.0.len()).expect("each has corners, and those are counted")
     }
 
-    /// Lays one over all that was painted so far.
+    /// Adds an area over everything painted before.
     pub(crate) fn put(&mut self, area: ClipArea) {
         self.0.push(Cover {
             bounds: area.bounds(),
@@ -29,15 +29,16 @@ impl Covers {
         });
     }
 
-    /// Those that came after the first `count` hide only what shows within this region.
+    /// Limits all areas after the first `count` to a region.
     pub(crate) fn clip_since(&mut self, count: u32, region: &Rc<Region>) {
         for cover in self.0.iter_mut().skip(count as usize) {
             cover.area.clip(region.clone());
         }
     }
 
-    /// What shows of each layer, and of how many lines and areas that is not known: they are whole. Areas are left out
-    /// where they are not wanted and something is hidden.
+    /// The visible parts of each layer, and the number of lines and areas for which they are
+    /// unknown: these stay whole. Areas are left out if they are not wanted and something is
+    /// hidden.
     pub(crate) fn what_shows(
         self,
         layers: Vec<Layer>,
@@ -56,13 +57,13 @@ impl Covers {
             }
             shown.push(sight.layer(layer, heights, budget)?);
         }
-        shown.retain(|it| !it.is_empty());
+        shown.retain(|stroke| !stroke.is_empty());
         Ok((shown, sight.unknown))
     }
 
     fn sight(self) -> Sight {
-        let corners = |it: &Cover| {
-            let Rect { x0, y0, x1, y1 } = it.bounds;
+        let corners = |cover: &Cover| {
+            let Rect { x0, y0, x1, y1 } = cover.bounds;
             (Point::new(x0, y0), Point::new(x1, y1))
         };
         Sight {
@@ -73,31 +74,31 @@ impl Covers {
     }
 }
 
-/// What is drawn of lines and areas of which it is not known what shows, in the words of a warning.
+/// The warning about lines and areas that stay whole.
 pub(crate) const UNKNOWN: (&str, &str) = (
     "shape",
     "drawn completely, because too many shapes lie over it to find the visible part",
 );
 
-/// Above how many covers the lines and areas of a layer lie, one by one.
+/// The number of covers below each line and area of a layer.
 #[derive(Debug, Default)]
 pub(crate) struct Heights {
     pub(crate) strokes: Vec<u32>,
     pub(crate) areas: Vec<u32>,
 }
 
-/// Tells what is seen.
+/// The computation of visible parts.
 #[derive(Debug)]
 struct Sight {
     covers: Vec<Cover>,
-    /// The covers by place: the lower left and the upper right corner of each.
+    /// The covers by place: lower left and upper right corner of each.
     boxes: SegmentIndex,
-    /// Of how many lines and areas it was not found out what shows; they are whole.
+    /// The number of lines and areas that stay whole.
     unknown: usize,
 }
 
 impl Sight {
-    /// What of a layer shows.
+    /// The visible parts of a layer.
     fn layer(
         &mut self,
         layer: Layer,
@@ -132,7 +133,7 @@ impl Sight {
         let Some(over) = self.over(around, height, budget) else {
             return Ok(vec![stroke]);
         };
-        // The stroke itself is kept for where the looks do not reach.
+        // The stroke itself is kept for an exhausted budget.
         let mut pieces = vec![stroke.clone()];
         for cover in over {
             let cover = &self.covers[cover as usize];
@@ -186,8 +187,8 @@ impl Sight {
         })
     }
 
-    /// The covers that may hide something of what lies there above so many, the largest first, which
-    /// hide the most; none where there are too many.
+    /// The covers that may hide something at this place above this number, the largest first,
+    /// because they hide the most; none if there are too many.
     fn over(&mut self, around: Rect, height: u32, budget: &mut Budget) -> Option<Vec<u32>> {
         if !budget.has_looks() {
             self.unknown += 1;
@@ -208,12 +209,12 @@ impl Sight {
     }
 }
 
-/// An area that hides what lies under it.
+/// An area that hides what is under it.
 #[derive(Debug)]
 struct Cover {
     area: ClipArea,
     bounds: Rect,
-    /// The same as polygons, once they are wanted; `None` where they are too entangled.
+    /// The area as polygons, computed on demand; `None` if too complex.
     polygons: OnceCell<Option<Polygons>>,
 }
 
@@ -223,21 +224,21 @@ impl Cover {
     }
 }
 
-/// What of an area shows beside these covers: first the few largest are taken away, then more and more
-/// at once.
+/// The parts of an area outside these covers: first the largest few are subtracted, then more and
+/// more at a time.
 fn seen(area: &Area, covers: &[&Cover]) -> Option<Area> {
     let mut seen = Polygons::new(&area.rings, area.rule)?;
     let (mut rest, mut count) = (covers, 2);
     while !rest.is_empty() && !seen.is_empty() {
         let (some, others) = rest.split_at(count.min(rest.len()));
-        let some: Option<Vec<&Polygons>> = some.iter().map(|it| it.polygons()).collect();
+        let some: Option<Vec<&Polygons>> = some.iter().map(|item| item.polygons()).collect();
         seen = seen.without(some?)?;
         (rest, count) = (others, 2 * count);
     }
     Some(seen.into_area())
 }
 
-/// What it costs to find a cover and to put it in its place, in looks at an edge.
+/// The cost of finding a cover and adding it, in edge tests.
 const LOOKS_FOR_COVER: usize = 10;
-/// What it costs to take a corner of a cover away from an area, in looks at an edge.
+/// The cost of subtracting a corner of a cover from an area, in edge tests.
 const LOOKS_FOR_CORNER: usize = 20;

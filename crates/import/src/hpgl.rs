@@ -1,11 +1,10 @@
-//! Reading HP-GL and HP-GL/2, the language of pen plotters: 40 units are a millimetre.
+//! The HP-GL and HP-GL/2 reader (the language of pen plotters; 40 units per millimetre).
 
 mod characters;
 mod command;
 mod encoded;
 mod label;
 mod line_type;
-mod names;
 mod plotter;
 mod polygon;
 mod shapes;
@@ -34,7 +33,8 @@ pub(crate) fn read(
         .finish(Y::Up, "no command draws with a pen down")
 }
 
-/// A plotter's escape sequence, or a command that plots begin with, and not with other letters.
+/// A plotter's escape sequence, or a command with which plots start, without other letters after
+/// it.
 pub(crate) fn is_likely(start: &str) -> bool {
     let start = start.trim_start_matches(';');
     let name = start.get(..2).unwrap_or_default().to_ascii_uppercase();

@@ -1,8 +1,7 @@
-//! Files, pictures and texts as lines and areas to draw.
+//! Reading files, pictures and texts as lines and areas to draw.
 //!
-//! Each reader gives the same: layers of strokes and areas in millimetres of a page. A file that cannot
-//! be read is an error, which says where it goes wrong, what was found and what is allowed. A thing that
-//! a pen cannot show is a warning.
+//! Every reader returns layers of strokes and areas in millimetres of a page. Unreadable input is
+//! an error with place, found and allowed values; content that a pen cannot show is a warning.
 //!
 //! ```
 //! use dobot_import::{ReadOptions, Source};

@@ -1,12 +1,11 @@
-//! Reading the projects of `LightBurn`: XML, older ones (`.lbrn`) and newer ones (`.lbrn2`).
+//! The `LightBurn` project reader: XML, older (`.lbrn`) and newer (`.lbrn2`).
 //!
-//! Nobody has published the format; this is what files and the readers of others tell.
+//! The format is unpublished; this reader is based on files and other readers.
 
 mod cut;
 mod field;
 mod fill;
 mod list;
-mod palette;
 mod path;
 mod renderer;
 mod shapes;
@@ -20,8 +19,8 @@ use crate::sketch::{Sketch, Y};
 use crate::warning::Warning;
 use crate::xml;
 
-/// Reads a project: its layers are layers, in the order in which `LightBurn` runs them, and what they fill is areas.
-/// The page is as large as the ink, in the orientation that `LightBurn` shows.
+/// Reads a project: its layers are layers, in the order in which `LightBurn` runs them, and its
+/// fills are areas. The page is as large as the ink, in the orientation of `LightBurn`.
 pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
@@ -42,14 +41,14 @@ pub(crate) fn read(
     sketch.finish(y, "no shapes that are output")
 }
 
-/// Whether a file that begins so is a project of `LightBurn`, whatever its name says.
+/// Whether a file with this start is a `LightBurn` project, whatever its name is.
 pub(crate) fn is_certain(start: &[u8]) -> bool {
     let mark = b"<LightBurnProject";
     start.windows(mark.len()).any(|window| window == mark)
 }
 
 const ROOT: &str = "LightBurnProject";
-/// How a project says that an axis is mirrored.
+/// The value of a mirrored axis.
 const TRUE: &str = "True";
 
 #[cfg(test)]

@@ -1,17 +1,16 @@
-//! How large a drawing may be.
+//! The size limits of drawings.
 
 use std::cell::Cell;
 
 use crate::error::{SourceError, SvgError};
 
-/// How many segments may still come, and how often an edge may be looked at: the guard against drawings that would fill
-/// the memory or take for ever.
+/// The budget of segments and of edge tests, against drawings that would exhaust memory or time.
 #[derive(Debug)]
 pub(crate) struct Budget {
     limit: usize,
     left: usize,
     looks_left: usize,
-    /// How many of them curves became, which a larger tolerance makes fewer.
+    /// The number of segments from curves, which a larger tolerance reduces.
     curved: Cell<usize>,
 }
 
@@ -31,53 +30,53 @@ impl Budget {
         Ok(())
     }
 
-    /// Notes how many segments a curve became; they are spent by themselves.
+    /// Notes the number of segments of a curve; they are spent separately.
     pub(crate) fn note_curve(&self, segments: usize) {
         self.curved.set(self.curved.get().saturating_add(segments));
     }
 
     fn over(&self) -> OverBudget {
         let limit = self.limit;
-        if self.curved.get() > limit / LEAST_CURVED {
+        if self.curved.get() > limit / MIN_CURVED {
             OverBudget::Segments { limit }
         } else {
             OverBudget::Corners { limit }
         }
     }
 
-    /// Takes looks at edges from those that are left; `false` where they do not reach, and none is left then.
+    /// Spends edge tests; `false` if the budget is too small, which then is exhausted.
     pub(crate) fn take_looks(&mut self, looks: usize) -> bool {
         let is_enough = looks <= self.looks_left;
         self.looks_left = self.looks_left.saturating_sub(looks);
         is_enough
     }
 
-    /// The same, where what takes more is refused.
+    /// Spends edge tests; an error if the budget is too small.
     pub(crate) fn look(&mut self, looks: usize) -> Result<(), OverBudget> {
         self.take_looks(looks)
             .then_some(())
             .ok_or(OverBudget::Looks)
     }
 
-    /// Whether edges may still be looked at.
+    /// Whether edge tests remain.
     pub(crate) const fn has_looks(&self) -> bool {
         self.looks_left > 0
     }
 
-    /// How many segments may still come.
+    /// The number of remaining segments.
     pub(crate) const fn left(&self) -> usize {
         self.left
     }
 }
 
-/// What a drawing has more of than its budget.
+/// The exceeded limit.
 #[derive(Debug)]
 pub(crate) enum OverBudget {
-    /// Segments, many of them of curves.
+    /// Segments, many of them from curves.
     Segments { limit: usize },
-    /// Segments that the file has one by one.
+    /// Segments listed in the file.
     Corners { limit: usize },
-    /// Looks at edges.
+    /// Edge tests.
     Looks,
 }
 
@@ -113,17 +112,17 @@ pub(crate) fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
     Err(SvgError::Tolerance { found_mm, least_mm })
 }
 
-/// No file but a picture has more bytes, unpacked: a million points have some twenty million.
-pub(crate) const MOST_BYTES: u64 = 64_000_000;
-/// Nor a picture: a sheet that is scanned as finely as any, and not packed.
-pub(crate) const MOST_PICTURE_BYTES: u64 = 256_000_000;
-/// No drawing has more line segments: the arm takes two days for it.
+/// The largest unpacked file except for pictures: a million points have about twenty million bytes.
+pub(crate) const MAX_BYTES: u64 = 64_000_000;
+/// The largest picture: an unpacked scan of a sheet at a high resolution.
+pub(crate) const MAX_PICTURE_BYTES: u64 = 256_000_000;
+/// The largest number of line segments: the arm takes two days for it.
 pub(crate) const MAX_SEGMENTS: usize = 2_000_000;
-/// Where less than one of so many is of a curve, a larger tolerance hardly helps.
-const LEAST_CURVED: usize = 10;
-/// How many edges may be looked at where lines and areas are cut: a second or two.
+/// If fewer than one in this many segments are from curves, a larger tolerance hardly helps.
+const MIN_CURVED: usize = 10;
+/// The largest number of edge tests for clipping: one or two seconds.
 const MAX_LOOKS: usize = 150_000_000;
-/// No drawing leads farther than that, in mm.
+/// The largest coordinate, in mm.
 pub(crate) const LIMIT_MM: f64 = 1_000_000.0;
-/// Larger numbers are a mistake, and would overflow further on.
+/// Larger numbers are a mistake, and would overflow later.
 pub(crate) const MAX_NUMBER: f64 = 1e9;

@@ -2,7 +2,7 @@
 
 use crate::limits::MAX_NUMBER;
 
-/// The decimal number without an exponent that a text begins with, and its length in bytes.
+/// The decimal number without an exponent at the start of a text, and its length in bytes.
 pub(crate) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
     let is_part = |(i, byte): &(usize, &u8)| match byte {
         b'0'..=b'9' | b'.' => true,
@@ -15,11 +15,11 @@ pub(crate) fn decimal(text: &[u8]) -> Option<(f64, usize)> {
     (number.abs() <= MAX_NUMBER).then_some((number, length))
 }
 
-/// The number that a text begins with, which may have an exponent, and its length in bytes.
+/// The number, optionally with an exponent, at the start of a text, and its length in bytes.
 pub(crate) fn real(text: &[u8]) -> Option<(f64, usize)> {
     let digits = |from: usize| {
         let rest = text.get(from..).unwrap_or_default();
-        from + rest.iter().take_while(|it| it.is_ascii_digit()).count()
+        from + rest.iter().take_while(|byte| byte.is_ascii_digit()).count()
     };
     let signed = |from: usize| match text.get(from) {
         Some(b'+' | b'-') => from + 1,

@@ -1,4 +1,4 @@
-//! How a source is read.
+//! Options of readers.
 
 use std::str::FromStr;
 use std::sync::Arc;
@@ -9,35 +9,35 @@ use usvg::fontdb;
 
 use crate::picture::shading::Shading;
 
-/// How a source is read.
+/// Options of readers.
 #[derive(Clone, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "each is asked for by itself")]
 pub struct ReadOptions {
-    /// How far a line may leave the curve that it stands for, in millimetres on the page; from
-    /// 1e-6 up.
+    /// The largest deviation of a line from its curve, in millimetres on the page; 1e-6 or more.
     pub tolerance_mm: f64,
-    /// How many millimetres on the paper one millimetre of the page becomes. Distances that hold on
-    /// the paper (between the lines of a shaded picture) are divided by it on the page.
+    /// Millimetres on the paper per millimetre of the page. Distances on the paper (between the
+    /// lines of a shaded picture) are divided by it on the page.
     pub scale: f64,
-    /// What makes a layer of an SVG file.
+    /// The layers of an SVG file.
     pub layers: LayersBy,
-    /// Whether what lies beyond the page of an SVG file is cut off.
+    /// Whether an SVG file is clipped to its page.
     pub crops: bool,
-    /// Whether the filled shapes of an SVG, DXF or HP-GL file hide what lies under them.
+    /// Whether the filled shapes of an SVG, DXF or HP-GL file hide what is under them.
     pub hides: bool,
-    /// Whether the areas of what is partly hidden are wanted, which takes most of the time.
+    /// Whether the areas of partly hidden shapes are needed, which takes most of the time.
     pub fills: bool,
-    /// Whether a laser draws it: then nothing is burned while G-code says off (M5, M107, S0), and it is told what of a laser's file
-    /// the arm burns otherwise.
+    /// Whether a laser draws: then nothing is burned while G-code switches it off (M5, M107, S0),
+    /// and warnings mention differences from a laser's burn.
     pub burns: bool,
-    /// The fonts that text is drawn with.
+    /// The fonts for text.
     pub fonts: Arc<fontdb::Database>,
-    /// How the tones of a picture become lines or dots.
+    /// The conversion of picture tones to lines or dots.
     pub shading: Shading,
 }
 
 impl Default for ReadOptions {
-    /// 0.005 mm at true size, a layer for each colour, cut at the page's edge, nothing hidden, for a laser, no fonts, pictures hatched.
+    /// The defaults: 0.005 mm at true size, a layer per colour, clipped to the page, nothing
+    /// hidden, for a laser, no fonts, pictures hatched.
     fn default() -> Self {
         Self {
             tolerance_mm: 0.005,
@@ -53,16 +53,16 @@ impl Default for ReadOptions {
     }
 }
 
-/// What makes a layer of an SVG file.
+/// The layers of an SVG file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LayersBy {
-    /// Each colour: of the line, or of the fill where there is no line.
+    /// A layer per colour: that of the line, or of the fill if there is no line.
     #[default]
     Color,
-    /// Each outermost group.
+    /// A layer per outermost group.
     Group,
-    /// All of it is one layer.
+    /// A single layer.
     Nothing,
 }
 

@@ -1,4 +1,4 @@
-//! Pictures: their tones as lines or dots.
+//! Pictures as lines or dots.
 //!
 //! ```text
 //!   file -> grey pixels -> tones on a grid -> full range -> outline, lines, stipple or hatch
@@ -34,16 +34,16 @@ use crate::warning::Warning;
 use dobot_geometry::{Point, Stroke};
 pub(super) use image::ImageFormat;
 
-/// Reads a picture as lines or dots, all on its page: 96 pixels to the inch, or what a PNG file
-/// says itself.
+/// Reads a picture as lines or dots on its page: 96 pixels per inch, or the resolution in a PNG
+/// file.
 ///
-/// The shading's spacing holds on the paper, so that the strokes depend on `options.scale`.
+/// The spacing applies on the paper, so that the strokes depend on `options.scale`.
 ///
 /// # Errors
 ///
-/// [`SourceError::Picture`] where the file is damaged or has more than 100 million pixels, a setting
-/// of the shading is out of range, or the spacing too fine for the size;
-/// [`SourceError::NothingToDraw`] where it leaves no ink.
+/// [`SourceError::Picture`] if the file is damaged or has more than 100 million pixels, a setting
+/// of the shading is out of range, or the spacing is too fine for the size;
+/// [`SourceError::NothingToDraw`] if it leaves no ink.
 pub(crate) fn read(
     bytes: &[u8],
     options: &ReadOptions,
@@ -75,21 +75,21 @@ pub(crate) fn read(
     Ok((artwork, warnings(header)))
 }
 
-/// Width and height of the page in millimetres, without reading the pixels.
+/// Returns width and height of the page in millimetres, without reading the pixels.
 ///
 /// # Errors
 ///
-/// As [`read`].
+/// Those of [`read`].
 pub(super) fn page(bytes: &[u8]) -> Result<Point, SourceError> {
     Ok(header(bytes)?.page())
 }
 
-/// The grid is as fine as the spacing asks for, whatever the size of the file.
+/// The grid of tones, as fine as the spacing needs, whatever the size of the file.
 fn toned(bytes: &[u8], shading: &Shading, spacing_mm: f64) -> Result<(Header, Tone), SourceError> {
     let paper = if shading.invert { 0 } else { 255 };
     let (header, grey) = pixels(bytes, paper)?;
     let page = header.stored_page();
-    let cells = |mm: f64| tone::cell((CELLS * mm / spacing_mm).ceil(), MOST_CELLS).max(2);
+    let cells = |mm: f64| tone::cell((CELLS * mm / spacing_mm).ceil(), MAX_CELLS).max(2);
     let tone = resample::resample(
         &grey,
         [header.width, header.height],
@@ -113,9 +113,9 @@ fn strokes(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
 
 fn check_size(page: Point, spacing_mm: f64, scale: f64) -> Result<(), ImageError> {
     let [width_mm, height_mm] = [page.x, page.y].map(|mm| mm * scale);
-    let least_mm = (width_mm * height_mm / MOST_SPACINGS)
+    let least_mm = (width_mm * height_mm / MAX_SPACINGS)
         .sqrt()
-        .max(width_mm.max(height_mm) * CELLS / count(MOST_CELLS));
+        .max(width_mm.max(height_mm) * CELLS / count(MAX_CELLS));
     if spacing_mm >= least_mm {
         return Ok(());
     }
@@ -133,12 +133,12 @@ fn warnings(header: Header) -> Vec<Warning> {
     further.into_iter().collect()
 }
 
-/// Cells of the grid to a spacing.
+/// Grid cells per spacing.
 const CELLS: f64 = 4.0;
-/// The largest number of cells from one side of the page to the other.
-const MOST_CELLS: usize = 100_000;
+/// The largest number of cells along a side of the page.
+const MAX_CELLS: usize = 100_000;
 /// The largest number of square spacings on a page: 8 million cells.
-const MOST_SPACINGS: f64 = 500_000.0;
+const MAX_SPACINGS: f64 = 500_000.0;
 
 #[cfg(test)]
 mod tests;

@@ -1,13 +1,13 @@
-//! Places in the text of a file, and what stands there.
+//! Places in the text of a file.
 
 use std::fmt;
 
 /// A place in a text file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
-    /// From 1.
+    /// The line, from 1.
     pub line: u32,
-    /// In characters, from 1.
+    /// The column in characters, from 1.
     pub column: u32,
 }
 
@@ -19,7 +19,7 @@ impl fmt::Display for Place {
 
 impl Place {
     pub(crate) fn new(line: usize, column: usize) -> Self {
-        let [line, column] = [line, column].map(|it| u32::try_from(it).unwrap_or(u32::MAX));
+        let [line, column] = [line, column].map(|value| u32::try_from(value).unwrap_or(u32::MAX));
         Self { line, column }
     }
 }
@@ -33,17 +33,17 @@ impl From<usvg::roxmltree::TextPos> for Place {
     }
 }
 
-/// Line and column of an offset into a text.
+/// Line and column of an offset.
 pub(crate) fn place(text: &[u8], at: usize) -> Place {
     let before = &text[..at.min(text.len())];
     let lines = before.split(|&byte| byte == b'\n');
     let (count, last) = lines.fold((0, before), |(count, _), line| (count + 1, line));
-    // The second and further bytes of a character are no columns.
+    // Continuation bytes of a character are not columns.
     let columns = last.iter().filter(|&&byte| byte & 0xC0 != 0x80).count() + 1;
     Place::new(count, columns)
 }
 
-/// Where a text begins: behind the mark that some programs put before UTF-8.
+/// The start of a text after an optional UTF-8 byte order mark.
 pub(crate) fn beginning(text: &[u8]) -> usize {
     let mark = "\u{FEFF}".as_bytes();
     if text.starts_with(mark) {
@@ -53,7 +53,7 @@ pub(crate) fn beginning(text: &[u8]) -> usize {
     }
 }
 
-/// The text from an offset on, shortened, in quotes; "the end of the file" where there is no more.
+/// The text at an offset, shortened, in quotes; "the end of the file" at its end.
 pub(crate) fn excerpt(text: &[u8], at: usize) -> String {
     let rest = text.get(at..).unwrap_or_default();
     let line = rest.split(|byte| b"\r\n".contains(byte)).next();
@@ -72,8 +72,7 @@ pub(crate) fn shortened(text: &str) -> String {
     }
 }
 
-/// A text from a file as it may stand in a message: on one line, and without what would steer a
-/// terminal.
+/// A text of a file prepared for a message: on one line, without terminal control characters.
 pub(crate) fn printable(text: &str) -> String {
     let mut printable = String::with_capacity(text.len());
     for character in text.chars() {

@@ -1,4 +1,5 @@
-//! Reading plain points: CSV, JSON and lists, in millimetres, x to the right and y down as on a page.
+//! The readers of plain points: CSV, JSON and lists, in millimetres, x to the right and y down as
+//! on a page.
 
 mod csv;
 mod json;

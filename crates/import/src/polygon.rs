@@ -1,4 +1,4 @@
-//! Filled areas cut at the edges of what shows.
+//! Boolean operations on filled areas.
 
 use dobot_geometry::{Area, FillRule, Point, Rect, SegmentIndex, bounds};
 use i_overlay::core::fill_rule::FillRule as Rule;
@@ -11,7 +11,7 @@ use i_overlay::float::single::SingleFloatOverlay;
 pub(crate) struct Polygons(Vec<Vec<Vec<[f64; 2]>>>);
 
 impl Polygons {
-    /// `None` where the rings cross so often that it would take for ever.
+    /// Creates polygons; `None` if the rings cross too often.
     pub(crate) fn new(rings: &[Vec<Point>], rule: FillRule) -> Option<Self> {
         if is_entangled(rings) {
             return None;
@@ -29,17 +29,17 @@ impl Polygons {
         self.joined(other, OverlayRule::Intersect)
     }
 
-    /// What lies in any of them.
+    /// The union.
     pub(crate) fn union(all: Vec<Self>) -> Option<Self> {
-        // The rings of each go around what they hold once, so that together they hold all of it.
-        let all = Self(all.into_iter().flat_map(|it| it.0).collect());
+        // The rings of each go around their inside once, so that together they cover all of it.
+        let all = Self(all.into_iter().flat_map(|item| item.0).collect());
         all.joined(&Self::default(), OverlayRule::Union)
     }
 
-    /// What of it lies outside of all others.
+    /// The part outside all others.
     pub(crate) fn without<'p>(self, others: impl IntoIterator<Item = &'p Self>) -> Option<Self> {
-        // The rings of each go around what they hold once, so that together they hold all of it.
-        let others = others.into_iter().flat_map(|it| it.0.iter().cloned());
+        // The rings of each go around their inside once, so that together they cover all of it.
+        let others = others.into_iter().flat_map(|other| other.0.iter().cloned());
         self.joined(&Self(others.collect()), OverlayRule::Difference)
     }
 
@@ -66,7 +66,7 @@ impl Polygons {
         Some(Self(self.0.overlay_as::<i64>(&other.0, how, Rule::NonZero)))
     }
 
-    /// How many corners they have.
+    /// The number of corners.
     pub(crate) fn corners(&self) -> usize {
         self.0.iter().flatten().map(Vec::len).sum()
     }
@@ -78,7 +78,7 @@ impl Polygons {
     }
 }
 
-/// Whether too many edges lie over each other: cutting would take too much time and memory.
+/// Whether too many edges overlap: clipping would take too much time and memory.
 fn is_entangled(rings: &[Vec<Point>]) -> bool {
     if rings.iter().map(Vec::len).sum::<usize>() <= FEW_CORNERS {
         return false;
@@ -111,8 +111,8 @@ fn is_crossed(one: (Point, Point), other: (Point, Point)) -> bool {
     parts(one, other) && parts(other, one)
 }
 
-/// Into how many pieces the library cuts the edges, about: at columns of equal width, of which there are up to twice as
-/// many as the root of their count.
+/// An estimate of the number of pieces of edges in the library, which cuts at columns of equal
+/// width, up to twice as many as the root of the edge count.
 fn fragments(edges: &[(Point, Point)]) -> f64 {
     let around = bounds(edges.iter().flat_map(|&(a, b)| [a, b]));
     let across: f64 = edges.iter().map(|(a, b)| (b.x - a.x).abs()).sum();
@@ -127,15 +127,18 @@ pub(crate) fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
     ring.iter().copied().zip(ends.copied())
 }
 
-/// Pairs of edges whose boxes touch, beside those of neighbours: a twentieth of a second.
+/// The largest number of edge pairs with touching boxes, besides neighbours: a twentieth of a
+/// second.
 const MAX_PAIRS: usize = 2_000_000;
-/// An edge touches itself, its neighbours, and a few others where the corners lie near together.
+/// Pairs per edge that do not count: itself, its neighbours, and a few others where corners are
+/// close.
 const PAIRS_OF_EDGE: usize = 8;
-/// Edges that cross others, counted with each: twice as many as there are crossings, of which each takes 350 bytes.
+/// The largest number of crossing edges, counted per edge: twice the number of crossings, of which
+/// each takes 350 bytes.
 const MAX_CROSSINGS: usize = 600_000;
-/// Pieces of edges, of which each takes 72 bytes.
+/// The largest number of pieces of edges, of which each takes 72 bytes.
 const MAX_FRAGMENTS: f64 = 1_000_000.0;
-/// The edges between so few corners cross no more often, even if each crosses all.
+/// Up to this number of corners the edges are few enough, even if each crosses all.
 const FEW_CORNERS: usize = 750;
 
 #[cfg(test)]
@@ -189,7 +192,7 @@ mod tests {
         assert!(Polygons::new(&[(0..8000).map(across).collect()], FillRule::NonZero).is_none());
     }
 
-    /// Teeth beside each other, `turned` below each other.
+    /// Adjacent teeth, `turned` below each other.
     fn comb(teeth: i32, turned: bool) -> Vec<Point> {
         let corner = |i: i32| {
             let (along, up) = (f64::from(i) * 100.0 / f64::from(2 * teeth), i % 2 == 1);
@@ -210,7 +213,7 @@ mod tests {
                 .map(|turned| Polygons::new(&[comb(teeth, turned)], FillRule::NonZero).unwrap());
             one.and(&other)
         };
-        assert!(cut(30).is_some_and(|it| it.corners() > 3000));
+        assert!(cut(30).is_some_and(|cut| cut.corners() > 3000));
         assert!(cut(300).is_none());
     }
 
@@ -229,12 +232,12 @@ mod tests {
             points in proptest::collection::vec((0.0..50.0_f64, 0.0..50.0_f64), 100),
         ) {
             let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
-            let areas = [one, other].map(|it| Area { rings: vec![ring(&it)], rule });
-            let [a, b] = [&areas[0], &areas[1]].map(|it| Polygons::new(&it.rings, rule).unwrap());
+            let areas = [one, other].map(|value| Area { rings: vec![ring(&value)], rule });
+            let [a, b] = [&areas[0], &areas[1]].map(|value| Polygons::new(&value.rings, rule).unwrap());
             let both = a.clone().and(&b).unwrap().into_area();
             let any = Polygons::union(vec![a, b]).unwrap().into_area();
             for p in ring(&points) {
-                if areas.iter().any(|it| distance(it, p) < 1e-4) {
+                if areas.iter().any(|area| distance(area, p) < 1e-4) {
                     continue;
                 }
                 let [in_a, in_b] = [inside(&areas[0], p), inside(&areas[1], p)];

@@ -1,4 +1,4 @@
-//! The drawing that a reader builds up: ink in layers, and warnings.
+//! The drawing that a reader builds: ink in layers, and warnings.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -20,24 +20,25 @@ use crate::polygon::Polygons;
 use crate::stack::Stack;
 use crate::warning::{Warning, Warnings};
 
-/// The drawing of a text file while it is being read. Places in the text are offsets in bytes, `at`.
+/// The drawing of a text file while it is being read. Positions in the text (`at`) are offsets in
+/// bytes.
 #[derive(Debug)]
 pub(super) struct Sketch<'a> {
     text: &'a [u8],
     tolerance_mm: f64,
     layers: Vec<Layer>,
     numbers: HashMap<String, usize>,
-    /// The layer in use: an index into `layers` once there is one.
+    /// The current layer: an index into `layers` if there is one.
     current: usize,
-    /// The last stroke of the layer may go on.
+    /// Whether the last stroke of the layer may continue.
     goes_on: bool,
     budget: Budget,
     /// The edges of areas.
     borders: Vec<Border>,
     stack: Stack,
-    /// Filled areas hide what lies under them.
+    /// Whether filled areas hide what is under them.
     hides: bool,
-    /// Areas are wanted where something is hidden.
+    /// Whether areas are needed if something is hidden.
     fills: bool,
     warnings: Warnings<'a>,
 }
@@ -60,7 +61,7 @@ impl<'a> Sketch<'a> {
         })
     }
 
-    /// All that comes next belongs to the layer of that name; a new one begins as `layer`.
+    /// Selects the layer of this name; a new one starts as `layer`.
     pub(super) fn use_layer(&mut self, layer: Layer) -> Result<(), SourceError> {
         self.goes_on = false;
         if let Some(&number) = self.numbers.get(&layer.name) {
@@ -76,7 +77,7 @@ impl<'a> Sketch<'a> {
         Ok(())
     }
 
-    /// The layer in use.
+    /// The current layer.
     pub(super) fn layer(&mut self) -> &mut Layer {
         if self.layers.is_empty() {
             self.numbers.insert(String::new(), 0);
@@ -85,18 +86,18 @@ impl<'a> Sketch<'a> {
         &mut self.layers[self.current]
     }
 
-    /// All layers, where the source has them.
+    /// All layers, in the order of the source if it has one.
     #[cfg(test)]
     pub(super) fn layers(&self) -> &[Layer] {
         &self.layers
     }
 
-    /// The pen leaves the paper: the next line begins a stroke.
+    /// Lifts the pen: the next line starts a stroke.
     pub(super) const fn lift(&mut self) {
         self.goes_on = false;
     }
 
-    /// A straight line, joined to the one before where that ended here.
+    /// Adds a straight line, joined to the previous one if that ended here.
     pub(super) fn line(&mut self, from: Point, to: Point) -> Result<(), SourceError> {
         if self.ends_at(from) {
             self.spend(1)?;
@@ -112,7 +113,7 @@ impl<'a> Sketch<'a> {
         Ok(())
     }
 
-    /// A dot, from which a line may go on.
+    /// Adds a dot, from which a line may continue.
     pub(super) fn dot(&mut self, at: Point) -> Result<(), SourceError> {
         self.spend(1)?;
         self.layer().strokes.push(Stroke::open(vec![at]));
@@ -120,23 +121,23 @@ impl<'a> Sketch<'a> {
         Ok(())
     }
 
-    /// Whether the ink of the stroke in hand ends there.
+    /// Whether the current stroke ends there.
     pub(super) fn ends_at(&self, p: Point) -> bool {
         let last = self
             .layers
             .get(self.current)
-            .and_then(|it| it.strokes.last());
+            .and_then(|layer| layer.strokes.last());
         self.goes_on && last.and_then(Stroke::last) == Some(p)
     }
 
-    /// A whole stroke.
+    /// Adds a whole stroke.
     pub(super) fn stroke(&mut self, points: Vec<Point>) -> Result<(), SourceError> {
         self.spend(points.len())?;
         self.counted_stroke(points);
         Ok(())
     }
 
-    /// The same, where each point was [counted](Self::spend) as it came.
+    /// Adds a whole stroke whose points were [counted](Self::spend) as they came.
     pub(super) fn counted_stroke(&mut self, points: Vec<Point>) {
         if !points.is_empty() {
             self.layer().strokes.push(Stroke::open(points));
@@ -144,7 +145,8 @@ impl<'a> Sketch<'a> {
         self.goes_on = false;
     }
 
-    /// An area to be filled, whose edges are drawn; rings of fewer than three corners hold nothing.
+    /// Adds an area to be filled, whose edges are drawn; rings of fewer than three corners are
+    /// empty.
     pub(super) fn area(&mut self, mut area: Area) -> Result<(), SourceError> {
         area.rings.retain(|ring| ring.len() > 2);
         // Once as an area, once as lines.
@@ -164,12 +166,12 @@ impl<'a> Sketch<'a> {
         Ok(())
     }
 
-    /// Whether filled areas hide what lies under them.
+    /// Whether filled areas hide what is under them.
     pub(super) const fn hides(&self) -> bool {
         self.hides
     }
 
-    /// Hides all that was drawn so far where this area lies over it, if hidden lines are left out.
+    /// Hides everything drawn under this area, if hidden lines are removed.
     pub(super) fn cover(
         &mut self,
         rings: &[Vec<Point>],
@@ -179,19 +181,20 @@ impl<'a> Sketch<'a> {
         if !self.hides || corners == 0 {
             return Ok(());
         }
-        // It is kept as it is, and as the polygons that are cut out.
+        // It is kept both as it is and as clip polygons.
         self.spend(2 * corners)?;
-        // A line that goes on would lie in part under the area and in part upon it.
+        // A continued line would be partly under the area and partly above it.
         self.goes_on = false;
         self.stack.cover(&self.layers, rings, rule);
         Ok(())
     }
 
-    /// A part of a circle or ellipse as lines, joined to the one before where that ended at its
-    /// start.
+    /// Adds an elliptic arc as lines, joined to the previous one if that ended at its start.
     pub(super) fn arc(&mut self, at: usize, arc: &Arc) -> Result<(), SourceError> {
         let points = self.arc_points(at, arc)?;
-        points.windows(2).try_for_each(|it| self.line(it[0], it[1]))
+        points
+            .windows(2)
+            .try_for_each(|pair| self.line(pair[0], pair[1]))
     }
 
     /// The corners of an arc, both ends included.
@@ -213,15 +216,15 @@ impl<'a> Sketch<'a> {
         self.curve_points(at, chords(curve, self.tolerance_mm), |t| curve.eval(t))
     }
 
-    /// A curve of `chords` pieces, which is a whole number from 1 up, from 0 to 1. Its ends may lie
-    /// within the limits and its middle beyond them, so each point is checked.
+    /// Adds a curve of `chords` pieces (a whole number from 1) over the parameter 0 to 1. Its ends
+    /// may be within the limits and its middle beyond them, so each point is checked.
     fn curve_points(
         &self,
         at: usize,
         chords: f64,
         point: impl Fn(f64) -> Point,
     ) -> Result<Vec<Point>, SourceError> {
-        // Before anything is stored; what is no number is refused too.
+        // Before anything is stored; NaN is refused too.
         #[expect(clippy::cast_precision_loss, reason = "a few millions")]
         let fits = chords <= self.budget.left() as f64;
         if !fits {
@@ -252,9 +255,9 @@ impl<'a> Sketch<'a> {
         &mut self.warnings
     }
 
-    /// Where the drawing is now: all that comes next can be [cut](Self::cut_since).
+    /// A mark in the drawing: everything after it can be [clipped](Self::cut_since).
     pub(super) fn mark(&self) -> SketchMark {
-        let counts = |it: &Layer| [it.strokes.len(), it.areas.len()];
+        let counts = |layer: &Layer| [layer.strokes.len(), layer.areas.len()];
         SketchMark {
             layers: self.layers.iter().map(counts).collect(),
             borders: self.borders.len(),
@@ -262,8 +265,8 @@ impl<'a> Sketch<'a> {
         }
     }
 
-    /// Cuts the lines that came since there into dashes: those that are longer than one turn of them, and of fewer turns
-    /// than anybody could see.
+    /// Cuts the lines since a mark into dashes, if they are longer than one period and the dashes
+    /// are large enough to be visible.
     pub(super) fn dash_since(
         &mut self,
         mark: &SketchMark,
@@ -273,7 +276,7 @@ impl<'a> Sketch<'a> {
         let period: f64 = lengths.iter().sum();
         self.change_since(mark, |stroke, budget| {
             let turns = stroke.length_mm() / period;
-            if (1.0..MOST_DASHES).contains(&turns) {
+            if (1.0..MAX_DASHES).contains(&turns) {
                 dash(stroke, lengths, offset, budget)
             } else {
                 Ok(vec![stroke])
@@ -281,19 +284,19 @@ impl<'a> Sketch<'a> {
         })
     }
 
-    /// The same, where each straight line has whole turns, and begins and ends with half of the first dash. What has shorter
-    /// ones than anybody could see is drawn whole.
+    /// Cuts the lines since a mark into dashes with whole periods per straight line, which starts
+    /// and ends with half of the first dash. Lines with invisibly short periods are drawn whole.
     pub(super) fn fit_dashes_since(
         &mut self,
         mark: &SketchMark,
         lengths: &[f64],
     ) -> Result<(), SourceError> {
         self.change_since(mark, |stroke, budget| {
-            fitted_dashes(stroke, lengths, [LEAST_TURN_MM, MOST_DASHES], budget)
+            fitted_dashes(stroke, lengths, [MIN_TURN_MM, MAX_DASHES], budget)
         })
     }
 
-    /// Puts other lines in the places of those that came since there.
+    /// Replaces the lines since a mark.
     fn change_since(
         &mut self,
         mark: &SketchMark,
@@ -315,7 +318,7 @@ impl<'a> Sketch<'a> {
         Ok(())
     }
 
-    /// Cuts all that came since there at the edge of a ring; what lies outside is gone.
+    /// Clips everything since a mark to the inside of a ring.
     pub(super) fn cut_since(
         &mut self,
         mark: &SketchMark,
@@ -333,7 +336,7 @@ impl<'a> Sketch<'a> {
             let of_areas = heights.areas.split_off(areas);
             for (area, height) in layer.areas.split_off(areas).into_iter().zip(of_areas) {
                 let cut = Polygons::new(&area.rings, area.rule)
-                    .and_then(|it| it.and(inside.polygons()?))
+                    .and_then(|polygon| polygon.and(inside.polygons()?))
                     .map(Polygons::into_area);
                 match cut {
                     Some(cut) if cut.rings.is_empty() => {}
@@ -351,8 +354,8 @@ impl<'a> Sketch<'a> {
         }
         for border in self.borders.split_off(mark.borders) {
             let pieces = inside.cut(Stroke::open(border.points), &mut self.budget)?;
-            let piece = |it: Stroke| Border {
-                points: it.points,
+            let piece = |stroke: Stroke| Border {
+                points: stroke.points,
                 ..border
             };
             self.borders.extend(pieces.into_iter().map(piece));
@@ -360,7 +363,7 @@ impl<'a> Sketch<'a> {
         Ok(())
     }
 
-    /// The parts of lines that lie in an area, each a stroke.
+    /// The parts of lines inside an area, each a separate stroke.
     pub(super) fn lines_within(
         &mut self,
         area: &Area,
@@ -381,7 +384,7 @@ impl<'a> Sketch<'a> {
         Ok(())
     }
 
-    /// Refuses points beyond any table, and those that are no numbers.
+    /// Refuses points that are too far away or not numbers.
     pub(super) fn check(&self, at: usize, p: Point) -> Result<Point, SourceError> {
         checked(self.text, at, p)
     }
@@ -390,17 +393,18 @@ impl<'a> Sketch<'a> {
         SourceError::found(self.text, at, found, expected)
     }
 
-    /// Notes that so many segments come from a curve.
+    /// Notes that this number of segments comes from a curve.
     pub(super) fn note_curve(&self, segments: usize) {
         self.budget.note_curve(segments);
     }
 
-    /// Counts what will be kept.
+    /// Spends segments from the budget.
     pub(super) fn spend(&mut self, segments: usize) -> Result<(), SourceError> {
         Ok(self.budget.spend(segments)?)
     }
 
-    /// Draws the edges of areas that the file does not draw itself. One that it draws lies as high as its area.
+    /// Draws the edges of areas that the file does not draw itself. An edge that it draws is at the
+    /// height of its area.
     fn draw_borders(&mut self) {
         if self.borders.is_empty() {
             return;
@@ -430,7 +434,7 @@ impl<'a> Sketch<'a> {
         }
     }
 
-    /// Leaves out what lies under the areas that hide something.
+    /// Removes what is under the hiding areas.
     fn hide(&mut self) -> Result<(), SourceError> {
         let (stack, layers) = (
             std::mem::take(&mut self.stack),
@@ -469,46 +473,49 @@ impl<'a> Sketch<'a> {
         };
         let points = artwork.layers.iter_mut().flat_map(Layer::points_mut);
         points.for_each(place);
-        let strokes = artwork.layers.iter_mut().flat_map(|it| &mut it.strokes);
+        let strokes = artwork
+            .layers
+            .iter_mut()
+            .flat_map(|layer| &mut layer.strokes);
         strokes.for_each(close);
         [artwork.width_mm, artwork.height_mm] = [ink.width(), ink.height()];
         Ok((artwork, self.warnings.into_list()))
     }
 }
 
-/// How much a sketch holds.
+/// The size of a sketch at a moment.
 #[derive(Debug)]
 pub(super) struct SketchMark {
-    /// Strokes and areas of each layer.
+    /// The numbers of strokes and areas of each layer.
     layers: Vec<[usize; 2]>,
     borders: usize,
-    /// How many areas hide something.
+    /// The number of hiding areas.
     height: u32,
 }
 
-/// With more turns of its dashes a line is drawn whole.
-const MOST_DASHES: f64 = 2000.0;
-/// Nor what dashes are that return after less than that, in mm.
-const LEAST_TURN_MM: f64 = 0.5;
+/// A line with more periods of dashes is drawn whole.
+const MAX_DASHES: f64 = 2000.0;
+/// A pattern with a shorter period is drawn whole, in mm.
+const MIN_TURN_MM: f64 = 0.5;
 
 /// The edge of an area.
 #[derive(Debug)]
 struct Border {
-    /// The layer that it belongs to.
+    /// Its layer.
     layer: usize,
-    /// Above how many of the areas that hide something it lies.
+    /// The number of hiding areas below it.
     height: u32,
     points: Vec<Point>,
 }
 
-/// Where y points in a file.
+/// The direction of y in a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Y {
     Up,
     Down,
 }
 
-/// Refuses points beyond any table, and those that are no numbers.
+/// Refuses points that are too far away or not numbers.
 pub(super) fn checked(text: &[u8], at: usize, p: Point) -> Result<Point, SourceError> {
     if p.x.abs() <= LIMIT_MM && p.y.abs() <= LIMIT_MM {
         return Ok(p);
@@ -528,8 +535,8 @@ fn closed(mut ring: Vec<Point>) -> Vec<Point> {
     ring
 }
 
-/// The corners of a ring in an order of their own: rings that are the same have the same, wherever they
-/// begin and whichever way they go.
+/// The corners of a ring in canonical order: equal rings have the same, whatever their start and
+/// direction.
 fn corners(points: &[Point]) -> Vec<[i64; 2]> {
     #[expect(clippy::cast_possible_truncation, reason = "no farther than LIMIT_MM")]
     let rounded = |mm: f64| (mm / SAME_MM).round() as i64;
@@ -540,7 +547,7 @@ fn corners(points: &[Point]) -> Vec<[i64; 2]> {
     corners
 }
 
-/// A line that ends where it began may be drawn from anywhere.
+/// A closed line may be drawn from any point.
 fn close(stroke: &mut Stroke) {
     let [first, .., last] = stroke.points.as_mut_slice() else {
         return;
@@ -554,5 +561,5 @@ fn close(stroke: &mut Stroke) {
     }
 }
 
-/// No file has more pens, or speeds and powers.
+/// The largest number of layers: pens, or speeds and powers.
 const MAX_LAYERS: usize = 1000;

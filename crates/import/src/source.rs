@@ -1,40 +1,41 @@
-//! Files, pictures and texts that can be drawn, before they are read.
+//! Sources: files, pictures and texts that can be drawn.
 
 use dobot_geometry::Point;
 
 use crate::artwork::Artwork;
 use crate::error::SourceError;
 use crate::formats::{Contents, FORMATS, Format};
-use crate::limits::{MOST_BYTES, MOST_PICTURE_BYTES};
+use crate::limits::{MAX_BYTES, MAX_PICTURE_BYTES};
 use crate::options::ReadOptions;
 use crate::text::{Font, Text};
 use crate::warning::Warning;
 use crate::{encoding, foreign, packed, picture, points};
 
-/// Something to be drawn, not yet read.
+/// A source, not yet read.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
     /// A file.
     File {
         /// Its format.
         format: &'static Format,
-        /// What it holds, unpacked.
+        /// Its content, unpacked.
         bytes: Vec<u8>,
     },
-    /// Lines of points that a program has calculated: x to the right, y down, in mm.
+    /// Calculated lines of points: x to the right, y down, in mm.
     Lines(Vec<Vec<Point>>),
-    /// Text, in letters of single lines or outlines.
+    /// Text, in single-line letters or outlines.
     Text(Text),
 }
 
 impl Source {
-    /// A file, which may be packed with gzip, of the format that its beginning or its name tells ([`Format::of_file`]).
+    /// Creates a source from a file, optionally compressed with gzip, in the format of its start or
+    /// its name ([`Format::of_file`]).
     ///
     /// # Errors
     ///
-    /// [`SourceError::UnknownKind`] where neither tells, [`SourceError::NotText`] where a text file
-    /// holds no text, [`SourceError::Encoding`], [`SourceError::Foreign`] for what other programs make a drawing of,
-    /// [`SourceError::Packed`], and [`SourceError::TooLarge`].
+    /// [`SourceError::UnknownKind`] for an unknown format, [`SourceError::NotText`] for a text file
+    /// without text, [`SourceError::Encoding`], [`SourceError::Foreign`] for a file that another
+    /// program must convert, [`SourceError::Packed`], and [`SourceError::TooLarge`].
     pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
         let bytes = packed::unpacked(Self::checked_size(bytes)?)?;
         let bytes = encoding::in_utf8(Self::checked_size(bytes)?)?;
@@ -48,29 +49,29 @@ impl Source {
         Ok(Self::File { format, bytes })
     }
 
-    /// How many bytes a file may have that begins like this: who reads it need not read more of them.
+    /// The largest length of a file with this start, in bytes; readers of the file may stop there.
     #[must_use]
     pub fn most_bytes(start: &[u8]) -> u64 {
         if picture::format(start).is_some() {
-            MOST_PICTURE_BYTES
+            MAX_PICTURE_BYTES
         } else {
-            MOST_BYTES
+            MAX_BYTES
         }
     }
 
-    /// Whether it says how large it is to be drawn; otherwise it fills the paper.
+    /// Whether it has a size; otherwise it fills the paper.
     #[must_use]
     pub fn has_size(&self) -> bool {
         self.picture().is_none()
     }
 
-    /// Whether it becomes the same however large it is drawn: it has no curves that would be read more finely.
+    /// Whether the result is independent of its size: it has no curves that need a finer tolerance.
     #[must_use]
     pub const fn is_same_at_any_size(&self) -> bool {
         matches!(self, Self::Lines(_))
     }
 
-    /// Whether it has letters that only installed fonts can show.
+    /// Whether it has letters that need installed fonts.
     #[must_use]
     pub fn needs_fonts(&self) -> bool {
         match self {
@@ -91,11 +92,11 @@ impl Source {
         Ok(bytes)
     }
 
-    /// Reads it as layers of lines and areas, with what a pen cannot show as warnings.
+    /// Reads it as layers of lines and areas, with warnings about what a pen cannot show.
     ///
     /// # Errors
     ///
-    /// [`SourceError`] with the place, what was found there and what is allowed.
+    /// [`SourceError`] with the place, what was found and what is allowed.
     pub fn read(&self, options: &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError> {
         match self {
             Self::File { format, bytes } => format.read(bytes, options),
@@ -112,12 +113,12 @@ impl Source {
         }
     }
 
-    /// Width and height of a picture's page, in millimetres: what its strokes look like depends on
-    /// how large it becomes, so that this has to be known first. Other sources have none.
+    /// Width and height of a picture's page, in millimetres, which must be known before reading,
+    /// because the strokes depend on the size on the paper. `None` for other sources.
     ///
     /// # Errors
     ///
-    /// [`SourceError::Picture`] where the file is damaged or too large.
+    /// [`SourceError::Picture`] if the file is damaged or too large.
     pub fn picture_page(&self) -> Result<Option<Point>, SourceError> {
         self.picture().map(picture::page).transpose()
     }

@@ -1,4 +1,4 @@
-//! What lies over what in a sketch.
+//! The stacking order of a sketch.
 
 use std::rc::Rc;
 
@@ -9,21 +9,21 @@ use crate::clip::{ClipArea, Region};
 use crate::hidden::{Covers, Heights};
 use crate::limits::{Budget, OverBudget};
 
-/// The areas that hide something, and above how many of them the ink of each layer lies.
+/// The hiding areas, and the number of them below the ink of each layer.
 #[derive(Debug, Default)]
 pub(crate) struct Stack {
     covers: Covers,
-    /// By layer; as far as [`note`](Self::note) has seen its ink.
+    /// By layer, as far as [`note`](Self::note) has recorded its ink.
     pub(crate) heights: Vec<Heights>,
 }
 
 impl Stack {
-    /// How many areas hide something so far.
+    /// The number of hiding areas.
     pub(crate) fn height(&self) -> u32 {
         self.covers.count()
     }
 
-    /// All ink that came since the last one lies above all areas so far.
+    /// Records that all ink since the last call is above all areas.
     pub(crate) fn note(&mut self, layers: &[Layer]) {
         let height = self.height();
         self.heights.resize_with(layers.len(), Heights::default);
@@ -33,19 +33,20 @@ impl Stack {
         }
     }
 
-    /// Lays an area over all ink so far.
+    /// Adds an area over all ink.
     pub(crate) fn cover(&mut self, layers: &[Layer], rings: &[Vec<Point>], rule: FillRule) {
         self.note(layers);
         let outlines: Vec<Stroke> = rings.iter().cloned().map(Stroke::open).collect();
         self.covers.put(ClipArea::new(&outlines, rule, Vec::new()));
     }
 
-    /// The areas above the first `height` hide nothing outside of this region.
+    /// Limits the areas above the first `height` to a region.
     pub(crate) fn clip_since(&mut self, height: u32, region: &Rc<Region>) {
         self.covers.clip_since(height, region);
     }
 
-    /// What shows of each layer, and of how many lines and areas that is not known.
+    /// The visible parts of each layer, and the number of lines and areas for which they are
+    /// unknown.
     pub(crate) fn what_shows(
         mut self,
         layers: Vec<Layer>,

@@ -1,4 +1,4 @@
-//! Reading SVG files: visible outlines as strokes, fills as areas, in true millimetres.
+//! The SVG reader: visible outlines as strokes, fills as areas, in true millimetres.
 
 mod check;
 mod color;
@@ -52,12 +52,12 @@ use crate::options::{LayersBy, ReadOptions};
 use crate::warning::Warning;
 use crate::xml::{self, malformed};
 
-/// Reads an SVG file as a browser does, at 96 dots per inch.
+/// Reads an SVG file like a browser, at 96 dots per inch.
 ///
-/// Every visible shape with a stroke or a fill gives its outline, dashed where its stroke is
-/// dashed, and a filled one its area too; white fills are paper. Text gives the outlines of its
-/// letters. What a clip path hides is cut off, and what lies beyond the page, if that is wanted. What a pen cannot show comes
-/// back as warnings.
+/// Every visible shape with a stroke or a fill gives its outline, dashed if its stroke is dashed,
+/// and a filled one its area too; white fills count as paper. Text gives the outlines of its
+/// letters. Shapes are clipped to their clip paths, and to the page if requested. Warnings describe
+/// what a pen cannot show.
 pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
@@ -68,12 +68,12 @@ pub(crate) fn read(
     Ok((artwork, warnings))
 }
 
-/// Whether a text that begins so is an SVG file, whatever its name says.
+/// Whether a text with this start is an SVG file, whatever its name is.
 pub(crate) fn is_certain(start: &str) -> bool {
     start.starts_with("<svg") || (start.starts_with("<?xml") && start.contains("<svg"))
 }
 
-/// Whether a text that begins so is an SVG file if its name says nothing.
+/// Whether a text with this start is an SVG file if its name does not identify it.
 pub(crate) fn is_likely(start: &str) -> bool {
     start.contains("<svg") || start.starts_with("<?xml")
 }
@@ -85,24 +85,26 @@ fn draw(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
     let tree_warnings = TreeWarnings::new(substitutes);
-    let (tree, groups, told) = parse(text, options, &tree_warnings)?;
+    let (tree, groups, facts) = parse(text, options, &tree_warnings)?;
     let mut page = SvgPage::new(renderer::page_mm(&tree), options);
     TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
     // It takes as much memory as the page, which may need more of it now.
     drop(tree);
-    let others = page.cut().into_iter().chain(told.lone);
+    let others = page.cut().into_iter().chain(facts.lone);
     let (artwork, mut warnings) = page.finish()?;
     tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
         return Err(nothing_to_draw(&warnings, others.collect()));
     }
-    let warnings = warnings.into_iter().map(|it| told.unread.warning(it));
+    let warnings = warnings
+        .into_iter()
+        .map(|warning| facts.unread.warning(warning));
     Ok((artwork, warnings.chain(others).collect()))
 }
 
-/// What only the file itself tells, before it is written otherwise.
-struct Told {
-    /// What there is of points without y.
+/// Facts about the original file, collected before it is rewritten.
+struct FileFacts {
+    /// The warning about points without y.
     lone: Option<Warning>,
     unread: UnreadPlaces,
 }
@@ -150,14 +152,14 @@ impl<'a> TreeWarnings<'a> {
         }
     }
 
-    /// As a browser, takes any font rather than none.
+    /// Like a browser, takes any font rather than none.
     fn font_resolver(&self) -> FontResolver<'_> {
         let by_name = FontResolver::default_font_selector();
         let by_character = FontResolver::default_fallback_selector();
         FontResolver {
             select_font: Box::new(move |font, fonts| {
                 let found = by_name(font, fonts);
-                let found = found.map(|it| nearest(font, fonts, it));
+                let found = found.map(|found| nearest(font, fonts, found));
                 let found = found.or_else(|| fonts.faces().next().map(|face| face.id));
                 match found {
                     Some(_) if single_line::font(font).is_some() => {}
@@ -172,37 +174,41 @@ impl<'a> TreeWarnings<'a> {
         }
     }
 
-    /// Counts what the library leaves out without a word.
+    /// Counts what the library drops silently.
     fn note_unread(&self, doc: &Document<'_>, rules: &StyleSheet<'_>) {
         let elements = || doc.descendants().filter(Node::is_element);
-        let named = |it: &Node<'_, '_>, name: &str| it.tag_name().name() == name;
-        let flowed = elements().filter(|it| named(it, "flowRoot"));
+        let named = |node: &Node<'_, '_>, name: &str| node.tag_name().name() == name;
+        let flowed = elements().filter(|element| named(element, "flowRoot"));
         self.flowed.store(flowed.count(), Ordering::Relaxed);
         let has_text = |it: &Node<'_, '_>| {
-            let mut texts = it.descendants().filter_map(|it| it.text());
-            texts.any(|it| !it.trim().is_empty())
+            let mut texts = it.descendants().filter_map(|node| node.text());
+            texts.any(|text| !text.trim().is_empty())
         };
-        let foreign = elements().filter(|it| named(it, "foreignObject") && has_text(it));
+        let foreign =
+            elements().filter(|element| named(element, "foreignObject") && has_text(element));
         self.foreign.store(foreign.count(), Ordering::Relaxed);
         let moves = Declared::of(rules, |name, value| {
             MOVES.contains(&name) && value != "none"
         });
-        let moved = elements().filter(|it| moves.of_element(*it));
+        let moved = elements().filter(|element| moves.of_element(*element));
         self.moved.store(moved.count(), Ordering::Relaxed);
         let clips = Declared::of(rules, |name, value| {
             name == "clip-path" && value != "none" && !value.starts_with("url")
         });
-        let clipped = elements().filter(|it| clips.of_element(*it));
+        let clipped = elements().filter(|element| clips.of_element(*element));
         self.clipped.store(clipped.count(), Ordering::Relaxed);
-        let links = |it: &Node<'_, '_>| {
-            let target = it.attributes().find(|it| it.name() == "href");
-            target.is_some_and(|it| !it.value().trim().starts_with('#'))
+        let links = |node: &Node<'_, '_>| {
+            let target = node
+                .attributes()
+                .find(|attribute| attribute.name() == "href");
+            target.is_some_and(|target| !target.value().trim().starts_with('#'))
         };
-        let linked = elements().filter(|it| named(it, "use") && links(it));
+        let linked = elements().filter(|element| named(element, "use") && links(element));
         self.linked.store(linked.count(), Ordering::Relaxed);
         let sizes = Declared::of(rules, |name, _| SIZES.contains(&name));
-        let sized = elements()
-            .filter(|it| SHAPES.iter().any(|name| named(it, name)) && sizes.of_element(*it));
+        let sized = elements().filter(|element| {
+            SHAPES.iter().any(|name| named(element, name)) && sizes.of_element(*element)
+        });
         self.sized.store(sized.count(), Ordering::Relaxed);
     }
 
@@ -234,12 +240,13 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
     None
 }
 
-/// The tree of shapes, the names of its outermost groups where they are layers, and what else the file tells.
+/// The tree of shapes, the names of its outermost groups if they are layers, and facts about the
+/// file.
 fn parse(
     text: &str,
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
-) -> Result<(Tree, HashMap<String, String>, Told), SourceError> {
+) -> Result<(Tree, HashMap<String, String>, FileFacts), SourceError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile.into());
     }
@@ -247,7 +254,7 @@ fn parse(
     let doc = xml::tree(text, true)?;
     check_root(&doc)?;
     styles::check(&doc)?;
-    let told = Told {
+    let facts = FileFacts {
         lone: lone_coordinates(&doc),
         unread: UnreadPlaces::of(&doc, text),
     };
@@ -261,17 +268,17 @@ fn parse(
     tree_warnings.solid.store(readable.solid, Ordering::Relaxed);
     let Some(text) = readable.text else {
         let (tree, groups) = tree_of(doc, text, options, tree_warnings)?;
-        return Ok((tree, groups, told));
+        return Ok((tree, groups, facts));
     };
-    // There is no room for two.
+    // There is no memory for two.
     drop(doc);
     let doc = xml::tree(&text, true)?;
     styles::check(&doc)?;
     let (tree, groups) = tree_of(doc, &text, options, tree_warnings)?;
-    Ok((tree, groups, told))
+    Ok((tree, groups, facts))
 }
 
-/// The same of a file whose words the library knows and whose styles were checked.
+/// The tree of a rewritten file whose styles were checked.
 fn tree_of(
     doc: Document<'_>,
     text: &str,
@@ -297,7 +304,7 @@ fn tree_of(
     let tree = match text {
         Cow::Borrowed(_) => Tree::from_xmltree(&doc, &usvg_options),
         Cow::Owned(text) => {
-            // It is read anew, and there is no room for two.
+            // It is parsed again, because there is no memory for two.
             drop(doc);
             Tree::from_str(&text, &usvg_options)
         }
@@ -333,14 +340,14 @@ fn nothing_to_draw(warnings: &[WarningCount], others: Vec<Warning>) -> SourceErr
     if others.is_empty() && warnings.iter().all(only_text) {
         return SvgError::NoFont.into();
     }
-    let told = warnings.iter().copied().map(Warning::from).chain(others);
-    let texts = told.map(|it| it.to_string());
+    let all = warnings.iter().copied().map(Warning::from).chain(others);
+    let texts = all.map(|message| message.to_string());
     SourceError::nothing_to_draw(texts)
 }
 
 /// Properties that move an element.
 const MOVES: [&str; 4] = ["transform", "translate", "rotate", "scale"];
-/// Shapes, and what of them a style may tell since SVG 2.
+/// Shapes, and their geometry properties since SVG 2.
 const SHAPES: [&str; 4] = ["circle", "ellipse", "path", "rect"];
 const SIZES: [&str; 10] = [
     "cx", "cy", "d", "height", "r", "rx", "ry", "width", "x", "y",

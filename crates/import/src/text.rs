@@ -1,4 +1,4 @@
-//! Text: in letters of single lines, or in the outlines of any font.
+//! Text, in single-line letters or in the outlines of any font.
 
 mod composed;
 mod lettering;
@@ -24,23 +24,23 @@ pub use dobot_lettering::StrokeFont;
 /// Text to be written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
-    /// What to write, in lines.
+    /// The text, in lines.
     pub text: String,
-    /// In which letters.
+    /// The font.
     pub font: Font,
-    /// How tall capitals are, in millimetres on the page; from 0.1 to 1000.
+    /// The height of capitals, in millimetres on the page; 0.1 to 1000.
     pub height_mm: f64,
-    /// Where the lines meet.
+    /// The alignment.
     pub align: Align,
-    /// From line to line, in heights of capitals; from 0.5 to 10.
+    /// The line distance, in heights of capitals; 0.5 to 10.
     pub line_spacing: f64,
 }
 
 impl Text {
-    /// How tall capitals may be, in mm.
+    /// The allowed heights of capitals, in mm.
     pub const HEIGHT_MM: [f64; 2] = [0.1, 1000.0];
 
-    /// Text in plain single-stroke letters, 10 mm tall, its lines 1.75 heights apart.
+    /// Creates a text in plain single-stroke letters, 10 mm tall, with lines 1.75 heights apart.
     #[must_use]
     pub fn new(text: impl Into<String>) -> Self {
         Self {
@@ -89,23 +89,23 @@ impl Text {
         Ok(())
     }
 
-    /// Its lines, without the ends that some systems give them.
+    /// Its lines, without carriage returns.
     fn lines(&self) -> impl Iterator<Item = &str> {
         self.text.lines()
     }
 }
 
-/// In which letters a text is written.
+/// The font of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Font {
-    /// Letters of single lines, as plotters write them.
+    /// Single-line letters, as plotters write them.
     Stroke(StrokeFont),
-    /// The outlines of a font of that family; `Bold`, `Italic` and the like may follow its name.
+    /// The outlines of a font family; `Bold`, `Italic` and similar words may follow its name.
     Outline(String),
 }
 
 impl Font {
-    /// The single-stroke font of that name, or else the outline font.
+    /// The single-line font of this name, or else the outline font.
     ///
     /// ```
     /// use dobot_import::{Font, StrokeFont};
@@ -138,16 +138,16 @@ impl fmt::Display for Font {
     }
 }
 
-/// Where lines of different lengths meet.
+/// The alignment of lines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Align {
-    /// At their beginnings.
+    /// Left.
     #[default]
     Left,
-    /// In their middles.
+    /// Centered.
     Center,
-    /// At their ends.
+    /// Right.
     Right,
 }
 
@@ -165,7 +165,7 @@ impl FromStr for Align {
 }
 
 impl Align {
-    /// How much of what a line is shorter stands before it.
+    /// The fraction of a line's remaining space before it.
     const fn share(self) -> f64 {
         match self {
             Self::Left => 0.0,
@@ -206,7 +206,7 @@ fn layer(text: &str) -> Layer {
     }
 }
 
-/// Some ten pages: the arm writes them in days.
+/// About ten pages, which the arm writes in days.
 const MAX_CHARACTERS: usize = 20_000;
 const LINE_SPACING: [f64; 2] = [0.5, 10.0];
 

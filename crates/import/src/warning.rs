@@ -1,27 +1,27 @@
-//! Warnings: things that are not drawn as a source says.
+//! Warnings about differences between a source and its drawing.
 
 use std::collections::HashMap;
 use std::fmt;
 
 use crate::place::{Place, place};
 
-/// Something in a source that is drawn otherwise than it says.
+/// A difference between a source and its drawing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {
-    /// The file, where several are drawn.
+    /// The file, if several are drawn.
     pub file: Option<String>,
-    /// Where it is found first, where that is known.
+    /// The first place, if known.
     pub place: Option<Place>,
-    /// What it is, in the singular.
+    /// The content, in the singular.
     pub what: String,
     /// What is drawn instead.
     pub instead: String,
-    /// How many of it.
+    /// The number of occurrences.
     pub count: usize,
 }
 
 impl Warning {
-    /// A warning without a place.
+    /// Creates a warning without a place.
     pub(crate) fn new(what: &str, instead: &str, count: usize) -> Self {
         Self {
             file: None,

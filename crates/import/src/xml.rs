@@ -1,4 +1,4 @@
-//! XML as a tree, unless the tree would fill the memory or take for ever to build.
+//! XML as a tree, within limits of memory and time.
 
 use std::collections::HashSet;
 
@@ -7,14 +7,14 @@ use usvg::roxmltree::{Document, Error, ParsingOptions};
 use crate::error::{SourceError, SvgError};
 use crate::place::{Place, place, printable};
 
-/// Reads a text as a tree.
+/// Parses a text as a tree.
 ///
-/// A tree takes far more memory than the text that it comes from, so that it is measured first.
+/// A tree takes far more memory than its text, so its size is computed first.
 pub(crate) fn tree(text: &str, allow_dtd: bool) -> Result<Document<'_>, SourceError> {
     Measure::new(text).whole()?;
     let options = ParsingOptions {
         allow_dtd,
-        nodes_limit: MOST_NODES,
+        nodes_limit: MAX_NODES,
         ..ParsingOptions::default()
     };
     Document::parse_with_options(text, options).map_err(|error| match error {
@@ -32,7 +32,7 @@ pub(crate) fn tree(text: &str, allow_dtd: bool) -> Result<Document<'_>, SourceEr
     })
 }
 
-/// Tells where XML goes wrong.
+/// The error of malformed XML.
 pub(crate) fn malformed(error: &Error) -> SvgError {
     let at = error.pos();
     let problem = error.to_string();
@@ -43,7 +43,7 @@ pub(crate) fn malformed(error: &Error) -> SvgError {
     }
 }
 
-/// The innermost element that a text does not close, if that is what is wrong with it.
+/// The innermost unclosed element, if it is the cause of an error.
 fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
     let mut open = Vec::new();
     let mut at = 0;
@@ -52,12 +52,12 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream
     );
     let mut is_cut = ends;
-    while let Some(start) = text[at..].find('<').map(|it| at + it) {
+    while let Some(start) = text[at..].find('<').map(|offset| at + offset) {
         let tag = &text[start..];
         let Some(end) = tag_end(tag) else {
             let begins = place(text.as_bytes(), start);
             let is_tag = !tag.starts_with("<!") && !tag.starts_with("<?");
-            // A quote that is missing leads to the next tag.
+            // A missing quote extends to the next tag.
             is_cut = !(is_tag && tag[1..].contains('<'));
             is_cut &= ends || begins <= Place::from(error.pos());
             if !tag.starts_with("</") {
@@ -77,12 +77,12 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
     }
     let start = *open.last()?;
     let part = match &text[start + 1..] {
-        // What its brackets hold is not looked into.
+        // The content of its brackets is not examined.
         doctype if doctype.starts_with("!DOCTYPE") => return None,
         mark if mark.starts_with("!--") => "a comment".to_owned(),
         mark if mark.starts_with(['!', '?']) => "<".to_owned() + &mark[..1],
         tag => {
-            let end = tag.find(|it: char| it.is_whitespace() || "<>/".contains(it));
+            let end = tag.find(|c: char| c.is_whitespace() || "<>/".contains(c));
             format!("<{}>", printable(&tag[..end.unwrap_or(tag.len())]))
         }
     };
@@ -90,9 +90,9 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
     Some(SvgError::EndsTooSoon { place, part })
 }
 
-/// Where a tag ends, or a comment or whatever else a text begins with.
+/// The end of a tag, a comment or another markup at the start of a text.
 fn tag_end(text: &str) -> Option<usize> {
-    let behind = |mark: &str| text.find(mark).map(|it| it + mark.len());
+    let behind = |mark: &str| text.find(mark).map(|at| at + mark.len());
     if text.starts_with("<!--") {
         return behind("-->");
     }
@@ -102,7 +102,7 @@ fn tag_end(text: &str) -> Option<usize> {
     if text.starts_with("<?") {
         return behind("?>");
     }
-    // A DOCTYPE holds declarations between brackets.
+    // A DOCTYPE has declarations between brackets.
     let (mut quote, mut depth) = (None, 0_usize);
     for (at, sign) in text.bytes().enumerate() {
         match (quote, sign) {
@@ -117,16 +117,16 @@ fn tag_end(text: &str) -> Option<usize> {
     None
 }
 
-/// Counts what becomes of a text, comments included: at least as much as there is.
+/// An upper bound of the nodes of a text, including comments.
 struct Measure<'a> {
     text: &'a [u8],
-    /// How many elements, texts and attributes there are so far; what has to be copied counts as more.
+    /// The number of elements, texts and attributes; copied ones count as more.
     parts: usize,
     most: usize,
-    /// Where the element in hand begins, and how many attributes it has.
+    /// The start of the current element, and the number of its attributes.
     element: usize,
     attributes: usize,
-    /// The short names of namespaces; each element that declares one keeps all that are known there.
+    /// The namespace prefixes; each element that declares one stores all known ones.
     prefixes: HashSet<&'a [u8]>,
 }
 
@@ -136,7 +136,7 @@ impl<'a> Measure<'a> {
         Self {
             text,
             parts: 0,
-            most: MOST_BYTES.saturating_sub(text.len()) / PART_BYTES,
+            most: MAX_BYTES.saturating_sub(text.len()) / PART_BYTES,
             element: 0,
             attributes: 0,
             prefixes: HashSet::new(),
@@ -152,19 +152,19 @@ impl<'a> Measure<'a> {
         Ok(())
     }
 
-    /// Counts the text that begins there, and tells where it ends.
+    /// Counts the text at an offset, and returns its end.
     fn characters(&mut self, at: usize) -> Result<usize, SourceError> {
-        let length = self.text[at..].iter().position(|&it| it == b'<');
-        let end = length.map_or(self.text.len(), |it| at + it);
+        let length = self.text[at..].iter().position(|&byte| byte == b'<');
+        let end = length.map_or(self.text.len(), |length| at + length);
         self.count(at, usize::from(end > at))?;
         self.copied(at, end, b"&\r")?;
-        // The library makes room for as many attributes as there are of these signs.
-        let signs = self.text[at..end].iter().filter(|&&it| it == b'=');
+        // The library reserves an attribute for each of these signs.
+        let signs = self.text[at..end].iter().filter(|&&byte| byte == b'=');
         self.count(at, signs.count())?;
         Ok(end)
     }
 
-    /// Counts the element, or whatever else begins with `<` there, and tells where it ends.
+    /// Counts the element or other markup with `<` at an offset, and returns its end.
     fn tag(&mut self, start: usize) -> Result<usize, SourceError> {
         (self.element, self.attributes) = (start, 0);
         let kind = self.text.get(start + 1);
@@ -189,13 +189,13 @@ impl<'a> Measure<'a> {
         Ok(at)
     }
 
-    /// Counts the value that begins there with a quote, and tells where it ends.
+    /// Counts the value with its quote at an offset, and returns its end.
     fn value(&mut self, at: usize, quote: u8) -> Result<usize, SourceError> {
         let rest = &self.text[at + 1..];
-        let length = rest.iter().position(|&it| it == quote || it == b'<');
+        let length = rest.iter().position(|&byte| byte == quote || byte == b'<');
         let end = at + 1 + length.unwrap_or(rest.len());
         self.copied(at, end, b"&\r\n\t")?;
-        let signs = self.text[at..end].iter().filter(|&&it| it == b'=');
+        let signs = self.text[at..end].iter().filter(|&&byte| byte == b'=');
         self.count(at, signs.count())?;
         Ok(if self.text.get(end) == Some(&quote) {
             end + 1
@@ -208,9 +208,9 @@ impl<'a> Measure<'a> {
     fn attribute(&mut self, at: usize) -> Result<(), SourceError> {
         self.count(at, 1)?;
         self.attributes += 1;
-        if self.attributes > MOST_ATTRIBUTES {
-            let found = format!("an element with more than {MOST_ATTRIBUTES} attributes");
-            let expected = format!("at most {MOST_ATTRIBUTES}; remove what draws nothing");
+        if self.attributes > MAX_ATTRIBUTES {
+            let found = format!("an element with more than {MAX_ATTRIBUTES} attributes");
+            let expected = format!("at most {MAX_ATTRIBUTES}; remove what draws nothing");
             return Err(SourceError::found(self.text, self.element, found, expected));
         }
         let name = name_before(self.text, at);
@@ -218,19 +218,19 @@ impl<'a> Measure<'a> {
             self.prefixes.insert(name);
             self.count(at, NAMESPACE_PARTS)?;
         }
-        if self.prefixes.len() > MOST_PREFIXES {
-            let found = format!("more than {MOST_PREFIXES} namespace prefixes (xmlns)");
+        if self.prefixes.len() > MAX_PREFIXES {
+            let found = format!("more than {MAX_PREFIXES} namespace prefixes (xmlns)");
             let expected = "fewer; save it as plain SVG";
             return Err(SourceError::found(self.text, at, found, expected));
         }
         Ok(())
     }
 
-    /// A text with one of these bytes is copied, others are read where they stand.
+    /// Whether a text has a byte for which it is copied instead of borrowed.
     fn copied(&mut self, at: usize, end: usize, bytes: &[u8]) -> Result<(), SourceError> {
         let text = &self.text[at..end];
-        // A few quick looks, not one at each byte.
-        if bytes.iter().any(|it| text.contains(it)) {
+        // A few fast searches, not a test of each byte.
+        if bytes.iter().any(|byte| text.contains(byte)) {
             // While it is copied there are two.
             self.count(at, (2 * text.len()).div_ceil(PART_BYTES))?;
         }
@@ -246,7 +246,7 @@ impl<'a> Measure<'a> {
         if most == 0 {
             let megabytes = self.text.len().div_ceil(1_000_000);
             let found = format!("a file of {megabytes} MB");
-            let most_mb = crate::limits::MOST_BYTES / 1_000_000;
+            let most_mb = crate::limits::MAX_BYTES / 1_000_000;
             let expected = format!("at most {most_mb} MB; remove what draws nothing");
             return Err(SourceError::found(self.text, at, found, expected));
         }
@@ -259,28 +259,28 @@ impl<'a> Measure<'a> {
     }
 }
 
-/// The name of the attribute whose sign `=` stands at an offset.
+/// The name of the attribute whose sign `=` is at an offset.
 fn name_before(text: &[u8], at: usize) -> &[u8] {
-    let name = text[at.saturating_sub(LONGEST_NAME)..at].trim_ascii_end();
-    let before = name.iter().rposition(|it| b" \n\t\r\"'".contains(it));
-    &name[before.map_or(0, |it| it + 1)..]
+    let name = text[at.saturating_sub(MAX_NAME_LEN)..at].trim_ascii_end();
+    let before = name.iter().rposition(|item| b" \n\t\r\"'".contains(item));
+    &name[before.map_or(0, |before| before + 1)..]
 }
 
 const XMLNS: &[u8] = b"xmlns:";
-/// Longer names of namespaces are not looked for.
-const LONGEST_NAME: usize = 60;
-const MOST_PREFIXES: usize = 50;
-/// All names of namespaces weigh as much as that many attributes.
+/// Longer prefixes are not tracked.
+const MAX_NAME_LEN: usize = 60;
+const MAX_PREFIXES: usize = 50;
+/// The cost of all prefixes, in attributes.
 const NAMESPACE_PARTS: usize = 2;
 /// Each is compared with all the others.
-const MOST_ATTRIBUTES: usize = 250;
-/// What an element, a text or an attribute takes in the memory, in bytes.
+const MAX_ATTRIBUTES: usize = 250;
+/// The memory of an element, a text or an attribute, in bytes.
 const PART_BYTES: usize = 80;
-/// What a file and its tree may take together; the rest of what a reader may take is for what it draws.
-const MOST_BYTES: usize = 100_000_000;
-/// No tree of an element and its attributes, texts and comments has more.
+/// The memory limit of a file and its tree; the rest of a reader's memory is for its drawing.
+const MAX_BYTES: usize = 100_000_000;
+/// The largest number of nodes of a tree: elements, attributes, texts and comments.
 #[expect(clippy::cast_possible_truncation, reason = "some millions")]
-const MOST_NODES: u32 = (MOST_BYTES / PART_BYTES) as u32;
+const MAX_NODES: u32 = (MAX_BYTES / PART_BYTES) as u32;
 
 #[cfg(test)]
 mod tests {
@@ -304,7 +304,7 @@ mod tests {
 
     #[test]
     fn a_text_that_ends_too_soon_names_the_innermost_element_that_is_not_closed() {
-        for (text, told) in [
+        for (text, message) in [
             (
                 "<a>\n <b><c/></b><d e='>'>",
                 "2:13: not well-formed XML: the file ends too soon: <d> starts here and is not closed",
@@ -350,16 +350,16 @@ mod tests {
                 "1:4: not well-formed XML: the file ends too soon: <! starts",
             ),
         ] {
-            refused(text, &[told]);
+            refused(text, &[message]);
         }
     }
 
     #[test]
     fn a_quote_that_is_missing_is_not_taken_for_an_end_that_is() {
         for text in ["<a>\n  <b c='>\n<d e=''></b></a>", "<a b='&c;'><d"] {
-            let told = tree(text, false).expect_err("no XML").to_string();
-            assert!(told.contains("not well-formed XML"), "{told}");
-            assert!(!told.contains("too soon"), "{told}");
+            let message = tree(text, false).expect_err("no XML").to_string();
+            assert!(message.contains("not well-formed XML"), "{message}");
+            assert!(!message.contains("too soon"), "{message}");
         }
     }
 
@@ -374,16 +374,16 @@ mod tests {
             "=",
         ] {
             let text = format!("<x>\n{}</x>", part.repeat(20_000_000 / part.len()));
-            let told = [
+            let message = [
                 "found more than 9",
                 " elements, texts and attributes; expected at most that in a file of 21 MB",
             ];
-            refused(&text, &told);
+            refused(&text, &message);
         }
     }
 
     #[test]
-    fn a_text_that_is_too_large_for_any_tree_is_told_by_its_size() {
+    fn a_text_that_is_too_large_for_any_tree_is_reported_by_its_size() {
         let text = format!("<x>{}</x>", " ".repeat(100_000_000));
         refused(
             &text,
@@ -407,7 +407,7 @@ mod tests {
     #[test]
     fn elements_of_more_attributes_and_names_than_anybody_writes_are_refused() {
         let attributes = |count: usize| {
-            let each: Vec<String> = (0..count).map(|it| format!(" a{it}=\"\"")).collect();
+            let each: Vec<String> = (0..count).map(|i| format!(" a{i}=\"\"")).collect();
             each.concat()
         };
         assert!(tree(&format!("<x>\n<a{}/></x>", attributes(250)), false).is_ok());
@@ -415,9 +415,7 @@ mod tests {
             &format!("<x>\n<a{}/></x>", attributes(251)),
             &["2:1: found an element with more than 250 attributes; expected at most 250"],
         );
-        let names: Vec<String> = (0..51)
-            .map(|it| format!("<a xmlns:n{it}=\"u\"/>"))
-            .collect();
+        let names: Vec<String> = (0..51).map(|i| format!("<a xmlns:n{i}=\"u\"/>")).collect();
         refused(
             &format!("<x>{}</x>", names.concat()),
             &["more than 50 namespace prefixes"],

@@ -1,4 +1,4 @@
-//! What recording costs.
+//! The cost of recording.
 //!
 //! `cargo bench -p dobot-record --bench record`
 
@@ -16,8 +16,8 @@ fn main() {
     divan::main();
 }
 
-/// What a caller pays for a status, its copy included. As many as the queue holds: then it pays
-/// less, and loses them.
+/// The cost of a status for the caller, including its copy. Up to the size of the queue: beyond it,
+/// records are lost and cost less.
 #[divan::bench(sample_count = 20, sample_size = 1)]
 fn a_status_for_its_caller(bencher: Bencher) {
     let status = status();
@@ -31,7 +31,7 @@ fn a_status_for_its_caller(bencher: Bencher) {
         });
 }
 
-/// What a caller pays for a state of the station that it has made already.
+/// The cost of a station state that the caller has already created.
 #[divan::bench(sample_count = 20, sample_size = 1)]
 fn a_state_for_its_caller(bencher: Bencher) {
     let topic = Topic::new("/state", "x.State", &json!({ "type": "object" }));
@@ -59,7 +59,7 @@ fn a_state_for_its_caller(bencher: Bencher) {
         });
 }
 
-/// Statuses to the file and all, in the recorder's thread.
+/// Statuses including the file, in the recorder's thread.
 #[divan::bench(sample_count = 20, sample_size = 1)]
 fn a_status_to_its_file(bencher: Bencher) {
     let status = status();
@@ -75,7 +75,7 @@ fn a_status_to_its_file(bencher: Bencher) {
         .bench_refs(|(_, recorder)| recorder.take().map(Recorder::finish));
 }
 
-/// Reading a recording: four messages for each status.
+/// Reading a recording: four messages per status.
 #[divan::bench(sample_count = 20, sample_size = 1)]
 fn a_status_from_its_file(bencher: Bencher) {
     let status = status();
@@ -106,5 +106,5 @@ fn status() -> [u8; 42] {
     status.emit().to_bytes()
 }
 
-/// As many records as wait to be written at the most.
+/// The largest number of records that wait to be written.
 const QUEUE: u32 = 4096;

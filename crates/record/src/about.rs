@@ -1,25 +1,25 @@
-//! What a recording is of: who recorded it, which arm, which dialect.
+//! The metadata of a recording: program, arm, dialect.
 
 use std::collections::BTreeMap;
 
 use dobot_wire::Dialect;
 use jiff::Timestamp;
 
-/// What a recording is of; every file tells it, as MCAP metadata named `dobot`.
+/// The metadata of a recording, stored in every file as MCAP metadata named `dobot`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct About {
-    /// The program that recorded, with its version, as in `dobot 0.1.0`.
+    /// The recording program and its version, as in `dobot 0.1.0`.
     pub program: String,
     /// The arm's address, as in `serial:/dev/ttyUSB0`.
     pub address: String,
-    /// What the arm understands; `None` while nobody knows.
+    /// The dialect of the arm; `None` if unknown.
     pub dialect: Option<Dialect>,
-    /// How a virtual arm behaves, as in `firmware-1.1`; `None` for a real one.
+    /// The personality of a virtual arm, as in `firmware-1.1`; `None` for a real one.
     pub personality: Option<String>,
 }
 
 impl About {
-    /// The metadata of a file whose times count from `start`.
+    /// Returns the metadata of a file whose times count from `start`.
     pub(crate) fn metadata(&self, start: Timestamp) -> mcap::records::Metadata {
         let mut metadata = BTreeMap::from([
             (PROGRAM.to_owned(), self.program.clone()),
@@ -38,8 +38,8 @@ impl About {
         }
     }
 
-    /// Reads the metadata of a file, and from when on its times count; `None` for metadata of
-    /// another kind. A dialect that this program does not know is undecided.
+    /// Parses the metadata of a file and the start of its times; `None` for metadata of another
+    /// kind. An unknown dialect becomes `None`.
     pub(crate) fn of_metadata(record: &mcap::records::Metadata) -> Option<(Self, Timestamp)> {
         let field = |name| record.metadata.get(name).cloned();
         let start = field(START)?.parse().ok()?;

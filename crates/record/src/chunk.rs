@@ -1,24 +1,24 @@
-//! A chunk: records that were compressed together.
+//! Chunks: groups of compressed records.
 
 use mcap::records::{Record, op};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 
-/// A chunk: records that were compressed together, given out one by one. The checksum of a compressed
-/// one is checked before any of it is.
+/// A chunk of compressed records, read one by one. The checksum of the chunk is verified before its
+/// first record.
 pub(crate) struct Chunk {
-    /// How long it is in the file, its header included.
+    /// The length in the file including the header, in bytes.
     file_bytes: u64,
     reader: Box<LinearReader>,
 }
 
 impl Chunk {
-    /// Opens a chunk, given as the body of its record.
+    /// Opens a chunk from the body of its record.
     pub(crate) fn new(body: &[u8]) -> Result<Self, String> {
         let Ok(Record::Chunk { header, data }) = mcap::parse_record(op::CHUNK, body) else {
             return Err(BAD_RECORD.to_owned());
         };
         let is_whole = body.len() == NUMBERS_LEN + header.compression.len() + data.len();
-        if !is_whole || header.uncompressed_size > LONGEST {
+        if !is_whole || header.uncompressed_size > MAX_LEN {
             return Err(BAD_RECORD.to_owned());
         }
         let is_compressed = match header.compression.as_str() {
@@ -26,7 +26,7 @@ impl Chunk {
             "zstd" => true,
             other => {
                 return Err(format!(
-                    "a chunk is compressed with {other:?}; this program knows \"zstd\""
+                    "a chunk is compressed with {other:?}; supported is \"zstd\""
                 ));
             }
         };
@@ -34,7 +34,7 @@ impl Chunk {
             skip_start_magic: true,
             skip_end_magic: true,
             prevalidate_chunk_crcs: is_compressed,
-            record_length_limit: usize::try_from(LONGEST).ok(),
+            record_length_limit: usize::try_from(MAX_LEN).ok(),
             ..LinearReaderOptions::default()
         });
         let record = [&[op::CHUNK][..], &(body.len() as u64).to_le_bytes(), body].concat();
@@ -46,19 +46,19 @@ impl Chunk {
         })
     }
 
-    /// How long it is in the file, in bytes.
+    /// The length in the file, in bytes.
     pub(crate) const fn file_bytes(&self) -> u64 {
         self.file_bytes
     }
 
-    /// The next record: its kind and its body.
+    /// Returns the next record: its type and its body.
     pub(crate) fn next(&mut self) -> Option<Result<(u8, Vec<u8>), String>> {
         loop {
             match self.reader.next_event()? {
                 Ok(LinearReadEvent::Record { opcode, data }) => {
                     return Some(Ok((opcode, data.to_vec())));
                 }
-                // There is no more than the chunk.
+                // The chunk is complete.
                 Ok(LinearReadEvent::ReadRequest(_)) => {}
                 Err(error) => return Some(Err(format!("a chunk is damaged: {error}"))),
             }
@@ -67,10 +67,10 @@ impl Chunk {
     }
 }
 
-/// The numbers before the records of a chunk, in bytes.
+/// The length of the fields before the records of a chunk, in bytes.
 const NUMBERS_LEN: usize = 40;
 
 /// The longest record and the longest chunk, in bytes.
-pub(crate) const LONGEST: u64 = 8 << 20;
+pub(crate) const MAX_LEN: u64 = 8 << 20;
 
-pub(crate) const BAD_RECORD: &str = "a record does not hold what its kind does";
+pub(crate) const BAD_RECORD: &str = "a record does not match its type";

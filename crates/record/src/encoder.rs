@@ -1,4 +1,4 @@
-//! Makes messages of what happened.
+//! The encoder from records to messages.
 
 use std::time::Duration;
 
@@ -14,40 +14,40 @@ use crate::scene::Scene;
 use crate::topic::{FROM_ARM, INK, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORMS};
 use crate::{Record, Topic, schema};
 
-/// Makes messages of records: an engine, records in, messages out.
+/// A sans-IO encoder: records in, messages out.
 ///
-/// It follows the bytes of each direction, so that a message holds one packet at most, however the
-/// bytes came in pieces, and tells what the packet means. A status that comes again and again is
-/// held back until anything else happens, or for ten seconds, and then written once with all its times.
-/// Target and ink follow from the commands and from what the statuses show of them.
+/// It tracks the bytes of each direction, so that each message contains at most one packet, with
+/// its meaning, however the bytes were split. A repeated status is held back until something else
+/// happens, or for ten seconds, and then written once with all its times. The target and the ink
+/// views are computed from the commands and the statuses.
 #[derive(Debug)]
 pub(crate) struct Encoder {
-    /// Nanoseconds since 1970 when the times of the records begin.
+    /// The start of the records' times, in nanoseconds since 1970.
     start_ns: u64,
     dialect: Option<Dialect>,
     commands: Decoder<Commands>,
     statuses: Decoder<Statuses>,
-    /// The status that came last, if it is whole and what came since says the same.
+    /// The last status, if it is complete and everything since repeats it.
     repeats: Option<Repeats>,
-    /// What the views show.
+    /// The content of the views.
     shown: Option<Status>,
     scene: Scene,
 }
 
-/// A message, ready to be written or told.
+/// A message, ready to be written or sent.
 #[derive(Debug)]
 pub struct Message<'t> {
-    /// What it is called, and what it looks like.
+    /// The topic.
     pub topic: &'t Topic,
-    /// When it is told, in nanoseconds since 1970.
+    /// The time of the message, in nanoseconds since 1970.
     pub at_ns: u64,
-    /// When the first happened of what it tells.
+    /// The time of its first event, in nanoseconds since 1970.
     pub(crate) since_ns: u64,
-    /// The message itself, an object.
+    /// The message itself, a JSON object.
     pub json: Vec<u8>,
 }
 
-/// When something happened, in each of the ways in which messages tell it.
+/// The time of an event in the representations used by messages.
 #[derive(Clone, Copy)]
 struct MessageTime {
     at: Duration,
@@ -55,8 +55,8 @@ struct MessageTime {
 }
 
 impl Encoder {
-    /// An encoder for records whose times count from `start`; `None` before 1970 or after 2500, which
-    /// recordings have no numbers for.
+    /// Creates an encoder for records whose times count from `start`; `None` before 1970 or after
+    /// 2500, which recordings cannot represent.
     pub(crate) fn new(start: Timestamp) -> Option<Self> {
         let start_ns = u64::try_from(start.as_nanosecond()).ok()?;
         (start_ns < LATEST_NS).then(|| Self {
@@ -70,8 +70,8 @@ impl Encoder {
         })
     }
 
-    /// The messages that tell what was held back and a record; `None` where its time lies centuries
-    /// ahead.
+    /// Returns the messages for what was held back and for a record; `None` if its time is
+    /// centuries in the future.
     pub(crate) fn write<'t>(
         &mut self,
         at: Duration,
@@ -97,7 +97,7 @@ impl Encoder {
         Some(messages)
     }
 
-    /// Takes a record as [`Encoder::write`] does, where nobody wants to be told what it says.
+    /// Handles a record like [`Encoder::write`] without creating messages.
     pub(crate) fn follow(&mut self, at: Duration, record: &Record) {
         match record {
             Record::ToArm(bytes) => {
@@ -114,7 +114,7 @@ impl Encoder {
                     }
                 }
             }
-            // What else there is costs nothing, and nothing of it is told.
+            // Other records need no work and are not reported.
             _ => drop(self.write(at, record)),
         }
         if let Some(time) = self.time(at) {
@@ -122,30 +122,31 @@ impl Encoder {
         }
     }
 
-    /// All ink that was told and is kept, for one who comes late.
+    /// All reported ink that is still kept, for a late subscriber.
     pub(crate) fn ink_so_far(&self, at: Duration) -> Vec<Message<'static>> {
         let Some(time) = self.time(at) else {
             return Vec::new();
         };
         let ink = self.scene.ink_so_far(&time.stamp());
-        ink.iter().map(|it| time.own(INK, it)).collect()
+        ink.iter().map(|item| time.own(INK, item)).collect()
     }
 
-    /// The messages that tell what was held back.
+    /// Returns the messages for what is held back.
     pub(crate) fn write_held<'t>(&mut self) -> Vec<Message<'t>> {
         let held = self.repeats.as_mut().map(Repeats::take_held);
-        // What is held back begins with a packet: the rest of this one is not held back.
-        self.repeats.take_if(|it| !it.is_between_packets());
+        // Held-back data starts with a packet: the rest of this one is not held back.
+        self.repeats.take_if(|repeat| !repeat.is_between_packets());
         held.map(|held| self.repeat_messages(&held))
             .unwrap_or_default()
     }
 
-    /// From now on a status is written as it comes, once more with what the views show if `with_views`, whatever came before.
+    /// Starts over: the next status is written immediately, with the views if `with_views`, even if
+    /// it repeats the last one.
     pub(crate) fn forget_repeats(&mut self, with_views: bool) {
         self.repeats = None;
         if with_views {
             self.shown = None;
-            self.scene.tell_again();
+            self.scene.report_again();
         }
     }
 
@@ -154,7 +155,7 @@ impl Encoder {
         self.repeats.as_ref().is_some_and(Repeats::is_holding)
     }
 
-    /// The message that tells that records were lost.
+    /// The message about lost records.
     pub(crate) fn write_lost(
         &self,
         at: Duration,
@@ -166,9 +167,9 @@ impl Encoder {
         Some(time.own(RECORDER, &value))
     }
 
-    /// A time in nanoseconds since 1970; `None` where it lies centuries ahead.
+    /// A time in nanoseconds since 1970; `None` if it is centuries in the future.
     pub(crate) fn at_ns(&self, at: Duration) -> Option<u64> {
-        self.time(at).map(|it| it.at_ns)
+        self.time(at).map(|time| time.at_ns)
     }
 
     fn time(&self, at: Duration) -> Option<MessageTime> {
@@ -176,11 +177,11 @@ impl Encoder {
         let at_ns = self
             .start_ns
             .checked_add(nanos)
-            .filter(|it| *it < LATEST_NS)?;
+            .filter(|sum| *sum < LATEST_NS)?;
         Some(MessageTime { at, at_ns })
     }
 
-    /// What is to be seen that was not told yet.
+    /// The changes of the views that were not reported yet.
     fn news<'t>(&mut self, time: MessageTime) -> impl Iterator<Item = Message<'t>> + use<'t> {
         let news = self.scene.poll(time.at, &time.stamp());
         news.map(move |(topic, value)| time.own(topic, &value))
@@ -216,7 +217,7 @@ impl Encoder {
                 self.scene.handle_status(time.at, &truly(status));
             }
             let repeats = self.repeats.as_mut();
-            if repeats.is_some_and(|it| it.take(at_ns, piece, is_end)) {
+            if repeats.is_some_and(|repeat| repeat.take(at_ns, piece, is_end)) {
                 let news: Vec<_> = self.news(time).collect();
                 if !news.is_empty() || self.repeats.as_ref().is_some_and(Repeats::is_due) {
                     messages.extend(self.write_held());
@@ -240,7 +241,7 @@ impl Encoder {
         messages
     }
 
-    /// A status as Foxglove's panels want to see it.
+    /// A status in the form of Foxglove's panels.
     fn views<'t>(&mut self, time: MessageTime, status: &Status) -> [Message<'t>; 3] {
         let status = &truly(status);
         let timestamp = time.stamp();
@@ -268,14 +269,14 @@ impl Encoder {
     fn repeat_messages<'t>(&mut self, held: &HeldBack) -> Vec<Message<'t>> {
         let mut messages = match held.ends_ns[..] {
             [] => Vec::new(),
-            // One is written as if it had not been held back.
+            // A single one is written as if it had not been held back.
             [at_ns] => {
                 let time = self.time_at(at_ns);
                 vec![time.bytes_from_arm(&held.packet, Some(held.status))]
             }
             [first_ns, .., last_ns] => {
                 let time = self.time_at(last_ns);
-                let gaps_ns = held.ends_ns.windows(2).map(|it| it[1] - it[0]);
+                let gaps_ns = held.ends_ns.windows(2).map(|pair| pair[1] - pair[0]);
                 let message = FromArm {
                     gaps_ns: Some(gaps_ns.collect()),
                     ..FromArm::new(time.at_s(), &held.packet, Some(held.status))
@@ -307,7 +308,7 @@ impl MessageTime {
         self.at.as_secs_f64()
     }
 
-    /// As Foxglove has it.
+    /// A time in Foxglove's form.
     fn stamp(self) -> serde_json::Value {
         json!({
             "sec": self.at_ns / NANOS_PER_S,
@@ -379,7 +380,7 @@ struct Joints {
     gripper_deg: f32,
 }
 
-/// Cuts bytes behind each packet that they complete.
+/// Splits bytes after each complete packet.
 fn pieces<'b, D: dobot_wire::Direction>(
     decoder: &mut Decoder<D>,
     bytes: &'b [u8],
@@ -397,14 +398,15 @@ fn pieces<'b, D: dobot_wire::Direction>(
     pieces
 }
 
-/// What a packet says, or why it is no command, as recordings tell it; `None` where nobody knows the dialect and it matters.
+/// The meaning of a packet, or why it is not a command; `None` if it depends on an unknown dialect.
 ///
 /// # Errors
 ///
-/// The text of a [`ParseError`](dobot_wire::ParseError) where it is no command.
+/// The text of a [`ParseError`](dobot_wire::ParseError) if it is not a command.
 #[must_use]
 pub fn meaning(packet: &Packet, dialect: Option<Dialect>) -> Option<Result<Command, String>> {
-    let read = |dialect: Dialect| Command::parse(packet, &dialect).map_err(|it| it.to_string());
+    let read =
+        |dialect: Dialect| Command::parse(packet, &dialect).map_err(|error| error.to_string());
     if let Some(dialect) = dialect {
         return Some(read(dialect));
     }
@@ -413,7 +415,7 @@ pub fn meaning(packet: &Packet, dialect: Option<Dialect>) -> Option<Result<Comma
     agree.then_some(one)
 }
 
-/// A status with the place that it tells, if it is a message of the Bluetooth port.
+/// A status, with the place that it contains if it is a message of the Bluetooth port.
 fn truly(status: &Status) -> Status {
     status.message().unwrap_or(*status)
 }
@@ -427,7 +429,7 @@ fn position_m(status: &Status) -> serde_json::Value {
     })
 }
 
-/// The tool turns about the vertical only.
+/// The tool rotates about the vertical only.
 fn quaternion(status: &Status) -> serde_json::Value {
     let (sine, cosine) = (f64::from(status.rotation_deg).to_radians() / 2.0).sin_cos();
     json!({ "x": 0.0, "y": 0.0, "z": sine, "w": cosine })
@@ -435,7 +437,7 @@ fn quaternion(status: &Status) -> serde_json::Value {
 
 const NANOS_PER_S: u64 = 1_000_000_000;
 
-/// Some centuries from now, with room for all that is added to it.
+/// The latest time: some centuries from now, with room for additions.
 const LATEST_NS: u64 = u64::MAX / 10 * 9;
 
 #[cfg(test)]
@@ -462,7 +464,7 @@ mod tests {
         target.emit(&Dialect::SPECIFICATION).to_bytes()
     }
 
-    /// Rear arm upright, forearm level, base and tool turned by 90 degrees.
+    /// Rear arm upright, forearm level, base and tool rotated by 90 degrees.
     fn status() -> Status {
         Status {
             x_mm: 0.0,
@@ -490,7 +492,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_dialects_read_differently_is_told_only_when_the_dialect_is_known() {
+    fn what_the_dialects_read_differently_is_reported_only_when_the_dialect_is_known() {
         let mut encoder = encoder();
         let record = Record::ToArm(target(MovingMode::MovL).to_vec());
         let messages = encoder.write(Duration::ZERO, &record).unwrap();
@@ -522,7 +524,10 @@ mod tests {
         let mut encoder = encoder();
         let record = Record::FromArm(status().emit().to_bytes().to_vec());
         let messages = encoder.write(Duration::from_millis(1500), &record).unwrap();
-        let topics: Vec<_> = messages.iter().map(|it| it.topic.name()).collect();
+        let topics: Vec<_> = messages
+            .iter()
+            .map(|message| message.topic.name())
+            .collect();
         assert_eq!(topics, [FROM_ARM, POSE, TRANSFORMS, JOINTS]);
         let pose = value(&messages[1]);
         assert_eq!(pose["timestamp"]["nsec"], 500_000_000);

@@ -1,4 +1,4 @@
-//! One MCAP file while it is written.
+//! The writer of one MCAP file.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -14,14 +14,14 @@ use mcap::{Compression, McapResult, WriteOptions, Writer};
 use crate::encoder::Message;
 use crate::{About, Topic};
 
-/// One MCAP file while it is written: small chunks, each written as a whole, so that what was
-/// flushed can be read whatever happens next.
+/// A writer of one MCAP file with small chunks, each written as a whole, so that flushed data stays
+/// readable after a crash.
 pub(crate) struct FileWriter<W: Write> {
     writer: Writer<NoSeek<Counted<W>>>,
-    /// Bytes that the file has been given.
+    /// The number of bytes passed to the file.
     written: Arc<AtomicU64>,
     channels: HashMap<String, WrittenChannel>,
-    /// How long the index at the end of the file will be, in bytes, at the most.
+    /// An upper bound of the length of the index at the end of the file, in bytes.
     index_len: u64,
     chunk: Option<OpenChunk>,
 }
@@ -37,12 +37,12 @@ struct WrittenChannel {
 #[derive(Clone, Copy)]
 struct OpenChunk {
     begin_ns: u64,
-    /// How long it will be in the file, in bytes, at the most.
+    /// An upper bound of its length in the file, in bytes.
     len: u64,
 }
 
 impl<W: Write> FileWriter<W> {
-    /// Begins a file.
+    /// Starts a file.
     pub(crate) fn begin(file: W, about: &About, start: Timestamp) -> McapResult<Self> {
         let written = Arc::new(AtomicU64::new(0));
         let counted = Counted {
@@ -60,7 +60,7 @@ impl<W: Write> FileWriter<W> {
         Ok(file_writer)
     }
 
-    /// Writes what the recording is of.
+    /// Writes the metadata.
     pub(crate) fn write_about(&mut self, about: &About, start: Timestamp) -> McapResult<()> {
         self.flush()?;
         self.index_len += RECORD_LEN;
@@ -68,7 +68,7 @@ impl<W: Write> FileWriter<W> {
         self.writer.flush()
     }
 
-    /// Writes a message; it is safe from the next [`FileWriter::flush`] on.
+    /// Writes a message; it is safe after the next [`FileWriter::flush`].
     pub(crate) fn write(&mut self, message: &Message<'_>) -> McapResult<()> {
         let (cost, index_len) = (self.cost(message), self.index_len);
         let channel = self.channel(message.topic)?;
@@ -93,19 +93,19 @@ impl<W: Write> FileWriter<W> {
         self.len_when_finished() + self.cost(message) > limit
     }
 
-    /// Whether it has room for that topic.
+    /// Whether the file has room for another topic.
     pub(crate) fn has_room_for(&self, topic: &Topic) -> bool {
         self.channels.len() < TOPICS || self.channels.contains_key(topic.name())
     }
 
-    /// Whether what is not flushed is worth a chunk of its own by now.
+    /// Whether the unflushed data is worth a chunk.
     pub(crate) fn wants_flush(&self, now_ns: u64) -> bool {
         self.chunk.is_some_and(|chunk| {
             chunk.len >= CHUNK_LEN || now_ns.abs_diff(chunk.begin_ns) >= CHUNK_NS
         })
     }
 
-    /// Hands all that was written to the file.
+    /// Flushes all written data to the file.
     pub(crate) fn flush(&mut self) -> McapResult<()> {
         if self.chunk.take().is_some() {
             self.index_len += RECORD_LEN + PER_CHANNEL_LEN * self.channels.len() as u64;
@@ -113,7 +113,7 @@ impl<W: Write> FileWriter<W> {
         self.writer.flush()
     }
 
-    /// Writes index and end mark, and gives the file back.
+    /// Writes the index and the end mark, and returns the file.
     pub(crate) fn finish(mut self) -> McapResult<W> {
         self.writer.finish()?;
         let mut file = self.writer.into_inner().into_inner().inner;
@@ -121,13 +121,13 @@ impl<W: Write> FileWriter<W> {
         Ok(file)
     }
 
-    /// How long the file is if it is finished now, in bytes, at the most.
+    /// An upper bound of the length of the file if it is finished now, in bytes.
     fn len_when_finished(&self) -> u64 {
         let chunk_len = self.chunk.map_or(0, |chunk| chunk.len);
         self.written.load(Ordering::Relaxed) + chunk_len + self.index_len
     }
 
-    /// How much longer the file gets by a message, in bytes, at the most.
+    /// An upper bound of the length that a message adds, in bytes.
     fn cost(&self, message: &Message<'_>) -> u64 {
         let topic = message.topic;
         let own = message.json.len() as u64 + RECORD_LEN;
@@ -141,7 +141,7 @@ impl<W: Write> FileWriter<W> {
             Some(_) => 0,
             None => 2 * (RECORD_LEN + PER_CHANNEL_LEN * self.channels.len() as u64),
         };
-        // What cannot be compressed gets a little longer.
+        // Incompressible data gets slightly longer.
         (own + channel) / 64 + own + channel + chunk
     }
 
@@ -165,25 +165,25 @@ impl<W: Write> std::fmt::Debug for FileWriter<W> {
     }
 }
 
-/// How a file is written.
+/// The options of a file.
 pub(crate) fn options() -> WriteOptions {
     WriteOptions::new()
         .library(concat!("dobot ", env!("CARGO_PKG_VERSION")))
         .compression(Some(Compression::Zstd))
         .compression_threads(0)
-        // A chunk is whole in memory before any of it is written.
+        // A chunk is complete in memory before any of it is written.
         .disable_seeking(true)
-        .chunk_size(Some(MOST_CHUNK_LEN))
+        .chunk_size(Some(MAX_CHUNK_LEN))
 }
 
-/// How long schema and channel of a topic are, and its part in the indexes of a chunk, in bytes, at
-/// the most.
+/// An upper bound of the length of schema and channel of a topic, and of its part in the indexes of
+/// a chunk, in bytes.
 const fn description_len(topic: &Topic) -> u64 {
     let names_len = 2 * (topic.name().len() + topic.schema_name().len());
     (topic.schema().len() + names_len) as u64 + RECORD_LEN + PER_CHANNEL_LEN
 }
 
-/// Counts the bytes that something is given.
+/// A writer that counts the bytes.
 struct Counted<W> {
     inner: W,
     count: Arc<AtomicU64>,
@@ -201,21 +201,21 @@ impl<W: Write> Write for Counted<W> {
     }
 }
 
-/// How many topics a file has room for.
+/// The largest number of topics of a file.
 const TOPICS: usize = 64;
 
-/// A chunk is flushed when it holds so many bytes ...
+/// A chunk is flushed at this length ...
 const CHUNK_LEN: u64 = 64 << 10;
-/// ... or so much time, in nanoseconds.
+/// ... or after this period, in nanoseconds.
 const CHUNK_NS: u64 = 1_000_000_000;
-/// No chunk gets longer than this before it is flushed: a single message may be long.
-const MOST_CHUNK_LEN: u64 = 1 << 20;
+/// The longest unflushed chunk; a single message may be long.
+const MAX_CHUNK_LEN: u64 = 1 << 20;
 
 /// Magic, header, statistics, footer.
 const FRAME_LEN: u64 = 2048;
-/// A record's numbers and its entries in indexes.
+/// The fixed fields of a record and its index entries.
 const RECORD_LEN: u64 = 160;
-/// Each channel's part in the indexes of a chunk.
+/// The part of each channel in the indexes of a chunk.
 const PER_CHANNEL_LEN: u64 = 32;
 
 #[cfg(test)]
@@ -226,7 +226,7 @@ mod tests {
 
     use super::*;
 
-    /// A disk that takes so many bytes and no more.
+    /// A disk with a limited number of bytes.
     struct Disk(usize);
 
     impl Write for Disk {

@@ -1,4 +1,4 @@
-//! The folder in which recordings stand.
+//! The folder of recordings.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -11,20 +11,20 @@ use jiff::Timestamp;
 pub struct RecordedFile {
     /// The file.
     pub path: PathBuf,
-    /// How long it is, in bytes.
+    /// The length, in bytes.
     pub bytes: u64,
-    /// When it was begun.
+    /// The start of the recording.
     pub begin: Timestamp,
-    /// Which it is of those that were begun in the same second, from 1.
+    /// The number among the recordings started in the same second, from 1.
     number: u32,
 }
 
-/// The recordings in a folder, oldest first. A file with another name is not a recording. A folder that
-/// does not exist holds none.
+/// Lists the recordings in a folder, oldest first. Files with other names are not recordings. A
+/// missing folder has none.
 ///
 /// # Errors
 ///
-/// What the operating system says.
+/// The error of the operating system.
 pub fn recordings(folder: &Path) -> io::Result<Vec<RecordedFile>> {
     let files = match folder.read_dir() {
         Ok(files) => files,
@@ -45,18 +45,18 @@ pub fn recordings(folder: &Path) -> io::Result<Vec<RecordedFile>> {
                 begin,
                 number,
             }),
-            // Another program may delete it meanwhile.
+            // Another program may have deleted it.
             Ok(_) => {}
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}
             Err(error) => return Err(error),
         }
     }
-    entries.sort_by_key(|it| (it.begin, it.number));
+    entries.sort_by_key(|entry| (entry.begin, entry.number));
     Ok(entries)
 }
 
-/// Whether somebody writes this recording now: a recorder has its file for itself until it ends it,
-/// or until its program does. Where the operating system cannot tell, the answer is yes.
+/// Whether another process is writing this recording: a recorder locks its file until it finishes
+/// it or exits. If the operating system cannot tell, the answer is yes.
 #[must_use]
 pub fn is_being_written(path: &Path) -> bool {
     if cfg!(windows) {
@@ -65,7 +65,7 @@ pub fn is_being_written(path: &Path) -> bool {
     File::open(path).is_ok_and(|file| file.try_lock_shared().is_err())
 }
 
-/// Whether the file ends with the mark of one that was ended in order.
+/// Whether the file ends with the end mark of a finished one.
 pub(crate) fn has_end_mark(path: &Path) -> io::Result<bool> {
     let mut file = File::open(path)?;
     let mark_len = mcap::MAGIC.len() as u64;
@@ -78,8 +78,8 @@ pub(crate) fn has_end_mark(path: &Path) -> io::Result<bool> {
     Ok(mark == mcap::MAGIC)
 }
 
-/// A file beside a recording that becomes the recording, once it is repaired; `None` while somebody
-/// else writes it. What a repair left that was killed is gone.
+/// Creates a file beside a recording for its repaired version; `None` while another process writes
+/// it. Remains of an interrupted repair are deleted.
 pub(crate) fn beside(recording: &Path) -> io::Result<Option<(PathBuf, File)>> {
     let mut name = recording.as_os_str().to_owned();
     name.push(REPAIRED);
@@ -93,8 +93,7 @@ pub(crate) fn beside(recording: &Path) -> io::Result<Option<(PathBuf, File)>> {
     Ok(Some((path, file)))
 }
 
-/// Puts a repaired recording into the place of the damaged one. The file has to be written and
-/// synced.
+/// Replaces the damaged recording by the repaired one. The file must be written and synced.
 pub(crate) fn replace(repaired: &Path, recording: &Path) -> io::Result<()> {
     std::fs::rename(repaired, recording)?;
     if let Some(folder) = recording.parent() {
@@ -103,12 +102,12 @@ pub(crate) fn replace(repaired: &Path, recording: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Deletes what repairs left that were killed.
+/// Deletes the remains of interrupted repairs.
 pub(crate) fn tidy(folder: &Path) -> io::Result<()> {
     for file in folder.read_dir()? {
         let file = file?;
         let name = file.file_name();
-        let recording = name.to_str().and_then(|it| it.strip_suffix(REPAIRED));
+        let recording = name.to_str().and_then(|text| text.strip_suffix(REPAIRED));
         if recording.and_then(parse).is_some() && !is_being_written(&file.path()) {
             std::fs::remove_file(file.path())?;
         }
@@ -116,10 +115,10 @@ pub(crate) fn tidy(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Makes a new file for a recording that begins then; the folder is made if it is missing.
+/// Creates a file for a recording with this start; creates the folder if it is missing.
 pub(crate) fn create(folder: &Path, begin: Timestamp) -> io::Result<(PathBuf, File)> {
     std::fs::create_dir_all(folder)?;
-    for number in 1..=MOST_PER_SECOND {
+    for number in 1..=MAX_PER_SECOND {
         let path = folder.join(name(begin, number));
         match alone(OpenOptions::new().write(true).create_new(true)).open(&path) {
             Ok(file) => {
@@ -137,7 +136,7 @@ pub(crate) fn create(folder: &Path, begin: Timestamp) -> io::Result<(PathBuf, Fi
 /// Deletes the oldest recordings until `bytes` more fit into `total`.
 pub(crate) fn make_room(folder: &Path, bytes: u64, total: u64) -> io::Result<()> {
     let entries = recordings(folder)?;
-    let mut kept: u64 = entries.iter().map(|it| it.bytes).sum();
+    let mut kept: u64 = entries.iter().map(|entry| entry.bytes).sum();
     for entry in entries {
         if kept + bytes <= total {
             break;
@@ -150,22 +149,22 @@ pub(crate) fn make_room(folder: &Path, bytes: u64, total: u64) -> io::Result<()>
     Ok(())
 }
 
-/// On Windows nobody else may write the file while it is open; that is its lock there: a real one
-/// would keep readers out.
+/// On Windows no other process may write the open file; this replaces a lock, which would keep
+/// readers out.
 fn alone(options: &mut OpenOptions) -> &mut OpenOptions {
     #[cfg(windows)]
     std::os::windows::fs::OpenOptionsExt::share_mode(options, 1 | 4);
     options
 }
 
-/// Locks the file for as long as it is open. Where files have no locks it is written all the same.
+/// Locks the file while it is open. On file systems without locks it is written unlocked.
 fn lock(file: &File) {
     if cfg!(not(windows)) {
         let _ = file.lock();
     }
 }
 
-/// `dobot-2026-11-21T12-30-00Z.mcap`: a name that every system takes, in the order of time.
+/// The file name, as in `dobot-2026-11-21T12-30-00Z.mcap`: valid on every system, sorted by time.
 fn name(begin: Timestamp, number: u32) -> String {
     let begin = begin.strftime("%Y-%m-%dT%H-%M-%SZ");
     match number {
@@ -183,23 +182,23 @@ fn parse(file: &str) -> Option<(Timestamp, u32)> {
     };
     let (date, time) = begin.split_once('T')?;
     let begin: Timestamp = format!("{date}T{}Z", time.replace('-', ":")).parse().ok()?;
-    // Only the very names that are given are taken for recordings: others are not deleted.
+    // Only exact names count as recordings: other files are not deleted.
     (name(begin, number) == file).then_some((begin, number))
 }
 
-/// After a power cut a file is there only if its folder was written too. Not every system can do
-/// that, and none has to.
+/// Syncs the folder: after a power failure a file exists only if its folder was written too. Not
+/// every system supports this.
 fn sync_folder(folder: &Path) {
     if let Ok(folder) = File::open(folder) {
         let _ = folder.sync_all();
     }
 }
 
-/// What the name of a recording that is being repaired has at its end.
+/// The suffix of a recording under repair.
 const REPAIRED: &str = ".repair";
 
-/// More files than anybody begins in a second.
-const MOST_PER_SECOND: u32 = 1000;
+/// The largest number of recordings that start in one second.
+const MAX_PER_SECOND: u32 = 1000;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -221,7 +220,7 @@ mod tests {
         let listed = recordings(folder.path()).unwrap();
         assert_eq!(
             names,
-            listed.into_iter().map(|it| it.path).collect::<Vec<_>>()
+            listed.into_iter().map(|item| item.path).collect::<Vec<_>>()
         );
     }
 

@@ -1,4 +1,4 @@
-//! The links of the arm as frames, for programs that show them.
+//! The links of the arm as transforms, for viewers.
 
 use std::fmt;
 
@@ -8,28 +8,28 @@ use dobot_motion::ArmPlace;
 use dobot_wire::Status;
 use serde_json::{Value, json};
 
-/// Makes transforms of statuses: those of the links of the URDF, by its own geometry.
+/// A converter from statuses to transforms of the links of the URDF, by its own geometry.
 #[derive(Default)]
 pub(crate) struct Frames {
-    /// How long each tool is, where that is known.
+    /// The length of each tool, where known.
     tools: Vec<MountedTool>,
-    /// The model with the tool that was mounted last.
+    /// The model with the last mounted tool.
     model: Option<(Tool, Model)>,
 }
 
 impl Frames {
-    /// Takes how long each tool is.
+    /// Sets the lengths of the tools.
     pub(crate) fn set_tools(&mut self, tools: &[MountedTool]) {
         self.tools = tools.to_vec();
         self.model = None;
     }
 
-    /// How far the tip of a tool hangs below the wrist, in mm; nothing where nobody knows.
+    /// The distance from the wrist down to the tip, in mm; 0 if unknown.
     pub(crate) fn length_mm(&self, tool: Tool) -> f64 {
-        self.mounted(tool).map_or(0.0, |it| it.length().0)
+        self.mounted(tool).map_or(0.0, |mounted| mounted.length().0)
     }
 
-    /// Where each link is, seen from its parent.
+    /// The transform of each link relative to its parent.
     pub(crate) fn transforms(&mut self, status: &Status, tool: Tool, time: &Value) -> Value {
         let mounted = self.mounted(tool);
         let model = match self.model.take() {
@@ -38,16 +38,16 @@ impl Frames {
         };
         let links = model.link_frames(&ArmPlace::of_status(status).joints);
         self.model = Some((tool, model));
-        // Where nobody knows how long the tool is, nobody knows where its tip is.
+        // Without the length of the tool its tip is unknown.
         let known = links
             .iter()
-            .filter(|it| mounted.is_some() || it.child != "tip");
-        json!({ "transforms": known.map(|it| transform(it, time)).collect::<Vec<_>>() })
+            .filter(|link| mounted.is_some() || link.child != "tip");
+        json!({ "transforms": known.map(|known| transform(known, time)).collect::<Vec<_>>() })
     }
 
     fn mounted(&self, tool: Tool) -> Option<MountedTool> {
         let mut tools = self.tools.iter().copied();
-        tools.find(|it| it.kind() == tool.end_effector())
+        tools.find(|mounted| mounted.kind() == tool.end_effector())
     }
 }
 
@@ -59,7 +59,7 @@ impl fmt::Debug for Frames {
     }
 }
 
-/// A tool for the frames up to its own, which do not depend on its length.
+/// A tool for the frames up to its mount, which do not depend on its length.
 fn of_any_length(tool: Tool) -> Option<MountedTool> {
     MountedTool::new(tool, dobot_arm::Millimeters(ANY_MM)).ok()
 }
@@ -67,7 +67,7 @@ fn of_any_length(tool: Tool) -> Option<MountedTool> {
 fn transform(link: &LinkFrame, time: &Value) -> Value {
     let at = link.at_mm.map(metres);
     let (sin, cos) = (link.angle.0.to_radians() / 2.0).sin_cos();
-    let [x, y, z] = link.axis.map(|it| rounded(it * sin, TURN));
+    let [x, y, z] = link.axis.map(|axis| rounded(axis * sin, TURN));
     json!({
         "timestamp": time,
         "parent_frame_id": link.parent,
@@ -77,21 +77,21 @@ fn transform(link: &LinkFrame, time: &Value) -> Value {
     })
 }
 
-/// Millimetres in metres, to a thousandth of a millimetre.
+/// Converts millimetres to metres, to a thousandth of a millimetre.
 pub(crate) fn metres(mm: f64) -> f64 {
     rounded(mm / 1000.0, MICRO)
 }
 
-/// A number to so many parts of one: shorter to write, and without a minus before nothing.
+/// Rounds a number to fractions of one, which shortens the text, and removes a negative zero.
 fn rounded(number: f64, parts: f64) -> f64 {
     (number * parts).round() / parts + 0.0
 }
 
-/// The frame of all poses: its origin is the rear arm's pivot.
+/// The frame of all poses, with its origin at the rear arm's pivot.
 pub(crate) const BASE: &str = "base";
 
 const MICRO: f64 = 1e6;
-/// Turns that are off by less than this move the tool by a quarter of a thousandth of a millimetre at the most.
+/// Smaller rotations move the tool by at most a quarter of a thousandth of a millimetre.
 const TURN: f64 = 1e7;
 const ANY_MM: f64 = 50.0;
 
@@ -103,18 +103,18 @@ mod tests {
 
     use super::*;
 
-    /// Where the origin of a frame is in the frame `base`, in metres, by quaternions alone.
+    /// The origin of a frame in the frame `base`, in metres, by quaternions only.
     fn place(transforms: &Value, frame: &str) -> [f64; 3] {
         let (mut point, mut frame) = ([0.0; 3], frame.to_owned());
         while frame != BASE {
             let mut all = transforms["transforms"].as_array().unwrap().iter();
-            let link = all.find(|it| it["child_frame_id"] == *frame).unwrap();
+            let link = all.find(|item| item["child_frame_id"] == *frame).unwrap();
             let part = |name: &str, axis: &str| link[name][axis].as_f64().unwrap();
-            let [x, y, z, w] = ["x", "y", "z", "w"].map(|it| part("rotation", it));
+            let [x, y, z, w] = ["x", "y", "z", "w"].map(|name| part("rotation", name));
             // p + 2w (q x p) + 2 q x (q x p)
             let cross = |[a, b, c]: [f64; 3]| [y * c - z * b, z * a - x * c, x * b - y * a];
             let (once, twice) = (cross(point), cross(cross(point)));
-            let at = ["x", "y", "z"].map(|it| part("translation", it));
+            let at = ["x", "y", "z"].map(|name| part("translation", name));
             point = std::array::from_fn(|i| at[i] + point[i] + 2.0 * (w * once[i] + twice[i]));
             link["parent_frame_id"]
                 .as_str()
@@ -137,14 +137,14 @@ mod tests {
                 let joints = ArmPlace::of_status(&status).joints;
                 let position = forward(&joints, tool).position;
                 let transforms = frames.transforms(&status, tool, &json!({}));
-                let expected = [position.x, position.y, position.z].map(|it| it.0 / 1000.0);
+                let expected = [position.x, position.y, position.z].map(|value| value.0 / 1000.0);
                 let found = place(&transforms, "tool");
                 for (found, expected) in found.iter().zip(expected) {
                     prop_assert!((found - expected).abs() < 1e-6, "{found}, not {expected}");
                 }
-                // Only of the laser it is known how long it is.
+                // Only the length of the laser is known.
                 let all = transforms["transforms"].as_array().unwrap();
-                let has_tip = all.iter().any(|it| it["child_frame_id"] == "tip");
+                let has_tip = all.iter().any(|item| item["child_frame_id"] == "tip");
                 prop_assert_eq!(has_tip, tool == Tool::Laser);
                 if has_tip {
                     let below = place(&transforms, "tip")[2] - expected[2];
@@ -166,7 +166,7 @@ mod tests {
             let name = link["child_frame_id"].as_str().unwrap();
             assert!(urdf.contains(&format!(r#"<link name="{name}""#)), "{name}");
         }
-        // Every link but `base` has a place.
+        // Every link but `base` has a transform.
         assert_eq!(urdf.matches("<link name=").count(), all.len() + 1);
     }
 }

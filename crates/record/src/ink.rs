@@ -1,4 +1,4 @@
-//! What the tool has drawn or burnt, in pieces.
+//! The lines that the tool has drawn or burned, in pieces.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -9,34 +9,34 @@ use serde_json::{Value, json};
 
 use crate::scene::{color, entity, line, points, removal, sphere};
 
-/// What the tool has drawn or burnt: lines, cut into pieces of which each is told once and never changes. The newest
-/// are kept, and the oldest are taken back when there are too many.
+/// The lines that the tool has drawn or burned, cut into pieces; each piece is reported once and
+/// never changes. The newest ones are kept; when there are too many, the oldest are removed.
 #[derive(Debug, Default)]
 pub(crate) struct Ink {
-    /// The line that still grows.
+    /// The line that is still growing.
     open: Option<Line>,
     kept: VecDeque<Piece>,
-    /// How many points those have.
+    /// The number of points of the kept pieces.
     kept_points: usize,
-    /// How many of them, the newest, are not told yet.
-    untold: usize,
-    /// Pieces that were told and are no more.
+    /// The number of the newest pieces that are not reported yet.
+    unreported: usize,
+    /// Reported pieces that were removed.
     gone: Vec<u64>,
     count: u64,
 }
 
-/// A line that still grows, as far as it is in no piece yet.
+/// A growing line, as far as it is not part of a piece.
 #[derive(Debug)]
 struct Line {
     points_mm: Vec<Position>,
-    /// When the second of them was reached.
+    /// The time at its second point.
     since: Option<Duration>,
     burns: bool,
-    /// Whether it is a dot if the pen is lifted now.
+    /// Whether it becomes a dot if the pen is lifted now.
     is_dot: bool,
 }
 
-/// What was drawn in one go, to be told as one.
+/// A piece of a line, reported as a unit.
 #[derive(Debug)]
 struct Piece {
     number: u64,
@@ -45,8 +45,9 @@ struct Piece {
 }
 
 impl Ink {
-    /// Takes a way that is over, of a vector or not; a pen draws below a height. A pen draws a way between two places below
-    /// it, and a dot where a vector lowers it and the next one lifts it; a laser burns where it is on.
+    /// Handles a finished move, by a vector or not; a pen draws below a height. A pen draws a move
+    /// between two places below it, and a dot if one vector lowers it and the next one lifts it; a
+    /// laser burns while it is on.
     pub(crate) fn draw(
         &mut self,
         at: Duration,
@@ -54,7 +55,8 @@ impl Ink {
         is_vector: bool,
         pen_below_mm: Option<f64>,
     ) {
-        let is_low = |place: Position| pen_below_mm.is_some_and(|it| place.z.0 < it);
+        let is_low =
+            |place: Position| pen_below_mm.is_some_and(|pen_below_mm| place.z.0 < pen_below_mm);
         let Ok(from) = way.place_at(0.0) else {
             return self.end_line();
         };
@@ -71,48 +73,51 @@ impl Ink {
             }
             last = place;
         }
-        if self.open.as_ref().is_some_and(|it| it.is_full(at)) {
+        if self.open.as_ref().is_some_and(|open| open.is_full(at)) {
             self.cut();
         }
     }
 
-    /// The tool is elsewhere now.
+    /// Handles a jump of the tool to another place.
     pub(crate) fn end_line(&mut self) {
         self.cut();
         self.open = None;
     }
 
-    /// Looks what time it is: a line that grows is told now and then.
+    /// Handles time: a growing line is reported now and then.
     pub(crate) fn handle_time(&mut self, at: Duration) {
-        if self.open.as_ref().is_some_and(|it| it.is_due(at)) {
+        if self.open.as_ref().is_some_and(|open| open.is_due(at)) {
             self.cut();
         }
     }
 
-    /// What is new, if anything is.
+    /// The changes, if there are any.
     pub(crate) fn poll(&mut self, time: &Value, tip_mm: f64) -> Option<Value> {
-        if self.untold == 0 && self.gone.is_empty() {
+        if self.unreported == 0 && self.gone.is_empty() {
             return None;
         }
-        let new = self.kept.len() - std::mem::take(&mut self.untold);
-        let entities = self.kept.range(new..).map(|it| it.entity(time, tip_mm));
+        let new = self.kept.len() - std::mem::take(&mut self.unreported);
+        let entities = self
+            .kept
+            .range(new..)
+            .map(|range| range.entity(time, tip_mm));
         let gone = std::mem::take(&mut self.gone);
-        let deletions = gone.iter().map(|it| removal(time, &name(*it)));
+        let deletions = gone.iter().map(|item| removal(time, &name(*item)));
         Some(json!({
             "deletions": deletions.collect::<Vec<_>>(),
             "entities": entities.collect::<Vec<_>>(),
         }))
     }
 
-    /// All that was told and is kept, for one who comes late: in messages of a bearable length.
+    /// All reported and kept pieces, for a late subscriber, in messages of moderate length.
     pub(crate) fn so_far(&self, time: &Value, tip_mm: f64) -> Vec<Value> {
-        let told = self.kept.len() - self.untold;
+        let reported = self.kept.len() - self.unreported;
         let mut messages = Vec::new();
         let (mut entities, mut count) = (Vec::new(), 0);
-        for (n, piece) in self.kept.range(..told).enumerate() {
+        for (n, piece) in self.kept.range(..reported).enumerate() {
             entities.push(piece.entity(time, tip_mm));
             count += piece.points_mm.len();
-            if count >= MESSAGE_POINTS || n + 1 == told {
+            if count >= MESSAGE_POINTS || n + 1 == reported {
                 let entities = std::mem::take(&mut entities);
                 messages.push(json!({ "deletions": [], "entities": entities }));
                 count = 0;
@@ -122,7 +127,7 @@ impl Ink {
     }
 
     fn line_to(&mut self, at: Duration, from: Position, to: Position, burns: bool) {
-        let goes_on = |it: &Line| it.burns == burns && it.ends_at(from);
+        let goes_on = |line: &Line| line.burns == burns && line.ends_at(from);
         if !self.open.as_ref().is_some_and(goes_on) {
             self.end_line();
         }
@@ -133,7 +138,7 @@ impl Ink {
         line.since.get_or_insert(at);
     }
 
-    /// Makes a piece of the line that grows, which goes on at its end.
+    /// Makes a piece of the growing line, which continues at its end.
     fn cut(&mut self) {
         let Some(line) = &mut self.open else {
             return;
@@ -155,13 +160,13 @@ impl Ink {
             burns: line.burns,
         });
         self.count += 1;
-        self.untold += 1;
-        while self.kept_points > MOST_POINTS
+        self.unreported += 1;
+        while self.kept_points > MAX_POINTS
             && let Some(oldest) = self.kept.pop_front()
         {
             self.kept_points -= oldest.points_mm.len();
-            if self.kept.len() < self.untold {
-                self.untold = self.kept.len();
+            if self.kept.len() < self.unreported {
+                self.unreported = self.kept.len();
             } else {
                 self.gone.push(oldest.number);
             }
@@ -181,7 +186,7 @@ impl Line {
 
     fn ends_at(&self, point: Position) -> bool {
         let last = self.points_mm.last();
-        last.is_some_and(|it| it.distance(point).0 <= SAME_MM)
+        last.is_some_and(|last| last.distance(point).0 <= SAME_MM)
     }
 
     fn is_full(&self, at: Duration) -> bool {
@@ -210,17 +215,17 @@ fn name(number: u64) -> String {
     format!("ink {number}")
 }
 
-/// So many points of ink are kept at the most: those of some two hours at six vectors a second.
-pub(crate) const MOST_POINTS: usize = 50_000;
+/// The largest number of kept points: about two hours at six vectors a second.
+pub(crate) const MAX_POINTS: usize = 50_000;
 const PIECE_POINTS: usize = 100;
-/// A line that grows is told as often.
+/// The interval at which a growing line is reported.
 const PIECE_PERIOD: Duration = Duration::from_secs(1);
-/// So many points, and those of one piece more, are told at once to one who comes late.
+/// The number of points per message for a late subscriber, plus those of one piece.
 const MESSAGE_POINTS: usize = 2000;
-/// A line goes on where the one before ended.
+/// A line continues at the end of the previous one.
 const SAME_MM: f64 = 0.05;
 const LINE_M: f64 = 0.0005;
-/// The colours of ink and burn on the station's page.
+/// The colours of ink and burns on the station's page.
 const INK: u32 = 0x16_29_3f;
 const BURN: u32 = 0x4a_2c_14;
 
@@ -261,16 +266,17 @@ mod tests {
             self.model = self.model.after(&command, &way);
         }
 
-        fn told(&mut self) -> Vec<Value> {
-            let told = self.ink.poll(&json!({}), 60.0);
-            told.into_iter()
-                .flat_map(|it| it["entities"].as_array().unwrap().clone())
+        fn reported(&mut self) -> Vec<Value> {
+            let reported = self.ink.poll(&json!({}), 60.0);
+            reported
+                .into_iter()
+                .flat_map(|item| item["entities"].as_array().unwrap().clone())
                 .collect()
         }
     }
 
     fn lines(entities: &[Value]) -> Vec<usize> {
-        let points = |it: &Value| it["lines"][0]["points"].as_array().map(Vec::len);
+        let points = |value: &Value| value["lines"][0]["points"].as_array().map(Vec::len);
         entities.iter().filter_map(points).collect()
     }
 
@@ -283,16 +289,16 @@ mod tests {
         hand.go(4.0, 0.0, 0.0);
         hand.go(0.0, 0.0, 5.0);
         hand.go(0.0, 8.0, 0.0);
-        let told = hand.told();
-        assert_eq!(lines(&told), [3]);
-        let points = told[0]["lines"][0]["points"].as_array().unwrap();
+        let reported = hand.reported();
+        assert_eq!(lines(&reported), [3]);
+        let points = reported[0]["lines"][0]["points"].as_array().unwrap();
         let along = |n: usize, axis: &str| points[n][axis].as_f64().unwrap();
         assert!((along(1, "y") - along(0, "y") - 0.004).abs() < 1e-6);
         assert!((along(2, "x") - along(1, "x") - 0.004).abs() < 1e-6);
-        // The tip hangs 60 mm below the wrist, and that was 2.5 mm lower than the height at which a pen draws.
+        // The tip is 60 mm below the wrist, which was 2.5 mm below the drawing height of the pen.
         let expected = (hand.below_mm - 2.5 - 60.0) / 1000.0;
         assert!((along(0, "z") - expected).abs() < 2e-6, "{}", along(0, "z"));
-        assert_eq!(hand.told(), [] as [Value; 0]);
+        assert_eq!(hand.reported(), [] as [Value; 0]);
     }
 
     #[test]
@@ -300,9 +306,9 @@ mod tests {
         let mut hand = Hand::new();
         hand.go(0.0, 0.0, -5.0);
         hand.go(0.0, 0.0, 5.0);
-        let told = hand.told();
-        assert_eq!(told[0]["spheres"].as_array().map(Vec::len), Some(1));
-        assert_eq!(lines(&told), [0; 0]);
+        let reported = hand.reported();
+        assert_eq!(reported[0]["spheres"].as_array().map(Vec::len), Some(1));
+        assert_eq!(lines(&reported), [0; 0]);
     }
 
     #[test]
@@ -312,13 +318,13 @@ mod tests {
         let mut pieces = Vec::new();
         for n in 0..50 {
             hand.go(0.0, if n % 20 < 10 { 1.0 } else { -1.0 }, 0.0);
-            pieces.extend(hand.told());
+            pieces.extend(hand.reported());
         }
         hand.go(0.0, 0.0, 5.0);
-        pieces.extend(hand.told());
-        // A second each, of ten vectors.
+        pieces.extend(hand.reported());
+        // One second each, of ten vectors.
         assert!((4..=6).contains(&pieces.len()), "{}", pieces.len());
-        let total: usize = lines(&pieces).iter().map(|it| it - 1).sum();
+        let total: usize = lines(&pieces).iter().map(|line| line - 1).sum();
         assert_eq!(total, 50);
         for pair in pieces.windows(2) {
             let [before, after] = [0, 1].map(|n| pair[n]["lines"][0]["points"].as_array().unwrap());
@@ -333,29 +339,29 @@ mod tests {
         hand.go(0.0, 0.0, -5.0);
         let mut there = std::collections::BTreeSet::new();
         let mut longest = 0;
-        for n in 0..2 * MOST_POINTS {
+        for n in 0..2 * MAX_POINTS {
             hand.go(0.0, if n % 20 < 10 { 1.0 } else { -1.0 }, 0.0);
-            if let Some(told) = hand.ink.poll(&json!({}), 0.0) {
-                longest = longest.max(told.to_string().len());
-                for it in told["deletions"].as_array().unwrap() {
+            if let Some(reported) = hand.ink.poll(&json!({}), 0.0) {
+                longest = longest.max(reported.to_string().len());
+                for it in reported["deletions"].as_array().unwrap() {
                     assert!(there.remove(it["id"].as_str().unwrap()));
                 }
-                for it in told["entities"].as_array().unwrap() {
+                for it in reported["entities"].as_array().unwrap() {
                     assert!(there.insert(it["id"].as_str().unwrap().to_owned()));
                 }
             }
         }
-        assert!(hand.ink.kept_points <= MOST_POINTS);
+        assert!(hand.ink.kept_points <= MAX_POINTS);
         assert!(longest < 10_000, "{longest} bytes");
         let so_far = hand.ink.so_far(&json!({}), 0.0);
         let entities = so_far
             .iter()
-            .flat_map(|it| it["entities"].as_array().unwrap());
+            .flat_map(|item| item["entities"].as_array().unwrap());
         let late: std::collections::BTreeSet<_> = entities
-            .map(|it| it["id"].as_str().unwrap().to_owned())
+            .map(|entity| entity["id"].as_str().unwrap().to_owned())
             .collect();
         assert_eq!(late, there);
-        let longest = so_far.iter().map(|it| it.to_string().len()).max();
+        let longest = so_far.iter().map(|item| item.to_string().len()).max();
         assert!(longest.unwrap() < 500_000, "{longest:?} bytes");
     }
 }

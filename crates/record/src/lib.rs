@@ -1,9 +1,9 @@
 //! Recordings of everything on the wire, as MCAP files, and their replay.
 //!
-//! [`Recorder`] writes, in a thread of its own, so that a file is readable wherever it breaks off, and
-//! repairs those that broke off before; [`Live`] makes the same messages for those who look on meanwhile;
-//! [`Recording`] reads; [`Replay`] is a virtual arm that plays a recording back. The files open in
-//! Foxglove, with the arm, its target and its ink in the 3D panel and everything else to plot.
+//! [`Recorder`] writes in its own thread; a truncated file stays readable, and the next start
+//! repairs it. [`Live`] makes the same messages for live viewers, [`Recording`] reads, and
+//! [`Replay`] is a virtual arm that plays a recording back. The files open in Foxglove, with the
+//! arm, its target and its ink in the 3D panel and everything else to plot.
 //!
 //! ```
 //! use std::time::Duration;
@@ -19,9 +19,9 @@
 //!
 //! let file = &recordings(folder.path())?[0].path;
 //! assert!(file.ends_with("dobot-2026-11-21T12-30-01Z.mcap"));
-//! let told: Vec<_> = Recording::open(file)?.collect();
-//! assert_eq!(told[0].at, Duration::from_secs(1));
-//! assert_eq!(told[0].entry, Entry::ToArm(vec![0xA5, 0x5A]));
+//! let entries: Vec<_> = Recording::open(file)?.collect();
+//! assert_eq!(entries[0].at, Duration::from_secs(1));
+//! assert_eq!(entries[0].entry, Entry::ToArm(vec![0xA5, 0x5A]));
 //! # Ok(())
 //! # }
 //! ```

@@ -1,28 +1,29 @@
-//! How much room recordings may take.
+//! The size limits of recordings.
 
-/// How much room recordings may take.
+/// The size limits of recordings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// The longest file, in bytes, from 1 MiB; then another one is begun.
+    /// The longest file, in bytes, 1 MiB or more; a longer recording continues in another file.
     pub file_bytes: u64,
-    /// All files together, in bytes, at least twice as much as one; then the oldest is deleted.
+    /// The total length of all files, in bytes, at least twice that of one; beyond it the oldest
+    /// file is deleted.
     pub total_bytes: u64,
 }
 
 impl Limits {
-    /// Files of 64 MiB, one gibibyte of them.
+    /// The default: files of 64 MiB, 1 GiB in total.
     pub const DEFAULT: Self = Self {
         file_bytes: 64 << 20,
         total_bytes: 1 << 30,
     };
 
-    /// Whether there is room for anything.
+    /// Checks the limits.
     ///
     /// # Errors
     ///
-    /// [`StartError`] where a limit is too low.
+    /// [`StartError`] if a limit is too low.
     pub(crate) const fn check(self) -> Result<(), StartError> {
-        if self.file_bytes < LEAST_FILE_BYTES {
+        if self.file_bytes < MIN_FILE_BYTES {
             return Err(StartError::File(self.file_bytes));
         }
         if self.total_bytes / 2 < self.file_bytes {
@@ -41,33 +42,31 @@ impl Default for Limits {
     }
 }
 
-/// Why a recorder could not be started. A folder that cannot be written is not among the reasons: that
-/// may change, and [`Recorder::health`](crate::Recorder::health) says so.
+/// The error returned when a recorder cannot start. A folder that cannot be written is not an
+/// error, because that may change: see [`Recorder::health`](crate::Recorder::health).
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StartError {
     /// The limit of a file is too low.
-    #[error("file_bytes is {0}; the least that is allowed is {LEAST_FILE_BYTES}")]
+    #[error("file_bytes is {0}; allowed are {MIN_FILE_BYTES} or more")]
     File(u64),
     /// The limit of all files is too low.
-    #[error(
-        "total_bytes is {found}; the least that is allowed is twice file_bytes, which is {file_bytes}"
-    )]
+    #[error("total_bytes is {found}; allowed is twice file_bytes ({file_bytes}) or more")]
     Total {
         /// The limit.
         found: u64,
         /// The limit of a file.
         file_bytes: u64,
     },
-    /// The clock is wrong.
-    #[error("the clock says {0}; recordings have numbers for 1970 to 2490 only: set it right")]
+    /// The system clock is out of range.
+    #[error("system clock reads {0}; recordings support 1970 to 2490; set the clock")]
     Clock(jiff::Timestamp),
     /// The thread of the recorder cannot be started.
-    #[error("there is no thread for the recorder")]
+    #[error("cannot start the thread of the recorder")]
     Thread(#[source] std::io::Error),
 }
 
-const LEAST_FILE_BYTES: u64 = 1 << 20;
+const MIN_FILE_BYTES: u64 = 1 << 20;
 
 #[cfg(test)]
 mod tests {
@@ -82,8 +81,8 @@ mod tests {
             };
             limits.check().map_err(|error| error.to_string())
         };
-        assert!(text(1000, 10_000).is_err_and(|it| it.contains("1048576")));
-        assert!(text(2 << 20, 3 << 20).is_err_and(|it| it.contains("twice file_bytes")));
+        assert!(text(1000, 10_000).is_err_and(|text| text.contains("1048576")));
+        assert!(text(2 << 20, 3 << 20).is_err_and(|text| text.contains("twice file_bytes")));
         assert_eq!(text(1 << 20, 2 << 20), Ok(()));
         assert!(Limits::DEFAULT.check().is_ok());
     }

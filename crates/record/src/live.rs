@@ -1,4 +1,4 @@
-//! The messages of a recording, for those who look on while it happens.
+//! The messages of a recording for live viewers.
 
 use std::time::Duration;
 
@@ -7,10 +7,10 @@ use jiff::Timestamp;
 use crate::encoder::Encoder;
 use crate::{Message, Record, StartError};
 
-/// Makes the messages of a recording at once: an engine, records in, messages out.
+/// A sans-IO encoder of the messages of a recording without delay: records in, messages out.
 ///
-/// A recording tells a status that comes again and again once, with all its times. Here each is told as it comes, and what
-/// the views show of it once a second at least, for those who come late.
+/// A recording contains a repeated status once, with all its times. Here each one is a message, and
+/// its views at least once a second, for late subscribers.
 ///
 /// ```
 /// use std::time::Duration;
@@ -27,12 +27,12 @@ use crate::{Message, Record, StartError};
 #[derive(Debug)]
 pub struct Live {
     encoder: Encoder,
-    /// When the views were told last whatever they showed.
+    /// The last time at which the views were sent even without changes.
     viewed_at: Option<Duration>,
 }
 
 impl Live {
-    /// For records whose times count from `start`.
+    /// Creates an encoder for records whose times count from `start`.
     ///
     /// # Errors
     ///
@@ -44,19 +44,19 @@ impl Live {
         })
     }
 
-    /// Takes a record that nobody wants to be told: what is drawn meanwhile is told to those who come late.
+    /// Handles a record without subscribers: ink drawn meanwhile is sent to late subscribers.
     pub fn follow(&mut self, at: Duration, record: &Record) {
         self.encoder.follow(at, record);
     }
 
-    /// The ink that was told before `at`, or would have been, for one who comes late: messages of [`INK`](crate::INK), with
-    /// the newest 50,000 points at the most.
+    /// The ink before `at`, for a late subscriber: messages of [`INK`](crate::INK), with at most
+    /// the newest 50,000 points.
     #[must_use]
     pub fn ink_so_far(&self, at: Duration) -> Vec<Message<'static>> {
         self.encoder.ink_so_far(at)
     }
 
-    /// The messages that tell a record; none where its time lies centuries ahead.
+    /// Returns the messages for a record; none if its time is centuries in the future.
     pub fn write<'t>(&mut self, at: Duration, record: &'t Record) -> Vec<Message<'t>> {
         let viewed_at = *self.viewed_at.get_or_insert(at);
         let is_due = at.saturating_sub(viewed_at) >= VIEW_PERIOD;
@@ -68,7 +68,7 @@ impl Live {
     }
 }
 
-/// So often one who comes late is shown where the arm is that rests.
+/// The interval at which the views of a resting arm are sent.
 const VIEW_PERIOD: Duration = Duration::from_secs(1);
 
 #[cfg(test)]
@@ -80,18 +80,18 @@ mod tests {
     use crate::{FROM_ARM, TRANSFORMS};
 
     #[test]
-    fn an_arm_that_rests_is_told_with_each_status_and_shown_once_a_second() {
+    fn an_arm_that_rests_is_reported_with_each_status_and_shown_once_a_second() {
         let mut live = Live::new("2026-11-21T12:30:00Z".parse().unwrap()).unwrap();
         let status = Record::FromArm(Status::AT_ZERO.emit().to_bytes().to_vec());
-        let (mut told, mut shown) = (0, 0);
-        // Twenty a second, for ten seconds.
+        let (mut sent, mut shown) = (0, 0);
+        // 20 per second, for ten seconds.
         for n in 0..=200 {
             for message in live.write(Duration::from_millis(50 * n), &status) {
-                told += u32::from(message.topic.name() == FROM_ARM);
+                sent += u32::from(message.topic.name() == FROM_ARM);
                 shown += u32::from(message.topic.name() == TRANSFORMS);
             }
         }
-        assert_eq!(told, 201);
+        assert_eq!(sent, 201);
         assert_eq!(shown, 11);
     }
 }

@@ -1,4 +1,4 @@
-//! What is read from a recording, and where it breaks off.
+//! The entries read from a recording, and its damage.
 
 use std::fmt;
 use std::sync::Arc;
@@ -6,24 +6,24 @@ use std::time::Duration;
 
 use serde_json::Value;
 
-/// Something that was recorded.
+/// An entry of a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
-    /// When it happened, since the recorder was started; in files of other programs, since their
-    /// first message.
+    /// The time since the start of the recorder; in files of other programs, since their first
+    /// message.
     pub at: Duration,
-    /// What it is called, as in `/events`.
+    /// The topic, as in `/events`.
     pub topic: Arc<str>,
-    /// What it is.
+    /// The content.
     pub entry: Entry,
 }
 
-/// What was recorded.
+/// The content of an entry.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Entry {
-    /// Bytes that were sent to the arm.
+    /// Bytes sent to the arm.
     ToArm(Vec<u8>),
-    /// Bytes that came from the arm.
+    /// Bytes received from the arm.
     FromArm(Vec<u8>),
     /// A message of any other topic.
     Json(Value),
@@ -31,17 +31,17 @@ pub enum Entry {
     Other(Vec<u8>),
 }
 
-/// Where a recording breaks off, and why.
+/// The position and the cause of the damage of a recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Damage {
-    /// How many bytes of the file are good.
+    /// The number of good bytes of the file.
     pub good_bytes: u64,
-    /// When the last thing happened that could be read.
+    /// The time of the last readable entry.
     pub last: Option<Duration>,
-    /// Why no more could be read.
+    /// The reason why no more could be read.
     pub reason: String,
-    /// All bytes of the file are good, but it ends too early: it is still being written, or its program
-    /// was killed.
+    /// Whether all bytes of the file are good but the end is missing: it is still being written, or
+    /// its program was killed.
     pub breaks_off: bool,
 }
 

@@ -7,28 +7,28 @@ use dobot_wire::{Commands, Decoder};
 
 use crate::{Difference, Entry, Recording, Report};
 
-/// Plays a recording back, and compares. It reads the recording twice: once for what the arm sent,
-/// once for what its client did, so that neither side has to wait for the other.
+/// A playback of a recording with comparison. It reads the recording twice, once for the bytes of
+/// the arm and once for those of its client, so that neither side waits for the other.
 #[derive(Debug)]
 pub(crate) struct Playback {
     arm: Recording,
-    /// What the arm sends next, and when.
+    /// The next bytes of the arm and their time.
     next: Option<(Duration, Vec<u8>)>,
-    /// When the first byte travelled.
+    /// The time of the first byte.
     begin: Option<Duration>,
-    /// When the last byte travelled, as far as is known.
+    /// The time of the last byte, as far as known.
     end: Duration,
     now: Duration,
     client: Recording,
     recorded: Decoder<Commands>,
-    /// Packets of one piece of the recording, which the client has not sent yet.
+    /// Packets of one piece of the recording that the client has not sent yet.
     expected: VecDeque<(Duration, [u8; 42])>,
     sent: Decoder<Commands>,
     report: Report,
 }
 
 impl Playback {
-    /// Plays a recording back, given twice.
+    /// Starts a playback from two readers of the same recording.
     pub(crate) fn new(arm: Recording, client: Recording) -> Self {
         let mut playback = Self {
             arm,
@@ -58,9 +58,9 @@ impl Playback {
         Some(next.max(self.now).saturating_sub(self.begin()))
     }
 
-    /// Takes bytes of the client.
+    /// Handles bytes from the client.
     pub(crate) fn handle_bytes(&mut self, bytes: &[u8]) {
-        let packets: Vec<_> = self.sent.feed(bytes).map(|it| it.to_bytes()).collect();
+        let packets: Vec<_> = self.sent.feed(bytes).map(|feed| feed.to_bytes()).collect();
         for packet in packets {
             self.compare(packet);
         }
@@ -80,10 +80,13 @@ impl Playback {
         !is_over
     }
 
-    /// What came of it; what was recorded by now and was not sent is not waited for any more.
+    /// Returns the result; recorded packets up to now that were not sent count as missing.
     pub(crate) fn report(&mut self) -> Report {
         self.look_ahead();
-        while self.expected.front().is_some_and(|it| it.0 <= self.now)
+        while self
+            .expected
+            .front()
+            .is_some_and(|packet| packet.0 <= self.now)
             && let Some((at, recorded)) = self.expected.pop_front()
         {
             self.report.push(Difference {
@@ -105,7 +108,7 @@ impl Playback {
         self.begin.unwrap_or_default()
     }
 
-    /// Looks for what the arm sends next.
+    /// Reads up to the next bytes of the arm.
     fn fetch(&mut self) {
         for moment in self.arm.by_ref() {
             let bytes = match moment.entry {
@@ -138,7 +141,7 @@ impl Playback {
         }
     }
 
-    /// Reads on until it is known which packet the client is to send next.
+    /// Reads up to the next packet expected from the client.
     fn look_ahead(&mut self) {
         while self.expected.is_empty()
             && let Some(moment) = self.client.next()

@@ -1,4 +1,4 @@
-//! What can be recorded.
+//! The input of a recorder.
 
 use std::sync::Arc;
 
@@ -7,35 +7,34 @@ use serde_json::Value;
 
 use crate::{About, Topic};
 
-/// What can be recorded.
+/// An input of a recorder.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Record {
-    /// From here on this is what the recording is of.
+    /// New metadata from here on.
     About(Box<About>),
-    /// From here on these tools may hang at the arm, so long; of one that is not among them nobody knows how long it is.
+    /// The lengths of the tools from here on; those of other tools are unknown.
     Tools(Vec<MountedTool>),
-    /// From here on a pen draws where the tool is below that height, in millimetres and the arm's own words; nowhere, if
-    /// that is `None`.
+    /// The height below which a pen draws from here on, in millimetres as the arm reports it;
+    /// `None` if a pen never draws.
     Pen {
         /// The height.
         below_mm: Option<f64>,
     },
-    /// Bytes that were sent to the arm, of any number.
+    /// Bytes sent to the arm, of any number.
     ToArm(Vec<u8>),
-    /// Bytes that came from the arm, of any number.
+    /// Bytes received from the arm, of any number.
     FromArm(Vec<u8>),
     /// Anything else: a state, a job, an event.
     Json {
-        /// What it is called and what it looks like.
+        /// The topic.
         topic: Arc<Topic>,
-        /// The message itself, an object.
+        /// The message itself, a JSON object.
         value: Value,
     },
 }
 
 impl Record {
-    /// About how many bytes it takes while it waits to be written; what is longer than `limit` may
-    /// be longer still.
+    /// The approximate number of bytes that it occupies in the queue; exact only up to `limit`.
     pub(crate) fn size(&self, limit: usize) -> usize {
         size_of::<Self>()
             + match self {
@@ -48,7 +47,7 @@ impl Record {
     }
 }
 
-/// Stops counting beyond `limit`, so that a huge value costs its caller no more than a large one.
+/// Counts up to `limit`, so that a huge value costs the caller no more than a large one.
 fn size_of_value(value: &Value, limit: usize) -> usize {
     let own = size_of::<Value>();
     match value {

@@ -1,4 +1,4 @@
-//! The recorder: a thread that writes, and the handle that never waits for it.
+//! The recorder: a writing thread and a handle that never blocks.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -14,47 +14,47 @@ use crate::repairs::Repairs;
 use crate::rotation::Rotation;
 use crate::{About, Limits, Record, StartError};
 
-/// Records what it is given, in a thread of its own: its caller never waits, and never fails.
+/// A recorder with its own thread: its caller never waits and never fails.
 ///
-/// Records are handed to the file about once a second, and to the disk every five seconds: so much is
-/// lost when the program is killed or the power fails, and up to ten seconds of a status that repeats.
-/// A file that was left unfinished is repaired at the next start. When a file cannot be written, as on
-/// a full disk, [`Recorder::health`] says why, and another one is tried ten seconds later. Lost records
-/// are counted, and the next file says how many they were.
+/// Records are written to the file about once a second and synced to the disk every five seconds: a
+/// killed program or a power failure loses that much, and up to ten seconds of a repeated status.
+/// Unfinished files are repaired at the next start. If a file cannot be written, for example on a
+/// full disk, [`Recorder::health`] gives the reason, and another one is tried ten seconds later.
+/// Lost records are counted, and the next file contains their number.
 ///
-/// Dropped, it ends its file in order.
+/// Dropping it finishes its file.
 #[derive(Debug)]
 pub struct Recorder {
     queue: SyncSender<(Duration, Record)>,
     shared: Arc<Shared>,
-    /// Gone when the thread is to end.
+    /// Dropped to end the thread.
     end: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
-/// How a recorder does.
+/// The health of a recorder.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Health {
-    /// The file that is written; `None` before the first record and while there is trouble.
+    /// The current file; `None` before the first record and during an error.
     pub file: Option<PathBuf>,
-    /// Why nothing can be recorded now; it is tried again.
+    /// The reason why nothing can be recorded now; the recorder keeps trying.
     pub trouble: Option<String>,
-    /// Records that were lost since the start, for whatever reason.
+    /// The number of records lost since the start, for any reason.
     pub lost: u64,
-    /// Files of before that broke off and were repaired since the start: they end in order now, and
-    /// tell at their end what could not be read.
+    /// The number of earlier truncated files repaired since the start: they are finished now and
+    /// contain a note about the unreadable part.
     pub repaired: u64,
-    /// Files of before that broke off and were left as they are: they hold nothing readable, or cannot
-    /// be written anew.
+    /// The number of earlier truncated files left unchanged: they contain nothing readable, or
+    /// cannot be rewritten.
     pub left: u64,
 }
 
-/// What handle and thread both know.
+/// The state shared by handle and thread.
 #[derive(Debug, Default)]
 struct Shared {
-    /// About how many bytes wait to be written.
+    /// The approximate number of bytes in the queue.
     waiting: AtomicUsize,
-    /// Records that found no room.
+    /// The number of records dropped because the queue was full.
     crowded_out: AtomicU64,
     health: Mutex<Health>,
 }
@@ -100,26 +100,26 @@ impl Recorder {
         })
     }
 
-    /// Records something that happened so long after the start; never waits. A record that finds no
-    /// room in the queue, or is longer than 128 KiB, is counted as lost.
+    /// Records an event at a time since the start; never waits. A record that does not fit into the
+    /// queue, or is longer than 128 KiB, is counted as lost.
     pub fn record(&self, at: Duration, record: Record) {
-        let size = record.size(LONGEST);
+        let size = record.size(MAX_LEN);
         let waiting = self.shared.waiting.fetch_add(size, Ordering::Relaxed);
-        let fits = size <= LONGEST && waiting + size <= MOST_WAITING;
+        let fits = size <= MAX_LEN && waiting + size <= MAX_WAITING;
         if !fits || self.queue.try_send((at, record)).is_err() {
             self.shared.waiting.fetch_sub(size, Ordering::Relaxed);
             self.shared.crowded_out.fetch_add(1, Ordering::Relaxed);
         }
     }
 
-    /// How it does.
+    /// Returns the health.
     #[must_use]
     pub fn health(&self) -> Health {
         let health = self.shared.health.lock();
         health.unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Writes all that was recorded, and ends the file in order.
+    /// Writes all records and finishes the file.
     #[must_use]
     pub fn finish(mut self) -> Health {
         self.end();
@@ -129,7 +129,7 @@ impl Recorder {
     fn end(&mut self) {
         self.end = None;
         if let Some(thread) = self.thread.take() {
-            // A thread that panicked has said so already.
+            // A thread that panicked has already reported it.
             let _ = thread.join();
         }
     }
@@ -157,15 +157,15 @@ struct Worker {
 }
 
 impl Worker {
-    /// Looks after the queue now and then instead of being woken for each record: a wake-up would
-    /// cost the caller more than all the rest.
+    /// Polls the queue instead of being woken for each record: a wake-up would cost the caller more
+    /// than everything else.
     fn run(mut self) {
         let (mut idle, mut wait) = (Duration::ZERO, PERIOD);
         loop {
             let ended = self.ended.recv_timeout(wait) != Err(RecvTimeoutError::Timeout);
             let count = self.write_down();
             let repairs = !ended && self.repairs.step();
-            // Behind a full round there may be more.
+            // After a full round there may be more.
             wait = if count < QUEUE_LEN && !repairs {
                 PERIOD
             } else {
@@ -194,13 +194,13 @@ impl Worker {
         }
     }
 
-    /// Writes what waits, one round of it; says how many records that were.
+    /// Writes one round of queued records; returns their number.
     fn write_down(&mut self) -> usize {
         let mut count = 0;
         while count < QUEUE_LEN
             && let Ok((at, record)) = self.records.try_recv()
         {
-            let size = record.size(LONGEST);
+            let size = record.size(MAX_LEN);
             self.shared.waiting.fetch_sub(size, Ordering::Relaxed);
             self.note_crowded_out();
             self.rotation.handle_record(at, &record);
@@ -216,19 +216,20 @@ impl Worker {
     }
 }
 
-/// How often the queue is looked after.
+/// The polling interval of the queue.
 const PERIOD: Duration = Duration::from_millis(100);
 
-/// After that much silence what is not flushed is.
+/// Unflushed data is flushed after this much silence.
 const IDLE: Duration = Duration::from_secs(1);
 
-/// Some tens of thousands a second can be recorded.
+/// This allows some tens of thousands of records a second.
 const QUEUE_LEN: usize = 4096;
 
-/// So many bytes may wait to be written ...
-const MOST_WAITING: usize = 8 << 20;
+/// The largest number of queued bytes ...
+const MAX_WAITING: usize = 8 << 20;
 
-/// ... and so many may belong to one record.
-const LONGEST: usize = 128 << 10;
+/// ... and of bytes per record.
+const MAX_LEN: usize = 128 << 10;
 
-const CROWDED: &str = "more came than could be written, or a record was longer than 128 KiB";
+const CROWDED: &str =
+    "records arrived faster than they could be written, or a record was longer than 128 KiB";

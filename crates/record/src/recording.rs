@@ -1,4 +1,4 @@
-//! Reads a recording, damaged or not.
+//! The reader of recordings, damaged or not.
 
 use std::collections::HashMap;
 use std::fmt;
@@ -17,34 +17,33 @@ use crate::records::{Flaw, Records};
 use crate::topic::{FROM_ARM, NAME_LEN, TO_ARM};
 use crate::{About, Damage, Entry, Moment};
 
-/// A recording, read from its beginning: an iterator of what was recorded, in the order in which it
-/// was.
+/// A recording, as an iterator of its entries in order.
 ///
-/// A file that breaks off, as after a power cut, is read up to there; so is one that is damaged. The
-/// iterator simply ends, and [`Recording::damage`] tells where and why. It takes a few megabytes of
-/// memory at the most, whatever the file says about itself.
+/// A truncated or damaged file is read up to the damage; the iterator simply ends, and
+/// [`Recording::damage`] gives position and reason. It uses a few megabytes of memory at most,
+/// whatever the file declares.
 pub struct Recording {
     records: Records,
     about: Option<About>,
-    /// Nanoseconds since 1970 when the times begin.
+    /// The start of the times, in nanoseconds since 1970.
     start_ns: Option<u64>,
     channels: HashMap<u16, ReadChannel>,
-    /// What came again and again, and was not given out yet.
+    /// Repeated packets that were not returned yet.
     repeats: Box<dyn Iterator<Item = Moment> + Send>,
     last: Option<Duration>,
     over: bool,
     damage: Option<Damage>,
 }
 
-/// Why a file cannot be read as a recording.
+/// The error returned when a file cannot be read as a recording.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum OpenError {
-    /// It cannot be opened.
-    #[error("cannot read it")]
+    /// The file cannot be opened.
+    #[error("cannot read the recording")]
     Io(#[from] io::Error),
-    /// It is not an MCAP file.
-    #[error("it is no recording: it does not begin as an MCAP file does")]
+    /// The file is not an MCAP file.
+    #[error("not a recording; recordings are MCAP files")]
     NotMcap,
 }
 
@@ -59,12 +58,12 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`OpenError`]; a file that breaks off is not an error.
+    /// [`OpenError`]; a truncated file is not an error.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, OpenError> {
         Self::over(File::open(path)?)
     }
 
-    /// Reads a recording from anywhere.
+    /// Reads a recording from any reader.
     ///
     /// # Errors
     ///
@@ -82,26 +81,26 @@ impl Recording {
         })
     }
 
-    /// What the recording is of, as far as it was read: known from its first moment on; `None` in
-    /// files of others.
+    /// The metadata, as far as it was read: known from the first entry on; `None` in files of other
+    /// programs.
     #[must_use]
     pub const fn about(&self) -> Option<&About> {
         self.about.as_ref()
     }
 
-    /// When its times begin; `None` before its first moment.
+    /// The start of its times; `None` before its first entry.
     #[must_use]
     pub fn start(&self) -> Option<jiff::Timestamp> {
         jiff::Timestamp::from_nanosecond(self.start_ns?.into()).ok()
     }
 
-    /// Where it breaks off, once it was read to its end; `None` for one that is whole.
+    /// The damage, after the recording was read to its end; `None` if it is complete.
     #[must_use]
     pub const fn damage(&self) -> Option<&Damage> {
         self.damage.as_ref()
     }
 
-    /// The next moment, if there is one in what comes next.
+    /// The next entry, if the next record contains one.
     fn step(&mut self) -> Result<Option<Moment>, Flaw> {
         let Some(record) = self.records.next() else {
             self.over = true;
@@ -111,7 +110,7 @@ impl Recording {
         self.take(kind, &body).map_err(Flaw::within)
     }
 
-    /// Takes a record that is not a chunk.
+    /// Handles a record that is not a chunk.
     fn take(&mut self, kind: u8, body: &[u8]) -> Result<Option<Moment>, String> {
         if !matches!(kind, op::CHANNEL | op::METADATA | op::MESSAGE) {
             return Ok(None);
@@ -150,7 +149,7 @@ impl Recording {
         let channel = self
             .channels
             .get(&id)
-            .ok_or_else(|| format!("a message belongs to channel {id}, which nothing describes"))?;
+            .ok_or_else(|| format!("a message belongs to channel {id}, which is not defined"))?;
         let start_ns = *self.start_ns.get_or_insert(logged_ns);
         let at = Duration::from_nanos(logged_ns.saturating_sub(start_ns));
         self.last = Some(at);
@@ -205,7 +204,7 @@ impl fmt::Debug for Recording {
 }
 
 impl ReadChannel {
-    /// The packets that a message of bytes from the arm tells, if it is of more than one.
+    /// The packets of a message with bytes from the arm, if it contains more than one.
     fn repeats(
         &self,
         start_ns: u64,
@@ -216,7 +215,7 @@ impl ReadChannel {
             return None;
         }
         let Repeated { bytes, gaps_ns } = serde_json::from_slice(data).ok()?;
-        let packet = bytes_of(&bytes).filter(|it| !it.is_empty())?;
+        let packet = bytes_of(&bytes).filter(|bytes| !bytes.is_empty())?;
         let mut gaps = gaps_ns.iter();
         let lasted_ns = gaps.try_fold(0, |sum: u64, gap_ns| sum.checked_add(*gap_ns))?;
         let first_ns = last_ns.checked_sub(lasted_ns)?;
@@ -252,14 +251,14 @@ impl ReadChannel {
     }
 }
 
-/// What a message tells of a packet that came again and again.
+/// The content of a message about a repeated packet.
 #[derive(serde::Deserialize)]
 struct Repeated {
     bytes: String,
     gaps_ns: Vec<u64>,
 }
 
-/// The bytes of hex digits; `None` where there is anything else.
+/// The bytes of hex digits; `None` for anything else.
 fn bytes_of(digits: &str) -> Option<Vec<u8>> {
     HEXLOWER_PERMISSIVE.decode(digits.as_bytes()).ok()
 }

@@ -6,31 +6,32 @@ use mcap::MAGIC;
 use mcap::records::op;
 
 use crate::OpenError;
-use crate::chunk::{Chunk, LONGEST};
+use crate::chunk::{Chunk, MAX_LEN};
 
-/// The records of an MCAP file up to its end or to where it cannot be read on. It takes a few
-/// megabytes of memory at the most, whatever the file says about itself.
+/// An iterator over the records of an MCAP file up to its end or to the damage. It uses a few
+/// megabytes of memory at most, whatever the file declares.
 pub(crate) struct Records {
     file: BufReader<Box<dyn Read + Send>>,
     chunk: Option<Chunk>,
-    /// How many bytes of the file were good before what was given out last.
+    /// The number of good bytes before the last returned record.
     good_bytes: u64,
-    /// How many bytes were given out last; they are good unless somebody finds otherwise.
+    /// The length of the last returned record; its bytes are good unless the caller finds
+    /// otherwise.
     given_bytes: u64,
     over: bool,
     is_begun: bool,
 }
 
-/// Why a record cannot be read.
+/// The reason why a record cannot be read.
 #[derive(Clone, Debug)]
 pub(crate) struct Flaw {
     pub(crate) reason: String,
-    /// There is nothing behind it: the file ends.
+    /// Whether the file simply ends there.
     pub(crate) breaks_off: bool,
 }
 
 impl Records {
-    /// The records of what is read from there.
+    /// Creates an iterator over the records of a reader.
     pub(crate) fn over(file: impl Read + Send + 'static) -> Result<Self, OpenError> {
         let file: Box<dyn Read + Send> = Box::new(file);
         let mut file = BufReader::new(file);
@@ -52,8 +53,8 @@ impl Records {
         })
     }
 
-    /// The next record: its kind and its body. After a flaw there may be more: a damaged chunk does
-    /// not hide what comes behind it.
+    /// Returns the next record: its type and its body. After a flaw there may be more: a damaged
+    /// chunk does not hide later ones.
     pub(crate) fn next(&mut self) -> Option<Result<(u8, Vec<u8>), Flaw>> {
         self.good_bytes += std::mem::take(&mut self.given_bytes);
         while !self.over {
@@ -64,12 +65,12 @@ impl Records {
         None
     }
 
-    /// How many bytes of the file were good before the record that was given out last.
+    /// The number of good bytes before the last returned record.
     pub(crate) const fn good_bytes(&self) -> u64 {
         self.good_bytes
     }
 
-    /// The next record, if what comes next holds one.
+    /// Returns the next record, if the next part of the file contains one.
     fn step(&mut self) -> Result<Option<(u8, Vec<u8>)>, Flaw> {
         let Some(chunk) = &mut self.chunk else {
             return self.part();
@@ -88,13 +89,13 @@ impl Records {
         }
     }
 
-    /// Reads on where no chunk is open.
+    /// Continues outside a chunk.
     fn part(&mut self) -> Result<Option<(u8, Vec<u8>)>, Flaw> {
-        // Wherever what follows fails, nothing can be read on.
+        // After a failure in the following, nothing more can be read.
         self.over = true;
         if !self.is_begun {
-            // The power may have been cut before.
-            return Err(Flaw::end("the file ends before it begins"));
+            // The power may have failed before.
+            return Err(Flaw::end("the file ends within its header"));
         }
         let header = self.read(HEADER_LEN as u64)?;
         if header.is_empty() {
@@ -127,9 +128,9 @@ impl Records {
     }
 
     fn body(&mut self, len: u64) -> Result<Vec<u8>, Flaw> {
-        if len > LONGEST {
+        if len > MAX_LEN {
             return Err(Flaw::within(format!(
-                "a record says that it has {len} bytes; allowed are {LONGEST}"
+                "a record has a length of {len} bytes; allowed are {MAX_LEN}"
             )));
         }
         let body = self.read(len)?;
@@ -139,7 +140,7 @@ impl Records {
         Ok(body)
     }
 
-    /// Up to `len` bytes, fewer only where the file ends.
+    /// Reads up to `len` bytes; fewer only at the end of the file.
     fn read(&mut self, len: u64) -> Result<Vec<u8>, Flaw> {
         let mut bytes = Vec::new();
         let read = self.file.by_ref().take(len).read_to_end(&mut bytes);
@@ -161,7 +162,7 @@ impl Records {
         if magic == MAGIC {
             Ok(())
         } else if MAGIC.starts_with(&magic) {
-            Err(Flaw::end("the file ends before its end mark does"))
+            Err(Flaw::end("the file ends within its end mark"))
         } else {
             Err(Flaw::within("the end mark of the file is damaged"))
         }
@@ -184,11 +185,11 @@ impl Flaw {
     }
 
     fn io(error: &io::Error) -> Self {
-        Self::within(format!("the file cannot be read on: {error}"))
+        Self::within(format!("cannot read further: {error}"))
     }
 }
 
-/// The kinds of records that are given out; the others say nothing new.
+/// The record types that are returned; the others contain nothing new.
 const GIVEN: [u8; 5] = [
     op::HEADER,
     op::SCHEMA,
@@ -197,7 +198,7 @@ const GIVEN: [u8; 5] = [
     op::METADATA,
 ];
 
-/// The kind of a record and its length, in bytes.
+/// The type of a record and its length, in bytes.
 const HEADER_LEN: usize = 9;
 
 const CUT: &str = "the file ends in the middle of a record";

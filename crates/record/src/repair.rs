@@ -1,4 +1,4 @@
-//! A recording that broke off is written anew, as far as it can be read.
+//! The repair of a truncated recording: its readable part is rewritten.
 
 use std::fmt;
 use std::fs::File;
@@ -15,44 +15,44 @@ use crate::records::{Flaw, Records};
 use crate::topic::RECORDER;
 use crate::{About, OpenError, file_writer, folder, schema};
 
-/// A recording that broke off, while it is written anew beside itself. Until the new file is whole
-/// and safe on the disk nothing happens to the old one.
+/// A repair of a truncated recording into a new file beside it. The old file stays unchanged until
+/// the new one is complete and synced.
 pub(crate) struct Repair {
     old: PathBuf,
     old_bytes: u64,
     new: NewFile,
-    /// The new file may have so many bytes.
+    /// The largest length of the new file, in bytes.
     most: u64,
     records: Records,
-    /// Begun with what the old file begins with.
+    /// The metadata of the old file.
     writer: Option<Writer<NoSeek<BufWriter<File>>>>,
     /// The first reason why not all of the old file can be read.
     flaw: Option<Flaw>,
-    /// Something was read that is worth a file.
+    /// Whether anything worth a file was read.
     holds_something: bool,
     start_ns: Option<u64>,
     last_ns: u64,
-    /// The channel of what recorders say about themselves.
+    /// The channel of the recorder's own messages.
     recorder: Option<u16>,
 }
 
-/// How a repair ended.
+/// The result of a repair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
-    /// The file is whole now.
+    /// The file is complete now.
     Repaired,
-    /// It is what it was.
+    /// The file is unchanged.
     Left,
 }
 
-/// The new file: deleted unless it takes the old one's place.
+/// The new file; deleted unless it replaces the old one.
 struct NewFile {
     path: PathBuf,
     file: File,
 }
 
 impl Repair {
-    /// Begins to repair a file; `None` while somebody else does, and where there is nothing to read.
+    /// Starts to repair a file; `None` while another process does, or if nothing is readable.
     pub(crate) fn begin(path: &Path, most: u64) -> Result<Option<Self>, OpenError> {
         let Some((new, file)) = folder::beside(path)? else {
             return Ok(None);
@@ -75,7 +75,7 @@ impl Repair {
         }))
     }
 
-    /// Copies some records; what came of it when that was the last of it.
+    /// Copies some records; returns the result after the last one.
     pub(crate) fn step(&mut self) -> Option<Outcome> {
         for _ in 0..RECORDS {
             match self.records.next() {
@@ -109,7 +109,7 @@ impl Repair {
             let file = self.new.file.try_clone()?;
             self.writer = Some(options.create(NoSeek::new(BufWriter::new(file)))?);
         }
-        // A file that does not begin as it has to was not begun by a recorder.
+        // A file with another start is not from a recorder.
         let Some(writer) = &mut self.writer else {
             return Ok(());
         };
@@ -145,7 +145,7 @@ impl Repair {
         }
     }
 
-    /// Ends the new file and puts it into the place of the old one.
+    /// Finishes the new file and replaces the old one.
     fn end(&mut self) -> Outcome {
         match self.finish() {
             Ok(true) => Outcome::Repaired,
@@ -161,7 +161,7 @@ impl Repair {
         writer.finish()?;
         writer.into_inner().into_inner().flush()?;
         self.new.file.sync_all()?;
-        // Meanwhile the old one may have had to make room.
+        // The old one may have been deleted meanwhile to make room.
         let is_wanted = self.old.exists() && self.new.file.metadata()?.len() <= self.most;
         if is_wanted {
             folder::replace(&self.new.path, &self.old)?;
@@ -169,7 +169,7 @@ impl Repair {
         Ok(is_wanted)
     }
 
-    /// Writes what is missing, as the last message.
+    /// Writes a note about the missing part as the last message.
     fn write_loss(&self, writer: &mut Writer<impl Write + Seek>) -> McapResult<()> {
         let topic = schema::own(RECORDER).expect("it is one of the recorder's own topics");
         let channel_id = if let Some(id) = self.recorder {
@@ -179,11 +179,11 @@ impl Repair {
         };
         let start_ns = self.start_ns.unwrap_or_default();
         let at_ns = self.last_ns.max(start_ns);
-        let reason = self.flaw.as_ref().map_or("", |it| &it.reason);
+        let reason = self.flaw.as_ref().map_or("", |flaw| &flaw.reason);
         let value = json!({
             "at_s": Duration::from_nanos(at_ns - start_ns).as_secs_f64(),
             "unreadable_bytes": self.old_bytes.saturating_sub(self.records.good_bytes()),
-            "reason": format!("the recording broke off and was repaired: {reason}"),
+            "reason": format!("the recording was truncated and has been repaired: {reason}"),
         });
         let header = MessageHeader {
             channel_id,
@@ -205,11 +205,11 @@ impl fmt::Debug for Repair {
 
 impl Drop for NewFile {
     fn drop(&mut self) {
-        // After it took the old one's place there is none of this name; what cannot be deleted is at
-        // the next start.
+        // After replacing the old file it no longer exists; a remaining file is deleted at the next
+        // start.
         let _ = std::fs::remove_file(&self.path);
     }
 }
 
-/// So many records are copied in a step.
+/// The number of records copied per step.
 const RECORDS: usize = 1000;

@@ -1,4 +1,4 @@
-//! The recordings of a folder that broke off, repaired one after the other.
+//! The repair of all truncated recordings of a folder.
 
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -6,12 +6,12 @@ use std::path::PathBuf;
 use crate::repair::{Outcome, Repair};
 use crate::{Limits, RecordedFile, folder, is_being_written, recordings};
 
-/// Repairs the recordings of a folder that broke off, in small steps, once each.
+/// A repair of the truncated recordings of a folder, in small steps.
 #[derive(Debug)]
 pub(crate) struct Repairs {
     folder: PathBuf,
     limits: Limits,
-    /// What is to be looked at; `None` before the first step.
+    /// The files to examine; `None` before the first step.
     waiting: Option<VecDeque<RecordedFile>>,
     current: Option<Repair>,
     repaired: u64,
@@ -30,7 +30,7 @@ impl Repairs {
         }
     }
 
-    /// Goes on for some milliseconds; says whether there is more to do.
+    /// Continues for some milliseconds; returns whether there is more to do.
     pub(crate) fn step(&mut self) -> bool {
         let Some(repair) = &mut self.current else {
             return self.next();
@@ -44,25 +44,25 @@ impl Repairs {
         true
     }
 
-    /// Files that were repaired.
+    /// The number of repaired files.
     pub(crate) const fn repaired(&self) -> u64 {
         self.repaired
     }
 
-    /// Files that broke off and were left as they are.
+    /// The number of truncated files left unchanged.
     pub(crate) const fn left(&self) -> u64 {
         self.left
     }
 
-    /// Looks at the next file; says whether there was one.
+    /// Examines the next file; returns whether there was one.
     fn next(&mut self) -> bool {
         let folder = &self.folder;
         let waiting = self.waiting.get_or_insert_with(|| {
-            // What cannot be deleted or listed is in nobody's way.
+            // Files that cannot be deleted or listed do no harm.
             let _ = folder::tidy(folder);
             recordings(folder).unwrap_or_default().into()
         });
-        // The latest first: it is the one that somebody asks for.
+        // The latest first: it is the most likely to be opened.
         let Some(file) = waiting.pop_back() else {
             return false;
         };
@@ -75,10 +75,10 @@ impl Repairs {
         true
     }
 
-    /// Begins to repair a file; there is room for the new one beside it, and for one that is recorded.
+    /// Starts to repair a file, with room for the new one and for the current recording.
     fn begin(&self, file: &RecordedFile) -> Option<Repair> {
         let limits = self.limits;
-        let most = (2 * file.bytes + LEAST_BYTES).min(limits.file_bytes.max(file.bytes));
+        let most = (2 * file.bytes + MIN_BYTES).min(limits.file_bytes.max(file.bytes));
         let room = limits.file_bytes + most;
         if room + file.bytes > limits.total_bytes {
             return None;
@@ -88,5 +88,5 @@ impl Repairs {
     }
 }
 
-/// A file that holds next to nothing still has schemas and an index.
-const LEAST_BYTES: u64 = 256 << 10;
+/// The length of the schemas and the index of a nearly empty file.
+const MIN_BYTES: u64 = 256 << 10;

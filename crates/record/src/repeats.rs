@@ -1,20 +1,20 @@
-//! A status that comes again and again, as it does at rest.
+//! Repeated statuses, as those of a resting arm.
 
 use dobot_wire::Status;
 
-/// A status, and the times at which it came again: they are held back, to be written together.
+/// A status and the times of its repetitions, held back to be written together.
 ///
-/// Bytes may come in pieces of any length. A whole packet counts as received at its last byte; the
-/// pieces of an unfinished packet are kept as they came.
+/// Bytes may be split anywhere. A packet counts as received at its last byte; the pieces of an
+/// unfinished packet are kept as they arrived.
 #[derive(Debug)]
 pub(crate) struct Repeats {
     packet: [u8; LEN],
     status: Status,
-    /// When each repeat was whole, in nanoseconds since 1970, none later than the one behind it.
+    /// The times at which each repetition was complete, in nanoseconds since 1970, ascending.
     ends_ns: Vec<u64>,
-    /// What came since of the next one.
+    /// The pieces of the next packet.
     pieces: Vec<Piece>,
-    /// How much that is; below `LEN`.
+    /// The length of these pieces; below `LEN`.
     place: usize,
 }
 
@@ -25,19 +25,19 @@ pub(crate) struct Piece {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// A packet that came again and again, and the begin of one more.
+/// A repeated packet, and the start of another one.
 #[derive(Debug)]
 pub(crate) struct HeldBack {
     pub(crate) packet: [u8; LEN],
     pub(crate) status: Status,
-    /// When each of them came, in nanoseconds since 1970.
+    /// The times of the repetitions, in nanoseconds since 1970.
     pub(crate) ends_ns: Vec<u64>,
-    /// What came behind them.
+    /// The pieces after them.
     pub(crate) pieces: Vec<Piece>,
 }
 
 impl Repeats {
-    /// A status that was just told.
+    /// Starts with a status that was just written.
     pub(crate) const fn new(packet: [u8; LEN], status: Status) -> Self {
         Self {
             packet,
@@ -48,13 +48,13 @@ impl Repeats {
         }
     }
 
-    /// Takes the next piece if it says the same again; `is_end` if it ends a packet.
+    /// Accepts the next piece if it continues the repetition; `is_end` if it completes a packet.
     pub(crate) fn take(&mut self, at_ns: u64, bytes: &[u8], is_end: bool) -> bool {
-        let last_ns = self.pieces.last().map(|it| it.at_ns);
+        let last_ns = self.pieces.last().map(|piece| piece.at_ns);
         let last_ns = last_ns.or_else(|| self.ends_ns.last().copied());
         let end = self.place + bytes.len();
         let is_same = self.packet[self.place..].starts_with(bytes) && is_end == (end == LEN);
-        if last_ns.is_some_and(|it| at_ns < it) || !is_same {
+        if last_ns.is_some_and(|last_ns| at_ns < last_ns) || !is_same {
             return false;
         }
         if is_end {
@@ -68,25 +68,25 @@ impl Repeats {
         true
     }
 
-    /// Whether what is held back has to be told.
+    /// Whether the held-back data must be written now.
     pub(crate) fn is_due(&self) -> bool {
         match &self.ends_ns[..] {
-            [first, .., last] => self.place == 0 && last - first >= LONGEST_NS,
+            [first, .., last] => self.place == 0 && last - first >= MAX_HELD_NS,
             _ => false,
         }
     }
 
-    /// Whether it holds anything back.
+    /// Whether anything is held back.
     pub(crate) const fn is_holding(&self) -> bool {
         !self.ends_ns.is_empty() || !self.pieces.is_empty()
     }
 
-    /// Whether what comes next is the begin of a packet.
+    /// Whether the next piece starts a packet.
     pub(crate) const fn is_between_packets(&self) -> bool {
         self.place == 0
     }
 
-    /// All that is held back.
+    /// Returns everything that is held back.
     pub(crate) fn take_held(&mut self) -> HeldBack {
         HeldBack {
             packet: self.packet,
@@ -97,8 +97,8 @@ impl Repeats {
     }
 }
 
-/// A packet, in bytes.
+/// The length of a packet, in bytes.
 pub(crate) const LEN: usize = 42;
 
-/// What is held back is told after so much time at the latest, if more comes.
-const LONGEST_NS: u64 = 10_000_000_000;
+/// The longest time that repetitions are held back.
+const MAX_HELD_NS: u64 = 10_000_000_000;

@@ -11,48 +11,49 @@ use dobot_session::Peer;
 use crate::playback::Playback;
 use crate::{Damage, OpenError};
 
-/// A virtual arm that plays a recording back: it sends what the arm sent, at the times at which it
-/// did, and compares what its client sends with what was recorded. So a bug report becomes a test.
+/// A virtual arm that plays a recording back: it sends the recorded bytes of the arm at their
+/// times, and compares the bytes of its client with the recorded ones. This turns a bug report into
+/// a test.
 ///
-/// Time is virtual, begins with the first byte on the wire, and passes when somebody waits. Clones
-/// share the arm: one is given to a `Connection`, another tells what came of it.
+/// Time is virtual, starts with the first byte on the wire, and passes while somebody waits. Clones
+/// share the arm: give one to a `Connection` and keep another for the result.
 #[derive(Clone, Debug)]
 pub struct Replay {
     playback: Arc<Mutex<Playback>>,
 }
 
-/// What came of a replay.
+/// The result of a replay.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
-    /// Packets that the client sent as recorded.
+    /// The number of packets sent as recorded.
     pub same: u64,
-    /// The first hundred packets that it did not.
+    /// The first hundred differences.
     pub differences: Vec<Difference>,
-    /// Differences beyond those hundred.
+    /// The number of further differences.
     pub more: u64,
-    /// The greatest time between sending a packet and when it was recorded.
+    /// The largest difference between the sending and the recorded time of a packet.
     pub furthest_apart: Duration,
-    /// Bytes that the client sent and that belong to no packet.
+    /// The number of bytes from the client that belong to no packet.
     pub noise_bytes: u64,
-    /// Bytes of that kind that were recorded.
+    /// The number of recorded bytes of that kind.
     pub recorded_noise_bytes: u64,
-    /// Where the recording breaks off, if it does and was played to there.
+    /// The damage of the recording, if the replay reached it.
     pub damage: Option<Damage>,
 }
 
-/// A packet that the client did not send as recorded.
+/// A packet that differs from the recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
-    /// When it was sent or, if it was not, recorded: since the recorder was started.
+    /// The time when it was sent or, if it was not, recorded, since the start of the recorder.
     pub at: Duration,
-    /// What was recorded; `None` where nothing more was.
+    /// The recorded packet; `None` if there was none left.
     pub recorded: Option<[u8; 42]>,
-    /// What the client sent; `None` where it sent nothing more.
+    /// The packet of the client; `None` if it sent no more.
     pub sent: Option<[u8; 42]>,
 }
 
 impl Replay {
-    /// Plays a recording back.
+    /// Opens a recording for replay.
     ///
     /// # Errors
     ///
@@ -65,14 +66,13 @@ impl Replay {
         })
     }
 
-    /// When the arm sends next, or the recording ends, by the replay's own time; `None` when it is
-    /// over.
+    /// The replay time of the next bytes of the arm or of the end; `None` after the end.
     #[must_use]
     pub fn poll_wakeup(&self) -> Option<Duration> {
         self.playback().poll_wakeup()
     }
 
-    /// What came of it until now: what was recorded up to now and was not sent is a difference.
+    /// Returns the result so far; packets recorded up to now that were not sent are differences.
     #[must_use]
     pub fn report(&self) -> Report {
         self.playback().report()
@@ -98,13 +98,13 @@ impl Peer for Replay {
 }
 
 impl Report {
-    /// Whether the client did what was recorded.
+    /// Whether the client behaved as recorded.
     #[must_use]
     pub const fn is_same(&self) -> bool {
         self.differences.is_empty() && self.noise_bytes == self.recorded_noise_bytes
     }
 
-    /// Takes note of a difference.
+    /// Adds a difference.
     pub(crate) fn push(&mut self, difference: Difference) {
         if self.differences.len() < LISTED {
             self.differences.push(difference);
@@ -121,7 +121,7 @@ impl fmt::Display for Difference {
         };
         write!(
             f,
-            "at {:.3} s the client sent {}, recorded was {}",
+            "at {:.3} s the client sent {}; the recording has {}",
             self.at.as_secs_f64(),
             text(&self.sent),
             text(&self.recorded)
@@ -129,5 +129,5 @@ impl fmt::Display for Difference {
     }
 }
 
-/// So many differences are told one by one.
+/// The number of differences listed individually.
 const LISTED: usize = 100;

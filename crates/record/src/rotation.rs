@@ -1,4 +1,4 @@
-//! Keeps recordings in a folder: begins files, ends them, deletes the oldest.
+//! The rotation of recordings: starts and finishes files, deletes the oldest.
 
 use std::fs::File;
 use std::io::BufWriter;
@@ -12,7 +12,7 @@ use crate::encoder::{Encoder, Message};
 use crate::file_writer::FileWriter;
 use crate::{About, Health, Limits, Record, folder};
 
-/// Keeps recordings in a folder. It has no clock: time comes with the records.
+/// A rotation of recordings in a folder. It has no clock: the records carry the time.
 #[derive(Debug)]
 pub(crate) struct Rotation {
     folder: PathBuf,
@@ -24,30 +24,30 @@ pub(crate) struct Rotation {
     trouble: Option<Failure>,
     /// The time of the latest record.
     now: Duration,
-    /// Records lost for good.
+    /// The number of records lost.
     lost: u64,
-    /// Records lost that no file tells of yet.
+    /// The number of lost records that no file mentions yet.
     unreported: u64,
     why_unreported: String,
-    /// Records that no message tells yet.
+    /// The number of lost records that no message mentions yet.
     held: u64,
 }
 
-/// The file that is written.
+/// The current file.
 #[derive(Debug)]
 struct OpenFile {
     path: PathBuf,
     writer: FileWriter<BufWriter<File>>,
-    /// The same file, to make it safe from a power cut.
+    /// The same file, for syncing.
     file: File,
     synced: Duration,
-    /// Records that are not flushed yet.
+    /// The number of records that are not flushed yet.
     unsafe_records: u64,
-    /// Some were flushed.
+    /// Whether flushed data is not synced yet.
     holds_records: bool,
 }
 
-/// Why nothing can be recorded now.
+/// The reason why nothing can be recorded now.
 #[derive(Debug)]
 struct Failure {
     reason: String,
@@ -55,7 +55,7 @@ struct Failure {
 }
 
 impl Rotation {
-    /// A rotation of recordings whose times count from `start`.
+    /// Creates a rotation of recordings whose times count from `start`.
     pub(crate) fn new(
         folder: PathBuf,
         limits: Limits,
@@ -65,7 +65,7 @@ impl Rotation {
     ) -> Self {
         encoder.write(Duration::ZERO, &Record::About(Box::new(about.clone())));
         let trouble = std::fs::create_dir_all(&folder).err().map(|error| Failure {
-            reason: format!("cannot make the folder {}: {error}", folder.display()),
+            reason: format!("cannot create the folder {}: {error}", folder.display()),
             retry: Duration::ZERO,
         });
         Self {
@@ -84,7 +84,7 @@ impl Rotation {
         }
     }
 
-    /// Records something.
+    /// Records an entry.
     pub(crate) fn handle_record(&mut self, at: Duration, record: &Record) {
         self.now = self.now.max(at);
         if let Record::About(about) = record {
@@ -94,7 +94,7 @@ impl Rotation {
             self.note_result(done);
         }
         let Some(messages) = self.encoder.write(at, record) else {
-            return self.count_lost(1, "a time lies centuries ahead");
+            return self.count_lost(1, "a time is centuries in the future");
         };
         if !messages.is_empty() || self.encoder.is_holding() {
             self.held += 1;
@@ -102,7 +102,7 @@ impl Rotation {
         self.write_down(at, &messages);
     }
 
-    /// Takes note of records that were lost behind those that came.
+    /// Counts records lost after the recorded ones.
     pub(crate) fn handle_lost(&mut self, count: u64, reason: &str) {
         if count > 0 {
             self.write_held();
@@ -110,7 +110,7 @@ impl Rotation {
         }
     }
 
-    /// Nothing came for a while: what came before is made safe.
+    /// Handles a silence: flushes and syncs.
     pub(crate) fn handle_idle(&mut self) {
         self.write_held();
         let flushed = match &mut self.open {
@@ -120,7 +120,7 @@ impl Rotation {
         self.note_result(flushed);
     }
 
-    /// Ends the file that is written.
+    /// Finishes the current file.
     pub(crate) fn finish(&mut self) {
         self.write_held();
         if self.open.is_some() {
@@ -129,11 +129,11 @@ impl Rotation {
         }
     }
 
-    /// How it goes.
+    /// The health.
     pub(crate) fn health(&self) -> Health {
         Health {
             file: self.open.as_ref().map(|open| open.path.clone()),
-            trouble: self.trouble.as_ref().map(|it| it.reason.clone()),
+            trouble: self.trouble.as_ref().map(|trouble| trouble.reason.clone()),
             lost: self.lost,
             ..Health::default()
         }
@@ -147,7 +147,7 @@ impl Rotation {
         }
     }
 
-    /// Writes the messages that tell what is held back.
+    /// Writes the messages for what is held back.
     fn write_held(&mut self) {
         let messages = self.encoder.write_held();
         if !messages.is_empty() {
@@ -155,8 +155,8 @@ impl Rotation {
         }
     }
 
-    /// Writes messages that tell all that was held back, or, if there are none, sees to what was
-    /// written before.
+    /// Writes the messages for what is held back, or, if there are none, flushes earlier data when
+    /// due.
     fn write_down(&mut self, at: Duration, messages: &[Message<'_>]) {
         if messages.is_empty() {
             if let Err(error) = self.flush_if_due(at) {
@@ -165,7 +165,11 @@ impl Rotation {
             return;
         }
         let count = std::mem::take(&mut self.held);
-        if let Some(trouble) = self.trouble.as_ref().filter(|it| self.now < it.retry) {
+        if let Some(trouble) = self
+            .trouble
+            .as_ref()
+            .filter(|trouble| self.now < trouble.retry)
+        {
             let reason = trouble.reason.clone();
             return self.count_lost(count, &reason);
         }
@@ -178,7 +182,7 @@ impl Rotation {
         }
     }
 
-    /// Writes the messages that tell so many records.
+    /// Writes the messages for this number of records.
     fn write(
         &mut self,
         at: Duration,
@@ -206,7 +210,7 @@ impl Rotation {
         Ok(())
     }
 
-    /// Hands what was written to the file, if that is worth it by now; says whether it was.
+    /// Flushes the file if due; returns whether it did.
     fn flush_if_due(&mut self, at: Duration) -> Result<bool, McapError> {
         let Some((open, now_ns)) = self.open.as_mut().zip(self.encoder.at_ns(at)) else {
             return Ok(false);
@@ -222,9 +226,9 @@ impl Rotation {
         Ok(true)
     }
 
-    /// Sees to it that a file is open that has room for a message.
+    /// Opens a file that has room for a message, if none is open.
     fn ensure_room(&mut self, at: Duration, message: &Message<'_>) -> Result<(), McapError> {
-        // What was lost may have to be told first.
+        // Lost records may have to be mentioned first.
         let limit = self.limits.file_bytes.saturating_sub(LOST_LEN);
         let has_room = |open: &OpenFile| {
             !open.writer.is_full_for(message, limit) && open.writer.has_room_for(message.topic)
@@ -265,7 +269,7 @@ impl Rotation {
         })
     }
 
-    /// Tells the open file what the recording is of from here on.
+    /// Writes new metadata to the open file.
     fn write_about(&mut self) -> Result<(), McapError> {
         let Some(open) = &mut self.open else {
             return Ok(());
@@ -274,7 +278,7 @@ impl Rotation {
         open.writer.write_about(&self.about, self.start)
     }
 
-    /// After a failure the file is given up, with what was not flushed, and another one is tried
+    /// After a failure the file is abandoned with its unflushed data, and another one is tried
     /// later.
     fn note_result(&mut self, done: Result<(), McapError>) {
         self.trouble = done.err().map(|error| Failure {
@@ -301,7 +305,7 @@ impl Rotation {
 }
 
 impl OpenFile {
-    /// Hands all records to the file.
+    /// Flushes all records to the file.
     fn flush(&mut self) -> Result<(), McapError> {
         self.writer.flush()?;
         self.holds_records |= self.unsafe_records > 0;
@@ -316,22 +320,22 @@ impl OpenFile {
     }
 }
 
-/// Deletes a file that holds nothing: on a full disk there would be more and more of them.
+/// Deletes an empty file: on a full disk there would be more and more of them.
 fn discard(path: &Path) {
-    // Where it cannot be deleted, it stays, empty.
+    // If it cannot be deleted, it stays empty.
     let _ = std::fs::remove_file(path);
 }
 
-/// After a failure another file is tried so much later.
+/// The delay between a failure and the next file.
 const RETRY: Duration = Duration::from_secs(10);
 
-/// A power cut costs no more than this and what was not flushed.
+/// The sync interval: a power failure loses this much and the unflushed data.
 const SYNC_PERIOD: Duration = Duration::from_secs(5);
 
-/// A chunk, mostly.
+/// The usual length of a chunk.
 const BUFFER_LEN: usize = 64 << 10;
 
-/// Room for the message that records were lost.
+/// Room for the message about lost records.
 const LOST_LEN: u64 = 8 << 10;
 
 #[cfg(test)]

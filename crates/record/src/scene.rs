@@ -1,4 +1,4 @@
-//! What is to be seen around the arm: where its commands lead, and what its tool has drawn.
+//! The scene around the arm: the targets of its commands, and the ink of its tool.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -15,24 +15,24 @@ use crate::ink::Ink;
 use crate::target::Target;
 use crate::topic::{INK, TARGET};
 
-/// What is to be seen around the arm: an engine, commands and statuses in, scenes out. While nobody knows the dialect,
-/// nobody knows where commands lead, and there is nothing.
+/// A sans-IO scene: commands and statuses in, scene updates out. Empty while the dialect, and with
+/// it the meaning of commands, is unknown.
 #[derive(Debug, Default)]
 pub(crate) struct Scene {
     frames: Frames,
     observer: Option<Observer>,
-    /// Below which height of the tool a pen draws now.
+    /// The current height below which a pen draws.
     pen_below_mm: Option<f64>,
-    /// The same when each of the commands was sent that are not over.
+    /// That height for each in-flight command, when it was sent.
     sent_below_mm: VecDeque<Option<f64>>,
     target: Target,
     ink: Ink,
-    /// What was mounted when it was seen last.
+    /// The last known tool.
     tool: Tool,
 }
 
 impl Scene {
-    /// From here on it may be another arm.
+    /// Starts over for another arm.
     pub(crate) fn set_dialect(&mut self, dialect: Option<Dialect>) {
         self.observer = dialect.map(Observer::new);
         self.sent_below_mm.clear();
@@ -40,17 +40,17 @@ impl Scene {
         self.target.note_change();
     }
 
-    /// Takes how long each tool is.
+    /// Sets the lengths of the tools.
     pub(crate) fn set_tools(&mut self, tools: &[MountedTool]) {
         self.frames.set_tools(tools);
     }
 
-    /// Takes below which height of the tool a pen draws.
+    /// Sets the height below which a pen draws.
     pub(crate) const fn set_pen(&mut self, below_mm: Option<f64>) {
         self.pen_below_mm = below_mm;
     }
 
-    /// Takes a command that leaves for the arm.
+    /// Handles a command to the arm.
     pub(crate) fn handle_sent(&mut self, at: Duration, command: &Command) {
         let Some(observer) = &mut self.observer else {
             return;
@@ -61,7 +61,7 @@ impl Scene {
         self.target.note_change();
     }
 
-    /// Takes a status.
+    /// Handles a status.
     pub(crate) fn handle_status(&mut self, at: Duration, status: &Status) {
         let Some(observer) = &mut self.observer else {
             self.tool = Model::new(Dialect::SPECIFICATION, status).tool;
@@ -77,10 +77,10 @@ impl Scene {
             self.target.note_change();
         }
         self.ink.handle_time(at);
-        self.tool = observer.model().map_or(self.tool, |it| it.tool);
+        self.tool = observer.model().map_or(self.tool, |model| model.tool);
     }
 
-    /// What is news by now: each a topic and its message.
+    /// The changes: topics and their messages.
     pub(crate) fn poll(
         &mut self,
         at: Duration,
@@ -90,28 +90,28 @@ impl Scene {
         let ways = self.observer.iter().flat_map(Observer::in_flight);
         let target = self.target.poll(at, time, ways, tip_mm);
         let ink = self.ink.poll(time, tip_mm);
-        let target = target.map(|it| (TARGET, it));
-        target.into_iter().chain(ink.map(|it| (INK, it)))
+        let target = target.map(|target| (TARGET, target));
+        target.into_iter().chain(ink.map(|ink| (INK, ink)))
     }
 
-    /// Where each link of the arm is that a status tells.
+    /// The transforms of the links of the arm for a status.
     pub(crate) fn transforms(&mut self, status: &Status, time: &Value) -> Value {
         self.frames.transforms(status, self.tool, time)
     }
 
-    /// The target is told again, for those who come late.
-    pub(crate) const fn tell_again(&mut self) {
-        self.target.tell_again();
+    /// Requests another report of the target, for late subscribers.
+    pub(crate) const fn report_again(&mut self) {
+        self.target.report_again();
     }
 
-    /// The ink that was told, for one who comes late: messages of its topic.
+    /// The reported ink, for a late subscriber: messages of its topic.
     pub(crate) fn ink_so_far(&self, time: &Value) -> Vec<Value> {
         let tip_mm = self.frames.length_mm(self.tool);
         self.ink.so_far(time, tip_mm)
     }
 }
 
-/// Something to be seen, under a name of its own; it stays until it is removed or another one has its name.
+/// An entity with an id; it stays until it is deleted or replaced.
 pub(crate) fn entity(time: &Value, id: &str, lines: &[Value], spheres: &[Value]) -> Value {
     json!({
         "timestamp": time,
@@ -131,12 +131,12 @@ pub(crate) fn entity(time: &Value, id: &str, lines: &[Value], spheres: &[Value])
     })
 }
 
-/// Takes back what has this name.
+/// The deletion of the entity with this id.
 pub(crate) fn removal(time: &Value, id: &str) -> Value {
     json!({ "timestamp": time, "type": MATCHING_ID, "id": id })
 }
 
-/// A line through places, so thick in metres.
+/// A line through places, with a thickness in metres.
 pub(crate) fn line(points: &[Value], thickness_m: f64, color: &Value) -> Value {
     json!({
         "type": LINE_STRIP,
@@ -150,7 +150,7 @@ pub(crate) fn line(points: &[Value], thickness_m: f64, color: &Value) -> Value {
     })
 }
 
-/// A ball of that diameter in metres.
+/// A sphere of this diameter in metres.
 pub(crate) fn sphere(at: &Value, size_m: f64, color: &Value) -> Value {
     json!({
         "pose": pose(at),
@@ -159,19 +159,19 @@ pub(crate) fn sphere(at: &Value, size_m: f64, color: &Value) -> Value {
     })
 }
 
-/// The places of a tip that hangs so far below these, in metres.
+/// The places of a tip this far below these, in metres.
 pub(crate) fn points(places: &[Position], tip_mm: f64) -> Vec<Value> {
-    let point = |it: &Position| {
-        let [x, y, z] = [it.x.0, it.y.0, it.z.0 - tip_mm].map(metres);
+    let point = |position: &Position| {
+        let [x, y, z] = [position.x.0, position.y.0, position.z.0 - tip_mm].map(metres);
         json!({ "x": x, "y": y, "z": z })
     };
     places.iter().map(point).collect()
 }
 
-/// A colour of three bytes, red first, as parts of one.
+/// A colour of three bytes, red first, as fractions of 1.
 pub(crate) fn color(rgb: u32) -> Value {
-    let [_, r, g, b] = rgb.to_be_bytes().map(|it| f64::from(it) / 255.0);
-    let [r, g, b] = [r, g, b].map(|it| (it * 1000.0).round() / 1000.0);
+    let [_, r, g, b] = rgb.to_be_bytes().map(|byte| f64::from(byte) / 255.0);
+    let [r, g, b] = [r, g, b].map(|value| (value * 1000.0).round() / 1000.0);
     json!({ "r": r, "g": g, "b": b, "a": 1.0 })
 }
 
@@ -182,7 +182,7 @@ fn pose(at: &Value) -> Value {
     })
 }
 
-/// Takes back what has the name, and nothing else.
+/// Deletes the entity with exactly this id.
 const MATCHING_ID: u8 = 0;
 /// Each point is joined with the next one.
 const LINE_STRIP: u8 = 0;

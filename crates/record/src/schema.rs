@@ -8,12 +8,12 @@ use serde_json::{Value, json};
 use crate::Topic;
 use crate::topic::{FROM_ARM, INK, JOINTS, OWN_COUNT, POSE, RECORDER, TARGET, TO_ARM, TRANSFORMS};
 
-/// The recorder's own topic of that name.
+/// The recorder's own topic with this name.
 pub(crate) fn own(name: &str) -> Option<&'static Topic> {
     topics().iter().find(|topic| topic.name() == name)
 }
 
-/// The topics of what is on the wire, and of the recorder itself.
+/// The topics of the wire and of the recorder itself.
 #[must_use]
 pub fn topics() -> &'static [Topic] {
     &*OWN
@@ -190,7 +190,7 @@ fn scene_update() -> Value {
             "indices": { "type": "array", "items": { "type": "integer" } },
         }),
     );
-    // Of the kinds that are never there, a list of objects says enough.
+    // For kinds that never occur, a list of objects is enough.
     let none = |description: &str| list(&object(description, &[], &json!({})));
     let entity = json!({
         "timestamp": time(),
@@ -245,7 +245,7 @@ fn duration() -> Value {
     moment("duration", "How long; 0 is for ever")
 }
 
-/// By its title Foxglove knows a time or a duration.
+/// By this title Foxglove recognizes a time or a duration.
 fn moment(title: &str, description: &str) -> Value {
     let mut moment = object(
         description,
@@ -276,7 +276,8 @@ fn object(description: &str, required: &[&str], properties: &Value) -> Value {
 mod tests {
     use super::*;
 
-    /// What Foxglove takes: objects, numbers, texts, truths and lists of them all the way down, no references.
+    /// The types that Foxglove accepts: objects, numbers, texts, booleans and lists of them at any
+    /// depth, no references.
     fn plots(schema: &Value) -> bool {
         match schema["type"].as_str() {
             Some("object") => {

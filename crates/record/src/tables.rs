@@ -1,9 +1,9 @@
-//! Recordings as tables: CSV, Parquet, and datasets that LeRobot loads.
+//! Recordings as tables: CSV, Parquet and datasets for LeRobot.
 //!
-//! [`export_tables`] makes two tables of a recording, one of its statuses and one of its commands; `export_lerobot` makes
-//! a dataset of its motion. Both read the recording once, from its beginning, and hold some megabytes of it at the most; of a
-//! dataset they hold some kilobytes for each episode too.
-//! `docs/recordings.md` describes every column.
+//! [`export_tables`] makes two tables of a recording, one of its statuses and one of its commands;
+//! `export_lerobot` makes a dataset of its motion. Both read the recording once, and use a few
+//! megabytes of memory at most, plus a few kilobytes per episode of a dataset. `docs/recordings.md`
+//! describes every column.
 //!
 //! ```
 //! use std::time::Duration;

@@ -1,4 +1,4 @@
-//! Where the commands lead that the arm has.
+//! The targets of the in-flight commands.
 
 use std::time::Duration;
 
@@ -8,27 +8,27 @@ use serde_json::{Value, json};
 
 use crate::scene::{color, entity, line, points, removal, sphere};
 
-/// Tells where the commands lead that the arm has: one thing to be seen, which is put in place of the one before.
+/// The view of the targets of the in-flight commands: one entity, which each update replaces.
 #[derive(Debug, Default)]
 pub(crate) struct Target {
-    /// Something changed since it was told.
+    /// Whether it changed since the last report.
     is_news: bool,
     is_shown: bool,
-    told_at: Option<Duration>,
+    reported_at: Option<Duration>,
 }
 
 impl Target {
-    /// Commands came, or are over.
+    /// Handles added or finished commands.
     pub(crate) const fn note_change(&mut self) {
         self.is_news = true;
     }
 
-    /// It is told again if it is shown.
-    pub(crate) const fn tell_again(&mut self) {
+    /// Requests another report if the view is visible.
+    pub(crate) const fn report_again(&mut self) {
         self.is_news |= self.is_shown;
     }
 
-    /// The target and the ways to it, if that is news; not more often than four times a second.
+    /// The target and the paths to it, if changed; at most four times a second.
     pub(crate) fn poll<'w>(
         &mut self,
         at: Duration,
@@ -36,8 +36,8 @@ impl Target {
         ways: impl Iterator<Item = &'w Trajectory>,
         tip_mm: f64,
     ) -> Option<Value> {
-        let is_due = |it| at.saturating_sub(it) >= PERIOD;
-        if !self.is_news || !self.told_at.is_none_or(is_due) {
+        let is_due = |last| at.saturating_sub(last) >= PERIOD;
+        if !self.is_news || !self.reported_at.is_none_or(is_due) {
             return None;
         }
         self.is_news = false;
@@ -46,7 +46,7 @@ impl Target {
         if !was_shown && !self.is_shown {
             return None;
         }
-        self.told_at = Some(at);
+        self.reported_at = Some(at);
         let places = points(&places, tip_mm);
         let Some(end) = places.last() else {
             return Some(json!({ "deletions": [removal(time, NAME)], "entities": [] }));
@@ -58,7 +58,7 @@ impl Target {
     }
 }
 
-/// The places along the ways, one behind the other; none where none of them moves, or has an end.
+/// The points along the paths, in order; none if no command moves or has an end.
 fn places<'w>(ways: impl Iterator<Item = &'w Trajectory>) -> Vec<Position> {
     let mut places = Vec::new();
     for way in ways {
@@ -78,5 +78,5 @@ const NAME: &str = "target";
 const PERIOD: Duration = Duration::from_millis(250);
 const LINE_M: f64 = 0.001;
 const END_M: f64 = 0.006;
-/// The colour of what is planned on the station's page.
+/// The colour of planned motion on the station's page.
 const TARGET: u32 = 0x2a_72_b8;

@@ -1,4 +1,4 @@
-//! Topics: what messages of one kind are called, and what they look like.
+//! Topics: named kinds of messages with a schema.
 
 use std::collections::BTreeMap;
 use std::io::{Seek, Write};
@@ -6,41 +6,43 @@ use std::io::{Seek, Write};
 use mcap::{McapResult, Writer};
 use serde_json::Value;
 
-/// Where bytes to the arm are recorded.
+/// The topic of bytes to the arm.
 pub const TO_ARM: &str = "/wire/to_arm";
 
-/// Where bytes from the arm are recorded. What came again and again is one message with all its
-/// times; [`Recording`](crate::Recording) tells each of them.
+/// The topic of bytes from the arm. A repeated packet is one message with all its times;
+/// [`Recording`](crate::Recording) returns each repetition.
 pub const FROM_ARM: &str = "/wire/from_arm";
 
-/// Where the tool is, as `foxglove.PoseInFrame`: metres, in the frame `base`.
+/// The topic of the tool's pose, as `foxglove.PoseInFrame`: metres, in the frame `base`.
 pub const POSE: &str = "/arm/pose";
 
-/// The joint angles, in degrees.
+/// The topic of the joint angles, in degrees.
 pub const JOINTS: &str = "/arm/joints";
 
-/// Where each link of the arm is, seen from its parent, as `foxglove.FrameTransforms`: the links of the URDF of `dobot-model`, of
-/// which `tool` is where the tool is. In recordings of before, `foxglove.FrameTransform` from `base` to `tool`.
+/// The topic of the links of the arm relative to their parents, as `foxglove.FrameTransforms`: the
+/// links of the URDF of `dobot-model`, of which `tool` is the tool. Older recordings have
+/// `foxglove.FrameTransform` from `base` to `tool`.
 pub const TRANSFORMS: &str = "/tf";
 
-/// Where the commands lead that the arm has, as `foxglove.SceneUpdate`.
+/// The topic of the targets of in-flight commands, as `foxglove.SceneUpdate`.
 pub const TARGET: &str = "/arm/target";
 
-/// What the tool has drawn or burnt, as `foxglove.SceneUpdate`: each message has the pieces that are new.
+/// The topic of the lines that the tool has drawn or burned, as `foxglove.SceneUpdate`: each
+/// message has the new pieces.
 pub const INK: &str = "/arm/ink";
 
-/// What the recorder has to say about itself: records that it lost, and why.
+/// The topic of the recorder's own messages: lost records and the reason.
 pub const RECORDER: &str = "/recorder";
 
-/// The topics that the recorder writes itself.
+/// The topics that the recorder itself writes.
 pub(crate) const OWN: [&str; OWN_COUNT] = [
     TO_ARM, FROM_ARM, POSE, JOINTS, TRANSFORMS, TARGET, INK, RECORDER,
 ];
 
-/// How many those are.
+/// The number of these topics.
 pub(crate) const OWN_COUNT: usize = 8;
 
-/// A topic: messages of one kind, JSON objects with a JSON Schema.
+/// A topic: a kind of messages, which are JSON objects with a JSON Schema.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topic {
     name: String,
@@ -49,15 +51,15 @@ pub struct Topic {
 }
 
 impl Topic {
-    /// A topic with a name as in `/events`, a name for its schema as in `dobot.Event`, and the JSON
+    /// Creates a topic with a name as in `/events`, a schema name as in `dobot.Event`, and the JSON
     /// Schema of its messages.
     ///
-    /// Foxglove wants the schema of an object, and plots what it finds in its `properties`; it does
-    /// not follow references: let `schemars` inline the schemas within.
+    /// Foxglove requires the schema of an object, and plots its `properties`; it does not follow
+    /// references: configure `schemars` to inline subschemas.
     ///
     /// # Errors
     ///
-    /// [`TopicError`] for a name that is not allowed or is the recorder's own, and for a schema of
+    /// [`TopicError`] for a name that is not allowed or used by the recorder, and for a schema of
     /// anything but an object.
     pub fn new(name: &str, schema_name: &str, schema: &Value) -> Result<Self, TopicError> {
         let found = || name.to_owned();
@@ -80,7 +82,7 @@ impl Topic {
         Ok(topic)
     }
 
-    /// Its name.
+    /// The name.
     #[must_use]
     pub const fn name(&self) -> &str {
         self.name.as_str()
@@ -98,14 +100,14 @@ impl Topic {
         self.schema.as_str()
     }
 
-    /// Adds its schema and a channel for it to a file; gives the channel's number.
+    /// Adds its schema and a channel to a file; returns the channel's number.
     pub(crate) fn add_to<W: Write + Seek>(&self, writer: &mut Writer<W>) -> McapResult<u16> {
         let schema = self.schema.as_bytes();
         let schema_id = writer.add_schema(&self.schema_name, "jsonschema", schema)?;
         writer.add_channel(schema_id, &self.name, "json", &BTreeMap::new())
     }
 
-    /// One of the recorder's own.
+    /// Creates one of the recorder's own topics.
     pub(crate) fn own(name: &str, schema_name: &str, schema: &Value) -> Self {
         Self {
             name: name.to_owned(),
@@ -115,25 +117,27 @@ impl Topic {
     }
 }
 
-/// Why a topic is refused.
+/// The reason why a topic is refused.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TopicError {
     /// The name is not allowed.
-    #[error("topic is `{0}`; a name begins with / and it and its schema's have 256 bytes at most")]
+    #[error(
+        "topic is `{0}`; a name starts with /, and names of topics and schemas have at most 256 bytes"
+    )]
     Name(String),
-    /// The recorder writes this topic itself.
-    #[error("topic is `{0}`; the recorder writes that itself: choose another name")]
+    /// The recorder itself writes this topic.
+    #[error("topic is `{0}`, which the recorder uses itself; choose another name")]
     Taken(String),
     /// The schema is not that of an object.
-    #[error("the schema of {0} has another type than `object`, the only one that is allowed")]
+    #[error("the type of the schema of {0} is not `object`; allowed is `object`")]
     Schema(String),
     /// The schema is too long.
     #[error("the schema of {name} has {found} bytes; allowed are 65536")]
     LongSchema {
-        /// The topic's name.
+        /// The name of the topic.
         name: String,
-        /// Its length in bytes.
+        /// The length in bytes.
         found: usize,
     },
 }

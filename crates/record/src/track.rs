@@ -1,4 +1,4 @@
-//! Where the arm was over a stretch of a recording, in few samples.
+//! The positions of the arm over a period of a recording, in few samples.
 
 use std::ops::RangeInclusive;
 use std::time::Duration;
@@ -7,28 +7,27 @@ use dobot_wire::{Decoder, Status};
 
 use crate::{Entry, Recording};
 
-/// Where the arm was over a stretch of a recording, oldest first: every status that says something new, or fewer of
-/// them, evenly in time, where there are too many.
+/// The positions of the arm over a period of a recording, oldest first: every status that differs,
+/// or fewer, at equal intervals, if there are too many.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// The statuses that were kept.
+    /// The samples.
     pub samples: Vec<Sample>,
-    /// So close together they stand at the most; 0 where none that says something new was left out.
+    /// The smallest interval between samples; 0 if all differing statuses are kept.
     pub spacing: Duration,
 }
 
-/// What the arm told at one moment.
+/// The state of the arm at a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// When, as the moments of the recording count.
+    /// The time, as in the entries of the recording.
     pub at: Duration,
-    /// What.
+    /// The status.
     pub status: Status,
 }
 
 impl Track {
-    /// Reads a recording, up to the end of the stretch, and keeps `most` samples at the most; two are the least that
-    /// make sense.
+    /// Reads a recording up to the end of the period, and keeps at most `most` samples (2 or more).
     #[must_use]
     pub fn read(
         recording: &mut Recording,
@@ -56,12 +55,12 @@ impl Track {
     }
 }
 
-/// Keeps what is needed of a stream of samples, with bounded memory.
+/// A filter of a stream of samples with bounded memory.
 #[derive(Debug)]
 struct Thinning {
     most: usize,
     track: Track,
-    /// What came last, where it was not kept.
+    /// The last sample, if it was not kept.
     held: Option<Sample>,
 }
 
@@ -85,12 +84,16 @@ impl Thinning {
             self.held = Some(sample);
             return;
         }
-        // Where a rest ends is kept: between its ends the arm did not move.
-        if let Some(held) = self.held.take_if(|it| it.status == last.status) {
+        // The end of a rest is kept: between its ends the arm did not move.
+        if let Some(held) = self.held.take_if(|held| held.status == last.status) {
             self.keep(held);
         }
         self.held = Some(sample);
-        let before = self.track.samples.last().map_or(last.at, |it| it.at);
+        let before = self
+            .track
+            .samples
+            .last()
+            .map_or(last.at, |sample| sample.at);
         if sample.at.saturating_sub(before) >= self.track.spacing {
             self.held = None;
             self.keep(sample);
@@ -111,18 +114,18 @@ impl Thinning {
         }
     }
 
-    /// Half of the samples go, at least.
+    /// Drops at least half of the samples.
     fn thin(&mut self, now: Duration) {
         let Track { samples, spacing } = &mut self.track;
-        let first = samples.first().map_or(now, |it| it.at);
+        let first = samples.first().map_or(now, |sample| sample.at);
         let even =
             now.saturating_sub(first) / u32::try_from(self.most / 2).unwrap_or(u32::MAX).max(1);
         *spacing = even.max(*spacing * 2);
         let mut kept = None;
-        samples.retain(|it| {
-            let far = kept.is_none_or(|kept| it.at.saturating_sub(kept) >= *spacing);
+        samples.retain(|sample| {
+            let far = kept.is_none_or(|kept| sample.at.saturating_sub(kept) >= *spacing);
             if far {
-                kept = Some(it.at);
+                kept = Some(sample.at);
             }
             far
         });
@@ -151,12 +154,12 @@ mod tests {
     fn xs(track: &Track) -> Vec<(u128, f32)> {
         let samples = track.samples.iter();
         samples
-            .map(|it| (it.at.as_millis(), it.status.x_mm))
+            .map(|sample| (sample.at.as_millis(), sample.status.x_mm))
             .collect()
     }
 
     #[test]
-    fn a_rest_is_told_by_its_ends() {
+    fn a_rest_is_reported_by_its_ends() {
         let found = track(100, [200.0, 200.0, 200.0, 210.0, 220.0, 220.0, 220.0]);
         assert_eq!(
             xs(&found),
@@ -180,7 +183,7 @@ mod tests {
             found.samples.len()
         );
         let ends = [found.samples[0], found.samples[found.samples.len() - 1]];
-        assert_eq!(ends.map(|it| it.status.x_mm), [0.0, 9_999.0]);
+        assert_eq!(ends.map(|end| end.status.x_mm), [0.0, 9_999.0]);
         for pair in found.samples.windows(2) {
             let gap = pair[1].at.saturating_sub(pair[0].at);
             assert!(gap <= found.spacing * 2, "{gap:?} with {:?}", found.spacing);

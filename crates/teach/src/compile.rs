@@ -148,7 +148,7 @@ impl Compiler<'_> {
             second.commands
         };
         // A cycle that runs once is not a repeat.
-        self.out.repeat = Some(JobRepeat { from, times }).filter(|it| it.times != Some(1));
+        self.out.repeat = Some(JobRepeat { from, times }).filter(|repeat| repeat.times != Some(1));
         Ok(())
     }
 
@@ -241,9 +241,9 @@ impl Compiler<'_> {
         let bad = |reason| scope.error(step, reason);
         let names: Vec<_> = grids
             .iter()
-            .filter_map(|it| scope.program.grids.get_key_value(it))
+            .filter_map(|grid| scope.program.grids.get_key_value(grid))
             .collect();
-        let count = names.first().map_or(0, |it| it.1.cells());
+        let count = names.first().map_or(0, |name| name.1.cells());
         for cell in 0..count {
             let mut within = scope.clone();
             for (name, grid) in &names {
@@ -349,7 +349,12 @@ impl Compiler<'_> {
     /// step of a program.
     fn wait(&mut self, message: &str) -> Result<(), String> {
         let before = self.out.commands.len();
-        if self.out.pauses.last().is_some_and(|it| it.before == before) {
+        if self
+            .out
+            .pauses
+            .last()
+            .is_some_and(|pause| pause.before == before)
+        {
             return Err("two waits follow each other before the first motion; merge them".into());
         }
         self.out.pauses.push(JobPause {
@@ -379,9 +384,9 @@ impl Compiler<'_> {
         let from = self.state.spot().ok_or(NOWHERE)?;
         let through = scope.spot(&arc.through, &self.state)?;
         let to = scope.spot(&arc.to, &self.state)?;
-        let at = [from, through, to].map(|it| it.pose(&self.state).position);
+        let at = [from, through, to].map(|value| value.pose(&self.state).position);
         let places = crate::round::chords(at, is_circle, arc.tolerance)?;
-        let turned = |it: &Spot| it.pose(&self.state).rotation.0;
+        let turned = |spot: &Spot| spot.pose(&self.state).rotation.0;
         let (begin, end) = (
             turned(&from),
             if is_circle {
@@ -403,9 +408,9 @@ impl Compiler<'_> {
     fn drawing(&mut self, scope: &Scope<'_>, drawing: &Drawing) -> Result<(), String> {
         let path = beside(scope.path, &drawing.file);
         let commands = self.files.drawing(&path, drawing)?;
-        let moves = |it: &&Command| {
+        let moves = |command: &&Command| {
             !matches!(
-                it,
+                command,
                 Command::Configuration(_) | Command::PlaybackAdjustment(_) | Command::JointJog(_)
             )
         };

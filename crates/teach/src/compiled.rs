@@ -45,13 +45,13 @@ impl Compiled {
     /// Returns the step that contains a command.
     #[must_use]
     pub fn step_of(&self, command: usize) -> Option<usize> {
-        let begun = self.steps.partition_point(|it| it.first <= command);
+        let begun = self.steps.partition_point(|step| step.first <= command);
         begun.checked_sub(1)
     }
 
     /// Sets the total number of cycles, whatever the program specifies.
     pub fn repeat(&mut self, times: Times) {
-        let from = self.repeat.map_or(0, |it| it.from);
+        let from = self.repeat.map_or(0, |repeat| repeat.from);
         // The first cycle may precede the repeated ones.
         let apart = u64::from(self.first_apart && self.repeat.is_some());
         let times = match times {
@@ -64,7 +64,7 @@ impl Compiled {
     /// The program as a job. If it draws, a pause lifts the tool.
     #[must_use]
     pub fn job(&self) -> NewJob {
-        let draws = |it: &Command| matches!(it, Command::WriteVector(_));
+        let draws = |command: &Command| matches!(command, Command::WriteVector(_));
         let lift_mm = if self.commands.iter().any(draws) {
             LIFT_MM
         } else {
@@ -77,7 +77,7 @@ impl Compiled {
             lift_mm,
             pauses: self.pauses.clone(),
             program: JobProgram {
-                steps: self.steps.iter().map(|it| it.first).collect(),
+                steps: self.steps.iter().map(|step| step.first).collect(),
                 repeat: self.repeat,
             },
         }

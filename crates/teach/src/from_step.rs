@@ -14,7 +14,9 @@ impl Compiled {
     #[must_use]
     pub fn from_step(&self, step: usize) -> Option<Self> {
         let first = self.steps.get(step)?.first;
-        let settings = self.commands[..first].iter().filter(|it| is_setting(it));
+        let settings = self.commands[..first]
+            .iter()
+            .filter(|command| is_setting(command));
         let mut rest = Self {
             title: self.title.clone(),
             commands: settings.copied().collect(),
@@ -34,7 +36,7 @@ impl Compiled {
 
     /// Appends the whole cycle after the rest of this one, if it runs again.
     fn append_cycle(&mut self, whole: &Self, repeat: JobRepeat) -> Option<JobRepeat> {
-        let times = repeat.times.map(|it| it.saturating_sub(1));
+        let times = repeat.times.map(|time| time.saturating_sub(1));
         if times == Some(0) {
             return None;
         }
@@ -46,18 +48,21 @@ impl Compiled {
     /// Appends some commands of a program with their steps and pauses.
     fn append(&mut self, whole: &Self, part: Range<usize>) {
         let at = |index: usize| index - part.start + self.commands.len();
-        let steps = whole.steps.iter().filter(|it| part.contains(&it.first));
+        let steps = whole.steps.iter().filter(|step| part.contains(&step.first));
         let steps: Vec<CompiledStep> = steps
-            .map(|it| CompiledStep {
-                first: at(it.first),
-                ..it.clone()
+            .map(|step| CompiledStep {
+                first: at(step.first),
+                ..step.clone()
             })
             .collect();
-        let pauses = whole.pauses.iter().filter(|it| part.contains(&it.before));
+        let pauses = whole
+            .pauses
+            .iter()
+            .filter(|pause| part.contains(&pause.before));
         let pauses: Vec<JobPause> = pauses
-            .map(|it| JobPause {
-                before: at(it.before),
-                ..it.clone()
+            .map(|pause| JobPause {
+                before: at(pause.before),
+                ..pause.clone()
             })
             .collect();
         self.steps.extend(steps);
@@ -106,14 +111,18 @@ mod tests {
     }
 
     /// The x of all targets, cycle by cycle.
-    fn targets(it: &Compiled, cycles: u64) -> Vec<f32> {
+    fn targets(compiled: &Compiled, cycles: u64) -> Vec<f32> {
         let x = |command: &Command| match command {
-            Command::MoveTo(it) => Some(it.x_mm),
+            Command::MoveTo(compiled) => Some(compiled.x_mm),
             _ => None,
         };
-        let from = it.repeat.map_or(it.commands.len(), |it| it.from);
-        let times = it.repeat.map_or(0, |it| it.times.unwrap_or(cycles));
-        let (once, cycle) = it.commands.split_at(from);
+        let from = compiled
+            .repeat
+            .map_or(compiled.commands.len(), |repeat| repeat.from);
+        let times = compiled
+            .repeat
+            .map_or(0, |repeat| repeat.times.unwrap_or(cycles));
+        let (once, cycle) = compiled.commands.split_at(from);
         let again = (0..times).flat_map(|_| cycle.iter());
         once.iter().chain(again).filter_map(x).collect()
     }
@@ -150,7 +159,11 @@ mod tests {
     fn speeds_that_were_set_before_still_hold() {
         let whole = compiled("1");
         let last = whole.from_step(whole.steps.len() - 1).unwrap();
-        let set = whole.commands.iter().find(|it| is_setting(it)).unwrap();
+        let set = whole
+            .commands
+            .iter()
+            .find(|command| is_setting(command))
+            .unwrap();
         assert!(last.commands.contains(set), "{:?}", last.commands);
     }
 
@@ -167,7 +180,7 @@ mod tests {
             assert!(
                 rest.pauses
                     .iter()
-                    .all(|it| it.before <= rest.commands.len())
+                    .all(|pause| pause.before <= rest.commands.len())
             );
         }
         assert!(whole.from_step(whole.steps.len()).is_none());

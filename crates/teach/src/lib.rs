@@ -28,8 +28,8 @@
 //!     pause = 0.5
 //! "#)?;
 //! let compiled = program.compile(&mut NoFiles)?;
-//! // The first cycle begins softly, so it stands before those that repeat.
-//! assert_eq!(compiled.repeat.map(|it| it.from), Some(4));
+//! // The first cycle starts softly, so it precedes the repeated ones.
+//! assert_eq!(compiled.repeat.map(|repeat| repeat.from), Some(4));
 //!
 //! let start = Model::new(Dialect::SPECIFICATION, &Status::AT_ZERO);
 //! let report = check(&compiled, &Policy::default(), start);

@@ -6,11 +6,11 @@ use serde::{Deserialize, Deserializer};
 /// Deserializes a number.
 pub(crate) fn finite<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     let found = f64::deserialize(from)?;
-    if found.abs() <= LARGEST {
+    if found.abs() <= MAX_VALUE {
         return Ok(found);
     }
     Err(D::Error::custom(format!(
-        "a number is {found}; allowed are -{LARGEST} to {LARGEST}"
+        "a number is {found}; allowed are -{MAX_VALUE} to {MAX_VALUE}"
     )))
 }
 
@@ -36,4 +36,4 @@ pub(crate) fn within(
 }
 
 /// The largest number; lengths, angles, times and speeds of an arm are smaller.
-const LARGEST: f64 = 1e6;
+const MAX_VALUE: f64 = 1e6;

@@ -103,10 +103,19 @@ fn syntax(message: &str) -> String {
         "extra assignment between key-value pairs" => "extra `=`",
         other => other,
     };
-    match allowed {
+    let problem = match problem.strip_prefix("invalid ") {
+        Some(rest) => format!("not a valid {rest}"),
+        None => problem.to_owned(),
+    };
+    let allowed = allowed.map(|allowed| {
+        let allowed = allowed.replace("multi-line basic string", "text in quotes");
+        let allowed = allowed.replace("basic string", "text in quotes");
+        allowed.replace("literal string", "text in quotes")
+    });
+    match allowed.as_deref() {
         Some("nothing") => format!("{problem}; nothing may follow here"),
         Some(allowed) => format!("{problem}; expected {allowed}"),
-        None => problem.to_owned(),
+        None => problem,
     }
 }
 

@@ -284,7 +284,7 @@ impl Steps {
         Self(
             actions
                 .into_iter()
-                .map(|it| Spanned::new(0..0, it))
+                .map(|action| Spanned::new(0..0, action))
                 .collect(),
         )
     }

@@ -47,9 +47,9 @@ impl ProgramForm {
     pub fn read(self, bytes: &[u8]) -> Result<Read<Program>, ProgramError> {
         let points = match self {
             Self::Toml => {
-                let it = Program::from_toml(text_of(bytes)?)?;
+                let content = Program::from_toml(text_of(bytes)?)?;
                 return Ok(Read {
-                    it,
+                    content,
                     warnings: Vec::new(),
                 });
             }
@@ -57,7 +57,7 @@ impl ProgramForm {
             Self::Play => vendor::read_play(bytes),
         }?;
         Ok(Read {
-            it: vendor::program_of(&points.it),
+            content: vendor::program_of(&points.content),
             warnings: points.warnings,
         })
     }
@@ -71,7 +71,7 @@ impl ProgramForm {
         let write = match self {
             Self::Toml => {
                 return Ok(Read {
-                    it: program.to_toml(),
+                    content: program.to_toml(),
                     warnings: Vec::new(),
                 });
             }
@@ -85,7 +85,7 @@ impl ProgramForm {
             ));
         }
         Ok(Read {
-            it: write(&points),
+            content: write(&points),
             warnings,
         })
     }
@@ -112,22 +112,26 @@ mod tests {
         for form in FORMS {
             let written = form.write(&program).unwrap();
             assert!(written.warnings.is_empty(), "{form:?}");
-            let read = form.read(written.it.as_bytes()).unwrap();
-            let ways = |it: &Program| -> Vec<_> {
-                let steps = it.steps.0.iter().map(|it| it.get_ref().clone());
+            let read = form.read(written.content.as_bytes()).unwrap();
+            let ways = |program: &Program| -> Vec<_> {
+                let steps = program
+                    .steps
+                    .0
+                    .iter()
+                    .map(|program| program.get_ref().clone());
                 steps
-                    .map(|it| match it {
+                    .map(|step| match step {
                         crate::Action::Go(go) => (go.to, go.path, go.then.suction.unwrap_or(true)),
                         other => panic!("{other:?}"),
                     })
                     .collect()
             };
-            assert_eq!(ways(&read.it), ways(&program), "{form:?}");
+            assert_eq!(ways(&read.content), ways(&program), "{form:?}");
         }
     }
 
     #[test]
-    fn what_a_form_cannot_carry_is_told() {
+    fn what_a_form_cannot_carry_is_reported() {
         let mixed = format!("{JOINTS}[[steps]]\ngo = {{ x = 200, y = 0, z = 0 }}\n");
         let mixed = Program::from_toml(&mixed).unwrap();
         let places = Program::from_toml("[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n").unwrap();
@@ -149,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn names_tell_the_form_by_their_end_alone() {
+    fn names_state_the_form_by_their_end_alone() {
         for (name, form) in [
             ("PlayBackPoints.xml", Some(ProgramForm::Xml)),
             ("a.toml.PLAY", Some(ProgramForm::Play)),

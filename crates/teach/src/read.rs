@@ -207,38 +207,38 @@ fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<
     })
 }
 
-/// The errors of a text that is not a program: the first one, or all independent ones in its
-/// values.
+/// The errors of a text that is not a program: the first one, and if it is TOML, all independent ones.
 fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramError {
     let mistake = |error: &toml::de::Error| {
         let line = error.span().map(|span| lines.at(span.start));
         ProgramError::at(line, plain(error.message()))
     };
-    let mut mistakes = vec![mistake(first)];
+    let mut mistakes = Vec::new();
     if let Ok(document) = DeTable::parse(text) {
-        let errors = document.into_inner().into_iter().flat_map(|(key, value)| {
-            let (key, value) = (key.into_inner(), value.into_inner());
-            match (&*key, value) {
+        for (key, value) in document.into_inner() {
+            let line = lines.at(key.span().start);
+            let errors = match (&**key.get_ref(), value.into_inner()) {
                 ("tools", DeValue::Table(tools)) => errors_in::<MountedTool>(values(tools)),
                 ("points", DeValue::Table(points)) => errors_in::<Point>(values(points)),
                 ("frames", DeValue::Table(frames)) => errors_in::<Frame>(values(frames)),
                 ("grids", DeValue::Table(grids)) => errors_in::<Grid>(values(grids)),
                 ("steps", DeValue::Array(steps)) => errors_in::<Action>(steps),
+                (key, _) if !KEYS.contains(&key) => {
+                    let allowed = KEYS.map(|key| format!("`{key}`")).join(", ");
+                    let reason = format!("the key `{key}` is unknown; allowed: {allowed}");
+                    mistakes.push(ProgramError::at(line, reason));
+                    Vec::new()
+                }
                 _ => Vec::new(),
-            }
-        });
-        for error in errors {
-            let mistake = mistake(&error);
-            // Two readers may give the same mistake with different spans.
-            if mistakes
-                .iter()
-                .all(|known| known.reason != mistake.reason || known.line != mistake.line)
-            {
-                mistakes.push(mistake);
-            }
+            };
+            mistakes.extend(errors.iter().map(mistake));
         }
     }
-    ProgramError::merge(mistakes).unwrap_or_else(|| ProgramError::new(plain(first.message())))
+    let first = mistake(first);
+    if mistakes.iter().all(|known| known.reason != first.reason) {
+        mistakes.push(first.clone());
+    }
+    ProgramError::merge(mistakes).unwrap_or(first)
 }
 
 fn values<'de>(table: DeTable<'de>) -> impl Iterator<Item = Spanned<DeValue<'de>>> {
@@ -283,6 +283,16 @@ fn deep_line(text: &str) -> Option<usize> {
         .map(|at| at + 1)
 }
 
+/// The keys of a program.
+const KEYS: [&str; 7] = [
+    "title",
+    "start_speed_percent",
+    "tools",
+    "points",
+    "frames",
+    "grids",
+    "steps",
+];
 /// 64 MiB: a program of 1,000,000 steps.
 const MAX_TEXT_BYTES: usize = 64 << 20;
 /// A key of a program has two dots for each level of steps.

@@ -39,8 +39,8 @@ impl RecordedPlace {
     #[must_use]
     pub fn point(&self) -> Point {
         Point::Cartesian {
-            position: self.point_mm.map(|it| rounded(it, 100.0)),
-            rotation: Some(rounded(self.rotation_deg, 100.0)).filter(|it| *it != 0.0),
+            position: self.point_mm.map(|point_mm| rounded(point_mm, 100.0)),
+            rotation: Some(rounded(self.rotation_deg, 100.0)).filter(|rotation| *rotation != 0.0),
             frame: None,
         }
     }
@@ -83,7 +83,7 @@ pub fn simplified(places: &[RecordedPlace], tolerance: f64) -> Vec<RecordedPlace
     }
     let places = places.iter().zip(kept);
     places
-        .filter_map(|(it, kept)| kept.then_some(*it))
+        .filter_map(|(place, kept)| kept.then_some(*place))
         .collect()
 }
 
@@ -105,7 +105,9 @@ fn split(places: &[RecordedPlace], from: usize, to: usize, tolerance: f64) -> Op
             if found > best.1 { (at, found) } else { best }
         })
     });
-    farthest.filter(|it| it.1 > tolerance).map(|it| it.0)
+    farthest
+        .filter(|farthest| farthest.1 > tolerance)
+        .map(|farthest| farthest.0)
 }
 
 /// The state of the tool at a position in a program.
@@ -121,7 +123,7 @@ impl ToolState {
     /// The state after these steps, executed in order from the start of a program.
     #[must_use]
     pub fn behind(steps: &[Spanned<Action>]) -> Self {
-        let thens = steps.iter().filter_map(|it| match it.get_ref() {
+        let thens = steps.iter().filter_map(|step| match step.get_ref() {
             Action::Go(go) => Some(go.then),
             Action::Here(here) => Some(*here),
             _ => None,
@@ -143,8 +145,8 @@ impl ToolState {
     pub fn changes_to(self, place: &RecordedPlace) -> Here {
         let gripper = rounded(place.gripper_deg, 10.0);
         Here {
-            suction: Some(place.suction).filter(|it| *it != self.suction),
-            gripper: Some(gripper).filter(|it| *it != self.gripper_deg),
+            suction: Some(place.suction).filter(|suction| *suction != self.suction),
+            gripper: Some(gripper).filter(|gripper| *gripper != self.gripper_deg),
             pause: None,
         }
     }
@@ -187,8 +189,8 @@ mod tests {
 
     #[test]
     fn a_straight_line_with_a_corner_becomes_three_places() {
-        let out = (0..=50).map(|it| place([200.0 + f64::from(it), 0.0, 0.0]));
-        let up = (1..=30).map(|it| place([250.0, 0.0, f64::from(it)]));
+        let out = (0..=50).map(|i| place([200.0 + f64::from(i), 0.0, 0.0]));
+        let up = (1..=30).map(|i| place([250.0, 0.0, f64::from(i)]));
         let path: Vec<RecordedPlace> = out.chain(up).collect();
         let corners = [[200.0, 0.0, 0.0], [250.0, 0.0, 0.0], [250.0, 0.0, 30.0]].map(place);
         assert_eq!(simplified(&path, 0.1), corners);
@@ -200,7 +202,7 @@ mod tests {
             let (sin, cos) = deg.to_radians().sin_cos();
             place([200.0 * cos, 200.0 * sin, 0.0])
         };
-        let path: Vec<RecordedPlace> = (0..=900).map(|it| at(f64::from(it) / 10.0)).collect();
+        let path: Vec<RecordedPlace> = (0..=900).map(|i| at(f64::from(i) / 10.0)).collect();
         // A chord of angle a is r (1 - cos(a / 2)) off: 1 mm of 200 mm allows 11.5 degrees. Halving
         // 90 degrees gives 11.25 in the end, which is 8 chords.
         assert_eq!(simplified(&path, 1.0).len(), 9);
@@ -209,7 +211,7 @@ mod tests {
     #[test]
     fn where_the_pump_is_switched_stays_also_on_a_straight_line() {
         let mut path: Vec<RecordedPlace> =
-            (0..10).map(|it| place([f64::from(it), 0.0, 0.0])).collect();
+            (0..10).map(|i| place([f64::from(i), 0.0, 0.0])).collect();
         for it in &mut path[6..] {
             it.suction = true;
         }

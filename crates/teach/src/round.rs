@@ -93,7 +93,7 @@ mod tests {
         assert!(
             places
                 .iter()
-                .all(|it| (it.distance(middle).0 - 20.0).abs() < 1e-9)
+                .all(|place| (place.distance(middle).0 - 20.0).abs() < 1e-9)
         );
         // It turns left, through the second point.
         assert!(places[0].y.0 > 0.0);

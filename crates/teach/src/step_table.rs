@@ -163,10 +163,10 @@ impl StepTable {
             }),
             laser.take().map(|on| Ok(Action::Laser(on))),
             wait.take()
-                .map(|text| checked_text("wait", text, LONGEST_MESSAGE).map(Action::Wait)),
+                .map(|text| checked_text("wait", text, MAX_MESSAGE_LEN).map(Action::Wait)),
             barrier
                 .take()
-                .map(|name| checked_text("barrier", name, LONGEST_BARRIER).map(Action::Barrier)),
+                .map(|name| checked_text("barrier", name, MAX_BARRIER_LEN).map(Action::Barrier)),
             speed
                 .take()
                 .map(|speed| checked_speed(speed).map(Action::Speed)),
@@ -195,7 +195,7 @@ impl StepTable {
             within("gripper", "°", gripper, -90.0, 90.0)?;
         }
         if let Some(pause) = self.pause {
-            within("pause", " s", pause, 0.0, LONGEST_PAUSE_S)?;
+            within("pause", " s", pause, 0.0, MAX_PAUSE_S)?;
         }
         Ok(Here {
             suction: self.suction,
@@ -472,9 +472,9 @@ const VERBS: [&str; 12] = [
 ];
 const ONE_OF: &str = "it needs one of go, suction, gripper, pause, laser, wait, barrier, speed, tool, repeat, each, call, arc, circle and drawing";
 const FOREVER: &str = "forever";
-const LONGEST_MESSAGE: usize = 200;
-const LONGEST_BARRIER: usize = 40;
+const MAX_MESSAGE_LEN: usize = 200;
+const MAX_BARRIER_LEN: usize = 40;
 /// The longest pause of a target (note N10).
-pub(crate) const LONGEST_PAUSE_S: f64 = 655.0;
+pub(crate) const MAX_PAUSE_S: f64 = 655.0;
 /// The lowest speed; a lower one would take hours.
 pub(crate) const MIN_SPEED: f64 = 0.001;

@@ -33,7 +33,7 @@ pub struct VendorPoint {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Read<T> {
     /// The content.
-    pub it: T,
+    pub content: T,
     /// Deviations from the vendor's format that were accepted.
     pub warnings: Vec<String>,
 }
@@ -72,15 +72,15 @@ pub fn write_play(points: &[VendorPoint]) -> String {
 /// Creates the program that visits points.
 #[must_use]
 pub fn program_of(points: &[VendorPoint]) -> Program {
-    let steps = points.iter().map(|it| {
+    let steps = points.iter().map(|point| {
         Action::Go(Go {
-            path: it.mode,
+            path: point.mode,
             then: Here {
-                suction: Some(it.grab),
-                gripper: Some(it.gripper_deg),
-                pause: Some(it.pause_s).filter(|it| *it != 0.0),
+                suction: Some(point.grab),
+                gripper: Some(point.gripper_deg),
+                pause: Some(point.pause_s).filter(|point| *point != 0.0),
             },
-            ..Go::to(Point::Joints(it.joints_deg))
+            ..Go::to(Point::Joints(point.joints_deg))
         })
     });
     Program::new(steps.collect())

@@ -39,7 +39,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Kind::Params => params(&program)?,
         Kind::Program(form) => {
             let written = form.write(&program)?;
-            (written.it, written.warnings)
+            (written.content, written.warnings)
         }
     };
     for reason in lost {

@@ -1,4 +1,4 @@
-//! The letters of a file: UTF-8 from version 2007 on, those of a code page before.
+//! The text encoding of a file: UTF-8 since version 2007, a code page before.
 
 use std::borrow::Cow;
 
@@ -7,17 +7,17 @@ use encoding_rs::{BIG5, EUC_KR, Encoding, GBK, SHIFT_JIS, WINDOWS_1252};
 use super::pairs::pairs;
 use crate::place::beginning;
 
-/// What the header tells of the letters.
+/// The header entries about the encoding.
 #[derive(Debug, Default)]
 struct Header<'a> {
-    /// Such as `AC1015`.
+    /// The version, such as `AC1015`.
     version: &'a [u8],
-    /// Such as `ANSI_1252`.
+    /// The code page, such as `ANSI_1252`.
     code_page: Option<&'a [u8]>,
 }
 
 impl<'a> Header<'a> {
-    /// Reads as far as the end of the first section; of what is no header nothing is known.
+    /// Reads up to the end of the first section; without a header nothing is known.
     fn read(text: &'a [u8]) -> Self {
         let mut header = Self::default();
         let mut variable: &[u8] = b"";
@@ -33,23 +33,23 @@ impl<'a> Header<'a> {
         header
     }
 
-    /// Whether all of the file is to be in UTF-8. The names of versions are in the order of the alphabet.
+    /// Whether the whole file must be UTF-8. Version names sort alphabetically.
     fn is_in_utf8(&self) -> bool {
         self.version >= &b"AC1021"[..]
     }
 }
 
-/// The same file in UTF-8, line by line, and the name of its code page where that is not known.
+/// Converts a file to UTF-8, line by line; returns the name of its code page if it is unknown.
 ///
-/// Many programs write UTF-8 whatever the header says, so that a line in UTF-8 stays as it is. In code pages of two
-/// bytes for a letter short words may look like UTF-8, and there the header counts.
+/// Many programs write UTF-8 whatever the header declares, so that a line in UTF-8 stays unchanged.
+/// In two-byte code pages short words may look like UTF-8; there the header decides.
 pub(super) fn in_utf8(text: &[u8]) -> (Cow<'_, [u8]>, Option<String>) {
     if std::str::from_utf8(text).is_ok() {
         return (Cow::Borrowed(text), None);
     }
     let header = Header::read(text);
-    let told = header.code_page.map_or(Some(WESTERN), CodePage::of);
-    let code_page = told.unwrap_or(WESTERN);
+    let declared = header.code_page.map_or(Some(WESTERN), CodePage::of);
+    let code_page = declared.unwrap_or(WESTERN);
     let may_stay = header.is_in_utf8() || code_page.is_single_byte();
     let mut decoded = Vec::with_capacity(text.len());
     for line in text.split_inclusive(|&byte| byte == b'\n') {
@@ -59,23 +59,23 @@ pub(super) fn in_utf8(text: &[u8]) -> (Cow<'_, [u8]>, Option<String>) {
             decoded.extend_from_slice(code_page.decode(line).as_bytes());
         }
     }
-    let unknown = header.code_page.filter(|_| told.is_none());
-    let unknown = unknown.map(|it| String::from_utf8_lossy(it).into_owned());
+    let unknown = header.code_page.filter(|_| declared.is_none());
+    let unknown = unknown.map(|unknown| String::from_utf8_lossy(unknown).into_owned());
     (Cow::Owned(decoded), unknown)
 }
 
-/// What the letters of a file are.
+/// The encoding of a file.
 #[derive(Clone, Copy, Debug)]
 enum CodePage {
     Known(&'static Encoding),
-    /// The letters of the bytes from 128 on.
+    /// The characters of the bytes from 128 on.
     Dos(&'static str),
 }
 
 impl CodePage {
     fn of(name: &[u8]) -> Option<Self> {
         let name = name.to_ascii_lowercase();
-        let dos = DOS.iter().find(|it| name == it.0.as_bytes());
+        let dos = DOS.iter().find(|page| name == page.0.as_bytes());
         match dos {
             Some(&(_, letters)) => Some(Self::Dos(letters)),
             None => encoding(&name).map(Self::Known),
@@ -104,11 +104,11 @@ impl CodePage {
     }
 }
 
-/// What a code page, in small letters, is called elsewhere.
+/// The standard name of a lower-case code page.
 fn encoding(name: &[u8]) -> Option<&'static Encoding> {
     let number = name.strip_prefix(b"ansi_");
     let Some(number) = number.or_else(|| name.strip_prefix(b"dos")) else {
-        return Encoding::for_label(name).filter(|it| it.is_ascii_compatible());
+        return Encoding::for_label(name).filter(|encoding| encoding.is_ascii_compatible());
     };
     match number {
         b"874" => Encoding::for_label(b"windows-874"),
@@ -122,7 +122,7 @@ fn encoding(name: &[u8]) -> Option<&'static Encoding> {
 
 const WESTERN: CodePage = CodePage::Known(WINDOWS_1252);
 
-/// Code pages of DOS: the letters of their bytes from 128 on.
+/// DOS code pages: the characters of their bytes from 128 on.
 const DOS: [(&str, &str); 3] = [
     (
         "dos437",
@@ -146,7 +146,7 @@ mod tests {
     fn each_byte_of_dos_is_a_letter() {
         for (name, letters) in DOS {
             assert_eq!(letters.chars().count(), 128, "{name}");
-            assert!(letters.chars().all(|it| !it.is_ascii()), "{name}");
+            assert!(letters.chars().all(|c| !c.is_ascii()), "{name}");
         }
     }
 }

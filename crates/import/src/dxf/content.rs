@@ -1,27 +1,27 @@
-//! The words of a text, without its format codes.
+//! The text of an entity without its format codes.
 
 use dobot_lettering::StrokeFont;
 
 use crate::text::composed;
 
-/// A text as it is to be written.
+/// A text to be written.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Content {
     pub(super) text: String,
-    /// Codes are left out that would show even in letters of one kind: lines under them, heights
-    /// and widths of their own, fractions.
+    /// Whether codes were removed that would be visible even in a single font: underlines,
+    /// different heights and widths, fractions.
     pub(super) is_plainer: bool,
 }
 
 impl Content {
-    /// With letters and their marks as one, where the letters for DXF texts have that.
+    /// Composes letters and their combining marks if the letters for DXF texts have them.
     pub(super) fn composed(self) -> Self {
         let text = composed(&self.text, StrokeFont::Sans).into_owned();
         Self { text, ..self }
     }
 }
 
-/// Reads the value of TEXT and the like: one line, with codes of two percent signs.
+/// Parses the value of TEXT and similar entities: one line, with codes of two percent signs.
 pub(super) fn line(value: &str) -> Content {
     let mut reader = CodeReader::new(value);
     while let Some(character) = reader.next() {
@@ -34,7 +34,7 @@ pub(super) fn line(value: &str) -> Content {
     reader.content
 }
 
-/// Reads the value of MTEXT: several lines, with codes of a backslash too.
+/// Parses the value of MTEXT: several lines, also with backslash codes.
 pub(super) fn lines(value: &str) -> Content {
     let mut reader = CodeReader::new(value);
     while let Some(character) = reader.next() {
@@ -73,10 +73,10 @@ impl<'a> CodeReader<'a> {
         self.content.text.push(character);
     }
 
-    /// `%%c`, behind its first percent sign.
+    /// Parses `%%c` after its first percent sign.
     fn percent(&mut self) {
         self.next();
-        let number = self.rest.get(..3).and_then(|it| it.parse::<u8>().ok());
+        let number = self.rest.get(..3).and_then(|rest| rest.parse::<u8>().ok());
         if let Some(number) = number {
             self.rest = &self.rest[3..];
             return self.push(char::from(number));
@@ -85,7 +85,7 @@ impl<'a> CodeReader<'a> {
             Some('c' | 'C') => self.push('Ø'),
             Some('d' | 'D') => self.push('°'),
             Some('p' | 'P') => self.push('±'),
-            // Lines below, above and through letters.
+            // Underline, overline and strikethrough.
             Some('u' | 'U' | 'o' | 'O' | 'k' | 'K') => self.content.is_plainer = true,
             Some('%') => self.push('%'),
             Some(other) => self.content.text.extend(['%', '%', other]),
@@ -93,10 +93,10 @@ impl<'a> CodeReader<'a> {
         }
     }
 
-    /// `\U+00E4`, behind its backslash; whether it is that.
+    /// Parses `\U+00E4` after its backslash; returns whether it is one.
     fn unicode(&mut self) -> bool {
-        let digits = self.rest.strip_prefix("U+").and_then(|it| it.get(..4));
-        let number = digits.and_then(|it| u32::from_str_radix(it, 16).ok());
+        let digits = self.rest.strip_prefix("U+").and_then(|rest| rest.get(..4));
+        let number = digits.and_then(|digit| u32::from_str_radix(digit, 16).ok());
         let Some(number) = number else {
             return false;
         };
@@ -105,7 +105,7 @@ impl<'a> CodeReader<'a> {
         true
     }
 
-    /// A code of MTEXT, behind its backslash.
+    /// Parses an MTEXT code after its backslash.
     fn backslash(&mut self) {
         match self.next() {
             Some('P' | 'X' | 'N') => self.push('\n'),
@@ -117,15 +117,15 @@ impl<'a> CodeReader<'a> {
                 self.content.is_plainer = true;
             }
             Some('L' | 'O' | 'K') => self.content.is_plainer = true,
-            // Where the lines end.
+            // Line breaks.
             Some('l' | 'o' | 'k') => {}
-            // A backslash and braces; of other codes nothing is known.
+            // A backslash and braces; other codes are unknown.
             Some(other) => self.push(other),
             None => self.push('\\'),
         }
     }
 
-    /// `\S1/2;`: one above the other.
+    /// Parses `\S1/2;`, a stacked fraction.
     fn fraction(&mut self) {
         let argument = self.argument();
         let text = argument.replace("^ ", " ").replace(['^', '#'], "/");
@@ -133,14 +133,14 @@ impl<'a> CodeReader<'a> {
         self.content.is_plainer = true;
     }
 
-    /// Up to a semicolon; one that is missing ends with the text.
+    /// Reads up to a semicolon, or to the end of the text if it is missing.
     fn argument(&mut self) -> &'a str {
         let (argument, rest) = self.rest.split_once(';').unwrap_or((self.rest, ""));
         self.rest = rest;
         argument
     }
 
-    /// `^I` is a tab, `^J` a new line, `^ ` a caret.
+    /// Converts `^I` to a tab, `^J` to a new line and `^ ` to a caret.
     fn caret(&mut self) {
         match self.next() {
             Some('I') => self.push(' '),

@@ -1,4 +1,4 @@
-//! The groups of an entity.
+//! Entities: lists of groups.
 
 use dobot_geometry::Point;
 
@@ -6,7 +6,7 @@ use super::file::Span;
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
 
-/// The groups of an entity, without those that repeat it for newer programs.
+/// An entity without the groups that repeat it for newer programs.
 #[derive(Debug)]
 pub(super) struct Entity<'a> {
     pub(super) text: &'a [u8],
@@ -26,7 +26,7 @@ impl<'a> Entity<'a> {
         })
     }
 
-    /// The same entity with other groups.
+    /// Returns the entity with other groups.
     pub(super) fn with(&self, pairs: Vec<Pair<'a>>) -> Self {
         Self { pairs, ..*self }
     }
@@ -36,10 +36,10 @@ impl<'a> Entity<'a> {
     }
 
     pub(super) fn find(&self, code: i32) -> Option<&Pair<'a>> {
-        self.pairs.iter().find(|it| it.code == code)
+        self.pairs.iter().find(|pair| pair.code == code)
     }
 
-    /// A number that has to be there.
+    /// A required number.
     pub(super) fn number(&self, code: i32) -> Result<f64, SourceError> {
         let missing = || self.refused(format!("{} without group {code}", self.name()), "a number");
         self.find(code).ok_or_else(missing)?.number()
@@ -49,7 +49,7 @@ impl<'a> Entity<'a> {
         self.find(code).map_or(Ok(default), Pair::number)
     }
 
-    /// -1 for what is seen from behind, else 1.
+    /// -1 for an entity seen from behind, else 1.
     pub(super) fn side(&self) -> Result<f64, SourceError> {
         let is_behind = self.number_or(230, 1.0)? < 0.0;
         Ok(if is_behind { -1.0 } else { 1.0 })
@@ -65,12 +65,12 @@ impl<'a> Entity<'a> {
         Ok(self.number_or(code, 0.0)? as u32)
     }
 
-    /// A point whose x has that code, and its y one ten higher.
+    /// A point whose x has this code; its y has a code ten higher.
     pub(super) fn point(&self, code: i32) -> Result<Point, SourceError> {
         Ok(Point::new(self.number(code)?, self.number(code + 10)?))
     }
 
-    /// A way in space whose x has that code; other coordinates that are missing are 0.
+    /// A spatial vector whose x has this code; other missing coordinates are 0.
     pub(super) fn way(&self, code: i32) -> Result<[f64; 3], SourceError> {
         let [y, z] = [10, 20].map(|more| self.number_or(code + more, 0.0));
         Ok([self.number(code)?, y?, z?])
@@ -78,11 +78,11 @@ impl<'a> Entity<'a> {
 
     /// All values of a group.
     pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, SourceError> {
-        let pairs = self.pairs.iter().filter(|it| it.code == code);
+        let pairs = self.pairs.iter().filter(|pair| pair.code == code);
         pairs.map(Pair::number).collect()
     }
 
-    /// All points whose x has that code.
+    /// All points whose x has this code.
     pub(super) fn points(&self, code: i32) -> Result<Vec<Point>, SourceError> {
         let (x, y) = (self.numbers(code)?, self.numbers(code + 10)?);
         if x.len() != y.len() {
@@ -101,7 +101,11 @@ impl<'a> Entity<'a> {
 }
 
 fn own_pairs(text: &[u8], from: usize) -> Result<Vec<Pair<'_>>, SourceError> {
-    let is_own = |it: &Result<Pair<'_>, _>| it.as_ref().map_or(true, |it| it.code != EMBEDDED);
+    let is_own = |result: &Result<Pair<'_>, _>| {
+        result
+            .as_ref()
+            .map_or(true, |result| result.code != EMBEDDED)
+    };
     let mut own = Vec::new();
     for pair in pairs(text, from).take_while(is_own) {
         let pair = pair?;
@@ -115,8 +119,8 @@ fn own_pairs(text: &[u8], from: usize) -> Result<Vec<Pair<'_>>, SourceError> {
     Ok(own)
 }
 
-/// They would fill the memory: an outline of half a million corners has a million.
+/// The limit protects the memory: an outline of half a million corners has a million groups.
 const MOST_PAIRS: usize = 1_000_000;
 
-/// What follows repeats the entity for newer programs.
+/// The groups after it repeat the entity for newer programs.
 const EMBEDDED: i32 = 101;

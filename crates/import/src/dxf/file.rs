@@ -1,4 +1,4 @@
-//! The sections of a file: its unit, its layers, its blocks and its entities.
+//! The sections of a file: unit, layers, blocks and entities.
 
 use std::collections::HashMap;
 
@@ -10,42 +10,42 @@ use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
 use crate::place::beginning;
 
-/// Where things stand in a file.
+/// The index of a file.
 #[derive(Debug)]
 pub(super) struct File<'a> {
     pub(super) text: &'a [u8],
-    /// How many millimetres a unit is; `None` where the file does not say.
+    /// Millimetres per unit; `None` if the file does not declare it.
     pub(super) unit_mm: Option<f64>,
     pub(super) layers: Named<LayerInfo>,
-    /// Those with gaps, by their names in capitals.
+    /// Line types with gaps, by their names in upper case.
     pub(super) line_types: HashMap<String, LineType>,
-    /// How many times larger line types are ($LTSCALE).
+    /// The line type scale ($LTSCALE).
     pub(super) line_scale: f64,
     pub(super) blocks: Named<Block<'a>>,
     pub(super) entities: Vec<Span<'a>>,
-    /// Dictionaries, filters and styles of multilines, by their handles.
+    /// Dictionaries, filters and multiline styles, by handle.
     pub(super) objects: HashMap<&'a [u8], Span<'a>>,
 }
 
-/// A layer in the table of layers.
+/// A layer of the layer table.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LayerInfo {
-    /// `AutoCAD`'s number; below 0 for a layer that is off.
+    /// The colour number of `AutoCAD`; below 0 for a layer that is off.
     pub(super) color: Option<i32>,
-    /// Red, green and blue in one number.
+    /// Red, green and blue as one number.
     pub(super) true_color: Option<u32>,
     pub(super) is_frozen: bool,
-    /// It is seen on the screen alone.
+    /// Whether it is only displayed, not plotted.
     pub(super) is_unplotted: bool,
-    /// How opaque what lies on it is, as group 440 of an entity tells it.
+    /// The transparency of its entities, as in group 440 of an entity.
     pub(super) transparency: u32,
-    /// The name of its line type in capitals.
+    /// The name of its line type in upper case.
     pub(super) line_type: String,
 }
 
 impl LayerInfo {
     pub(super) fn is_off(&self) -> bool {
-        self.color.is_some_and(|it| it < 0)
+        self.color.is_some_and(|color| color < 0)
     }
 
     pub(super) fn rgb(&self) -> Option<[u8; 3]> {
@@ -69,14 +69,14 @@ impl LayerInfo {
     }
 }
 
-/// Entities that are drawn wherever an INSERT says.
+/// Entities drawn by INSERTs.
 #[derive(Debug, Default)]
 pub(super) struct Block<'a> {
     pub(super) base: Point,
     pub(super) entities: Vec<Span<'a>>,
 }
 
-/// Where an entity stands in the text: from behind its name to the next.
+/// The range of an entity in the text: from after its name to the next one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span<'a> {
     pub(super) kind: &'a [u8],
@@ -117,21 +117,21 @@ fn refuse_binary(text: &[u8]) -> Result<(), SourceError> {
 struct SectionReader<'a> {
     file: File<'a>,
     section: &'a [u8],
-    /// The name of the last variable of the header.
+    /// The name of the last header variable.
     variable: &'a [u8],
-    /// The program to which the last data of a layer belong.
+    /// The program of the last layer data.
     application: &'a [u8],
-    /// The entity in hand, its end not known.
+    /// The current entity, whose end is unknown.
     entity: Option<Span<'a>>,
-    /// The handle of the object in hand.
+    /// The handle of the current object.
     handle: Option<&'a [u8]>,
-    /// The block in hand, with its name.
+    /// The current block with its name.
     block: Option<(String, Block<'a>)>,
-    /// The layer in hand, with its name.
+    /// The current layer with its name.
     layer: Option<(String, LayerInfo)>,
-    /// The line type in hand: its name, and its dashes and gaps.
+    /// The current line type: its name and its elements.
     line_type: Option<(String, Vec<f64>)>,
-    /// How many entities, layers, blocks and objects there are.
+    /// The number of entities, layers, blocks and objects.
     count: usize,
 }
 
@@ -165,7 +165,7 @@ impl<'a> SectionReader<'a> {
             self.end_entity(pair.at);
             self.count += 1;
         }
-        if self.count > MOST_OBJECTS {
+        if self.count > MAX_OBJECTS {
             return Err(too_many(self.file.text, pair.at));
         }
         match (pair.code, pair.value) {
@@ -204,7 +204,7 @@ impl<'a> SectionReader<'a> {
         } else if self.variable == b"$INSUNITS" {
             let code = pair.number()?;
             self.file.unit_mm = unit_mm(code);
-            // 0 is a file that does not tell.
+            // 0 means unspecified.
             if code != 0.0 && self.file.unit_mm.is_none() {
                 let found = format!("$INSUNITS {code}");
                 let expected = "a supported unit of length: 1, 2, 4 to 6, 8 to 10, 13 or 14";
@@ -329,12 +329,12 @@ impl<'a> SectionReader<'a> {
         let handle = self.handle.take();
         if let Some(mut span) = self.entity.take() {
             span.end = end;
-            // Behind the line with its name.
+            // After the line with its name.
             let rest = &self.file.text[span.begin..];
             span.begin += rest
                 .iter()
-                .position(|&it| it == b'\n')
-                .map_or(rest.len(), |it| it + 1);
+                .position(|&byte| byte == b'\n')
+                .map_or(rest.len(), |at| at + 1);
             match (&mut self.block, handle) {
                 (Some((_, block)), _) => block.entities.push(span),
                 (None, Some(handle)) => _ = self.file.objects.insert(handle, span),
@@ -344,14 +344,14 @@ impl<'a> SectionReader<'a> {
     }
 }
 
-/// Refuses what would fill the memory.
+/// Refuses more objects than the memory allows.
 pub(super) fn too_many(text: &[u8], at: usize) -> SourceError {
-    let found = format!("more than {MOST_OBJECTS} entities, layers, blocks and objects");
+    let found = format!("more than {MAX_OBJECTS} entities, layers, blocks and objects");
     let expected = "fewer; purge the drawing, or draw it in parts";
     SourceError::found(text, at, found, expected)
 }
 
-/// The unit that a value of `$INSUNITS` stands for.
+/// The unit of a value of `$INSUNITS`.
 fn unit_mm(code: f64) -> Option<f64> {
     const CODES: [(f64, f64); 11] = [
         (1.0, 25.4),
@@ -366,14 +366,14 @@ fn unit_mm(code: f64) -> Option<f64> {
         (14.0, 100.0),
         (21.0, 304.800_609_601_219),
     ];
-    CODES.iter().find(|it| it.0 == code).map(|it| it.1)
+    CODES.iter().find(|unit| unit.0 == code).map(|at| at.1)
 }
 
-/// They would fill the memory: each takes about 100 bytes, and a line as much again once it is drawn.
-pub(super) const MOST_OBJECTS: usize = 1_000_000;
-/// A layer has a name of its own, which is copied.
+/// Each object takes about 100 bytes, and a line as much again when drawn.
+pub(super) const MAX_OBJECTS: usize = 1_000_000;
+/// The cost of a layer, whose name is copied.
 const LAYER_OBJECTS: usize = 10;
-/// So has a block.
+/// The cost of a block, whose name is copied.
 const BLOCK_OBJECTS: usize = 2;
-/// A line type has a dozen elements at the most.
+/// A line type has at most a dozen elements.
 const MOST_ELEMENTS: usize = 64;

@@ -1,18 +1,18 @@
-//! SPLINE by the points that it passes: a cubic curve that bends without a jump at any of them.
+//! SPLINE by fit points: a cubic curve with continuous curvature.
 
 use std::iter::once;
 
 use dobot_geometry::{CubicBez, Point, Vec2, bounds};
 
-/// How a curve leaves its first point and reaches its last; without a direction it is not bent there.
+/// The directions of a curve at its ends; without a direction the end is not bent.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Ends {
     pub(super) first: Option<Vec2>,
     pub(super) last: Option<Vec2>,
 }
 
-/// The pieces of the curve through these points. From one to the next its parameter grows by their distance, so that a
-/// direction of an end is one of length 1.
+/// The pieces of the curve through these points. The parameter grows by the distance of the points,
+/// so that end directions have length 1.
 pub(super) fn pieces(points: &[Point], ends: Ends) -> Vec<CubicBez> {
     let points = distinct(points);
     let slopes = slopes(&points, ends);
@@ -25,9 +25,9 @@ pub(super) fn pieces(points: &[Point], ends: Ends) -> Vec<CubicBez> {
     .collect()
 }
 
-/// The same of a closed curve.
+/// The pieces of a closed curve.
 pub(super) fn closed_pieces(points: &[Point]) -> Vec<CubicBez> {
-    // That ends where it begins, whether its last point says so or not.
+    // It ends at its start, whether its last point repeats the first or not.
     let begin = points.first();
     let ring: Vec<Point> = points.iter().chain(begin).copied().collect();
     let mut ring = distinct(&ring);
@@ -36,7 +36,8 @@ pub(super) fn closed_pieces(points: &[Point]) -> Vec<CubicBez> {
     if count < 2 {
         return Vec::new();
     }
-    // Once around, and as far before and behind that its ends are not felt: with each point they fade to a quarter.
+    // Once around, plus enough points before and after that the influence of the ends vanishes: it
+    // fades to a quarter with each point.
     let before = ring.iter().rev().cycle().take(FADE);
     let before: Vec<Point> = before.copied().collect();
     let on = ring.iter().cycle().take(count + 1 + FADE);
@@ -47,16 +48,16 @@ pub(super) fn closed_pieces(points: &[Point]) -> Vec<CubicBez> {
     pieces
 }
 
-/// The points without those that are where the one before is, but for rounding: they have no direction between them.
+/// The points without repetitions, within rounding: repeated points have no direction between them.
 fn distinct(points: &[Point]) -> Vec<Point> {
     let around = bounds(points.iter().copied());
     let near = (around.width() + around.height()) * 1e-9;
     let mut distinct = points.to_vec();
-    distinct.dedup_by(|next, it| next.distance(*it) <= near);
+    distinct.dedup_by(|next, point| next.distance(*point) <= near);
     distinct
 }
 
-/// The slope of the curve at each point, where no two that follow each other are the same:
+/// The slope of the curve at each point, for points that differ from their neighbours:
 ///
 /// ```text
 ///   m[i-1] / h[i-1] + 2 m[i] (1 / h[i-1] + 1 / h[i]) + m[i+1] / h[i] = 3 (v[i-1] / h[i-1] + v[i] / h[i])
@@ -64,17 +65,17 @@ fn distinct(points: &[Point]) -> Vec<Point> {
 ///
 /// with the distance `h[i]` to the next point and the direction `v[i]` there.
 fn slopes(points: &[Point], ends: Ends) -> Vec<Vec2> {
-    let ways: Vec<Vec2> = points.windows(2).map(|it| it[1] - it[0]).collect();
+    let ways: Vec<Vec2> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let (Some(first), Some(last)) = (ways.first(), ways.last()) else {
         return Vec::new();
     };
-    let inner = ways.windows(2).map(|it| {
-        let [a, b] = [it[0].length().recip(), it[1].length().recip()];
+    let inner = ways.windows(2).map(|pair| {
+        let [a, b] = [pair[0].length().recip(), pair[1].length().recip()];
         Row {
             before: a,
             own: 2.0 * (a + b),
             after: b,
-            sum: (it[0] * (a * a) + it[1] * (b * b)) * 3.0,
+            sum: (pair[0] * (a * a) + pair[1] * (b * b)) * 3.0,
         }
     });
     let begin = end_row(ends.first, *first);
@@ -87,7 +88,7 @@ fn slopes(points: &[Point], ends: Ends) -> Vec<Vec2> {
     solved(rows.collect())
 }
 
-/// The first row: a slope that is told, or one without a bend.
+/// The first row: a given slope, or one without curvature.
 fn end_row(slope: Option<Vec2>, way: Vec2) -> Row {
     let (own, after, sum) = match slope {
         Some(slope) => (1.0, 0.0, slope),
@@ -101,7 +102,7 @@ fn end_row(slope: Option<Vec2>, way: Vec2) -> Row {
     }
 }
 
-/// An equation for three numbers that follow each other.
+/// An equation for three consecutive unknowns.
 #[derive(Clone, Copy, Debug)]
 struct Row {
     before: f64,
@@ -110,8 +111,7 @@ struct Row {
     sum: Vec2,
 }
 
-/// What solves the equations, each with its own number in the middle: one after the other is freed of the number
-/// before, then of the one behind (Thomas' algorithm).
+/// Solves a tridiagonal system (Thomas' algorithm).
 fn solved(mut rows: Vec<Row>) -> Vec<Vec2> {
     for i in 1..rows.len() {
         let above = rows[i - 1];
@@ -127,7 +127,7 @@ fn solved(mut rows: Vec<Row>) -> Vec<Vec2> {
     found
 }
 
-/// So many points away nothing is felt of an end: 0.27 to the power of it.
+/// The number of points after which an end has no influence: 0.27 to the power of it.
 const FADE: usize = 24;
 
 #[cfg(test)]
@@ -145,11 +145,11 @@ mod tests {
             .collect()
     }
 
-    /// How far a curve leaves the circle of radius 1 about the origin.
+    /// The largest deviation of a curve from the unit circle.
     fn off(pieces: &[CubicBez]) -> f64 {
         let points = pieces
             .iter()
-            .flat_map(|it| (0..=8).map(|i| it.eval(f64::from(i) / 8.0)));
+            .flat_map(|piece| (0..=8).map(|i| piece.eval(f64::from(i) / 8.0)));
         points
             .map(|p| (p.to_vec2().length() - 1.0).abs())
             .fold(0.0, f64::max)
@@ -167,20 +167,20 @@ mod tests {
         let points = points.map(Point::from);
         let found = pieces(&points, Ends::default());
         assert_eq!(found.len(), 3);
-        let bend = |it: &CubicBez, [a, b, c]: [Point; 3]| {
+        let bend = |piece: &CubicBez, [a, b, c]: [Point; 3]| {
             let way = (a.to_vec2() - b.to_vec2() * 2.0 + c.to_vec2()) * 6.0;
-            way / it.p0.distance(it.p3).powi(2)
+            way / piece.p0.distance(piece.p3).powi(2)
         };
-        let begin = |it: &CubicBez| bend(it, [it.p0, it.p1, it.p2]);
-        let end = |it: &CubicBez| bend(it, [it.p3, it.p2, it.p1]);
+        let begin = |piece: &CubicBez| bend(piece, [piece.p0, piece.p1, piece.p2]);
+        let end = |piece: &CubicBez| bend(piece, [piece.p3, piece.p2, piece.p1]);
         for both in found.windows(2) {
             assert_eq!(both[0].p3, both[1].p0);
             let jump = (end(&both[0]) - begin(&both[1])).length();
             assert!(jump < 1e-9, "{jump}");
         }
-        // It is straight where it ends.
+        // It is straight at its ends.
         let ends = [begin(&found[0]), end(&found[2])].map(Vec2::length);
-        assert!(ends.iter().all(|it| *it < 1e-9), "{ends:?}");
+        assert!(ends.iter().all(|end| *end < 1e-9), "{ends:?}");
     }
 
     #[test]

@@ -1,24 +1,25 @@
-//! Line types: dashes, gaps and dots in turn.
+//! Line types: dashes, gaps and dots.
 
 /// A line type of the table LTYPE.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct LineType {
-    /// Dashes and gaps in turn, in units of the file; a dash without length is a dot.
+    /// Alternating dashes and gaps, in units of the file; a dash of length 0 is a dot.
     pub(super) lengths: Vec<f64>,
-    /// How far into them a line begins.
+    /// The offset into them at which a line starts.
     pub(super) offset: f64,
 }
 
 impl LineType {
-    /// The type of these elements: a dash is above 0, a gap below, a dot 0. `None` for lines without gaps.
+    /// Creates a type from its elements: above 0 a dash, below 0 a gap, 0 a dot. `None` for a line
+    /// without gaps.
     ///
     /// ```text
     ///   0.5 -0.25 0 -0.25      ----    .    ----    .    ----
     /// ```
     pub(super) fn of(elements: &[f64]) -> Option<Self> {
-        let is_gap = |it: &f64| *it < 0.0;
-        let first = elements.iter().position(|it| !is_gap(it))?;
-        elements.iter().find(|it| is_gap(it))?;
+        let is_gap = |x: &f64| *x < 0.0;
+        let first = elements.iter().position(|element| !is_gap(element))?;
+        elements.iter().find(|element| is_gap(element))?;
         let (begin, from_dash) = elements.split_at(first);
         let mut lengths: Vec<f64> = Vec::new();
         for &element in from_dash.iter().chain(begin) {
@@ -30,7 +31,7 @@ impl LineType {
             }
         }
         let mut offset = -begin.iter().sum::<f64>().abs();
-        // The last dash goes on in the first one.
+        // The last dash continues in the first one.
         if lengths.len() % 2 == 1 {
             let last = lengths.pop()?;
             lengths[0] += last;
@@ -40,11 +41,11 @@ impl LineType {
         (period > 0.0 && period.is_finite()).then_some(Self { lengths, offset })
     }
 
-    /// The same, larger by a factor; `None` where that is none.
+    /// The type scaled by a factor; `None` for an invalid factor.
     pub(super) fn scaled(&self, factor: f64) -> Option<Self> {
         let is_sane = factor.is_finite() && factor > 0.0;
         is_sane.then(|| Self {
-            lengths: self.lengths.iter().map(|it| it * factor).collect(),
+            lengths: self.lengths.iter().map(|length| length * factor).collect(),
             offset: self.offset * factor,
         })
     }
@@ -56,7 +57,9 @@ mod tests {
 
     #[test]
     fn dashes_and_gaps_take_turns_wherever_the_type_begins() {
-        let of = |elements: &[f64]| LineType::of(elements).map(|it| (it.lengths, it.offset));
+        let of = |elements: &[f64]| {
+            LineType::of(elements).map(|line_type| (line_type.lengths, line_type.offset))
+        };
         assert_eq!(of(&[0.5, -0.25]), Some((vec![0.5, 0.25], 0.0)));
         let dash_dot = [0.5, -0.25, 0.0, -0.25];
         assert_eq!(of(&dash_dot), Some((vec![0.5, 0.25, 0.0, 0.25], 0.0)));

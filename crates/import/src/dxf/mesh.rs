@@ -1,4 +1,4 @@
-//! MESH, and the older meshes that are a POLYLINE: corners and the faces between them.
+//! MESH, and the older POLYLINE meshes: corners and the faces between them.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -12,41 +12,42 @@ use crate::error::SourceError;
 use crate::place::shortened;
 
 impl EntityRenderer<'_, '_> {
-    /// The edges of its faces, each once, as they are seen from above.
-    pub(super) fn mesh(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        if it.flags(91)? > 0 {
-            self.left_out(it, "drawn with straight edges, not smoothed");
+    /// Draws the edges of its faces, each once, seen from above.
+    pub(super) fn mesh(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        if entity.flags(91)? > 0 {
+            self.left_out(entity, "drawn with straight edges, not smoothed");
         }
-        let corners = self.places(it, frame, &it.points(10)?)?;
-        let edges = edges(it, corners.len())?;
+        let corners = self.places(entity, frame, &entity.points(10)?)?;
+        let edges = edges(entity, corners.len())?;
         self.edges(&corners, edges)
     }
 
-    /// The same of a POLYLINE that is a mesh: its corners are entities, and so are its faces where these are no grid.
+    /// Draws the edges of a POLYLINE mesh: its corners are entities, and so are its faces unless
+    /// they form a grid.
     pub(super) fn old_mesh(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         vertices: &[Span<'_>],
         frame: Affine,
     ) -> Result<(), SourceError> {
         let (mut corners, mut edges) = (Vec::new(), Vec::new());
         for &span in vertices {
-            let vertex = Entity::read(it.text, span)?;
+            let vertex = Entity::read(entity.text, span)?;
             let flags = vertex.flags(70)?;
             if flags & (FACE | CORNER) == FACE {
                 edges.extend(edges_of_face(&vertex)?);
             } else if flags & SPLINE_CONTROL == 0 {
-                corners.push(self.place(it, frame, vertex.point(10)?)?);
+                corners.push(self.place(entity, frame, vertex.point(10)?)?);
             }
         }
-        if it.flags(70)? & POLYFACE == 0 {
-            edges = edges_of_grid(it, corners.len())?;
+        if entity.flags(70)? & POLYFACE == 0 {
+            edges = edges_of_grid(entity, corners.len())?;
         }
         if edges.is_empty() || edges.iter().any(|(a, b)| *a.max(b) >= corners.len()) {
-            self.left_out(it, "left out, because its faces are incomplete");
+            self.left_out(entity, "left out, because its faces are incomplete");
             return Ok(());
         }
-        // Faces may have corners of their own in the same places, and one may lie above another.
+        // Faces may have separate corners at the same place, and one may lie above another.
         let same = first_in_place(&corners);
         let edges = edges.into_iter().map(|(a, b)| (same[a], same[b]));
         let edges = edges.map(|(a, b)| (a.min(b), a.max(b))).collect();
@@ -68,20 +69,21 @@ impl EntityRenderer<'_, '_> {
     }
 }
 
-/// For each corner the number of the first in its place.
+/// For each corner, the number of the first one at its place.
 fn first_in_place(corners: &[Point]) -> Vec<usize> {
     let mut numbers = HashMap::new();
     let corners = corners.iter().enumerate();
     corners
         .map(|(i, p)| {
-            // Adding makes one of the two zeros.
-            let place = [p.x, p.y].map(|it| (it + 0.0).to_bits());
+            // Adding turns a negative zero into zero.
+            let place = [p.x, p.y].map(|value| (value + 0.0).to_bits());
             *numbers.entry(place).or_insert(i)
         })
         .collect()
 }
 
-/// The edges of a face by the numbers of its corners, which count from 1; below 0 that which begins there is not seen.
+/// The edges of a face by its corner numbers, which count from 1; a negative number starts an
+/// invisible edge.
 fn edges_of_face(face: &Entity<'_>) -> Result<Vec<(usize, usize)>, SourceError> {
     let mut corners = Vec::new();
     for code in 71..=74 {
@@ -102,20 +104,20 @@ fn edges_of_face(face: &Entity<'_>) -> Result<Vec<(usize, usize)>, SourceError> 
     Ok(seen.map(|((a, _), (b, _))| (*a, *b)).collect())
 }
 
-/// The edges of a mesh of so many rows (71) and columns (72), smoothed others (73, 74); none where it has not as many
-/// corners.
-fn edges_of_grid(it: &Entity<'_>, corners: usize) -> Result<Vec<(usize, usize)>, SourceError> {
-    let codes = if it.flags(75)? == 0 {
+/// The edges of a mesh with this number of rows (71) and columns (72), for smoothed ones (73, 74);
+/// none if corners are missing.
+fn edges_of_grid(entity: &Entity<'_>, corners: usize) -> Result<Vec<(usize, usize)>, SourceError> {
+    let codes = if entity.flags(75)? == 0 {
         [71, 72]
     } else {
         [73, 74]
     };
-    let [rows, columns] = codes.map(|code| it.flags(code));
+    let [rows, columns] = codes.map(|code| entity.flags(code));
     let (rows, columns) = (rows? as usize, columns? as usize);
     if corners == 0 || rows.checked_mul(columns) != Some(corners) {
         return Ok(Vec::new());
     }
-    let flags = it.flags(70)?;
+    let flags = entity.flags(70)?;
     let next = |i: usize, count: usize, is_closed: bool| match i + 1 {
         next if next < count => Some(next),
         _ => is_closed.then_some(0),
@@ -132,10 +134,14 @@ fn edges_of_grid(it: &Entity<'_>, corners: usize) -> Result<Vec<(usize, usize)>,
     Ok(edges)
 }
 
-/// The edges of all faces by their corners, the smaller number first. The list of faces has for each the count of its
-/// corners, and these.
-fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, SourceError> {
-    let list = it.pairs.iter().skip_while(|pair| pair.code != 93).skip(1);
+/// The edges of all faces by their corners, the smaller number first. The face list has a count and
+/// the corner numbers for each face.
+fn edges(entity: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, SourceError> {
+    let list = entity
+        .pairs
+        .iter()
+        .skip_while(|pair| pair.code != 93)
+        .skip(1);
     let mut list = list.take_while(|pair| pair.code == 90);
     let mut edges = BTreeSet::new();
     let mut next = |allowed: usize, what: &str| {
@@ -143,8 +149,8 @@ fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, So
             return Ok::<_, SourceError>(None);
         };
         let text = pair.text();
-        let number = text.parse().ok().filter(|it: &usize| *it <= allowed);
-        let found = || it.refused(format!("{:?} in the faces of MESH", shortened(&text)), what);
+        let number = text.parse().ok().filter(|n: &usize| *n <= allowed);
+        let found = || entity.refused(format!("{:?} in the faces of MESH", shortened(&text)), what);
         Ok(Some(number.ok_or_else(found)?))
     };
     let expected = "counts of corners, each followed by that many existing corner numbers";
@@ -153,7 +159,7 @@ fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, So
         for _ in 0..count {
             let corner = next(corners.saturating_sub(1), expected)?;
             face.push(
-                corner.ok_or_else(|| it.refused("a face of MESH that ends early", expected))?,
+                corner.ok_or_else(|| entity.refused("a face of MESH that ends early", expected))?,
             );
         }
         for (i, &a) in face.iter().enumerate() {
@@ -164,9 +170,9 @@ fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, So
     Ok(edges)
 }
 
-/// Flags of a POLYLINE that is a grid whose last row, and whose last column, joins the first.
+/// The POLYLINE flags of a grid whose last row, or column, joins the first.
 const CLOSED_ROWS: u32 = 1;
 const CLOSED_COLUMNS: u32 = 32;
-/// Flags of a VERTEX: a corner of a mesh, and a face where it is no corner.
+/// The VERTEX flags of a corner of a mesh, and of a face.
 const CORNER: u32 = 64;
 const FACE: u32 = 128;

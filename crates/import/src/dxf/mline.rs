@@ -1,4 +1,4 @@
-//! MLINE: lines side by side.
+//! MLINE: parallel lines.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,7 @@ use super::entity::Entity;
 use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 
-/// A corner: each of the lines passes it so far away along its mitre.
+/// A corner: each line passes it at its distance along the mitre.
 ///
 /// ```text
 ///   -----------+ offset 1
@@ -24,7 +24,7 @@ struct Corner {
 }
 
 impl Corner {
-    /// The places of the lines that lie farthest to each side.
+    /// The positions of the outermost lines on each side.
     fn sides(&self) -> [Point; 2] {
         let least = self.offsets.iter().copied().fold(f64::INFINITY, f64::min);
         let most = self
@@ -32,31 +32,35 @@ impl Corner {
             .iter()
             .copied()
             .fold(f64::NEG_INFINITY, f64::max);
-        [least, most].map(|it| self.at + self.mitre * it)
+        [least, most].map(|value| self.at + self.mitre * value)
     }
 }
 
 impl<'a> EntityRenderer<'_, 'a> {
-    /// Each of its lines, and what its style has at their ends.
-    pub(super) fn multiline(&mut self, it: &Entity<'a>, frame: Affine) -> Result<(), SourceError> {
-        let (corners, has_gaps) = corners(it)?;
+    /// Draws each of its lines and the caps of its style.
+    pub(super) fn multiline(
+        &mut self,
+        entity: &Entity<'a>,
+        frame: Affine,
+    ) -> Result<(), SourceError> {
+        let (corners, has_gaps) = corners(entity)?;
         if has_gaps {
-            self.left_out(it, "drawn without its gaps");
+            self.left_out(entity, "drawn without its gaps");
         }
-        let lines = corners.iter().map(|it| it.offsets.len()).min();
+        let lines = corners.iter().map(|corner| corner.offsets.len()).min();
         for line in 0..lines.unwrap_or(0) {
             let place = |corner: &Corner| corner.at + corner.mitre * corner.offsets[line];
             let mut points: Vec<Point> = corners.iter().map(place).collect();
-            if it.flags(71)? & CLOSED != 0 {
+            if entity.flags(71)? & CLOSED != 0 {
                 points.extend(points.first().copied());
             }
-            let points = self.places(it, frame, &points)?;
+            let points = self.places(entity, frame, &points)?;
             self.sketch.stroke(points)?;
         }
-        self.caps(it, frame, &corners, lines.unwrap_or(0))
+        self.caps(entity, frame, &corners, lines.unwrap_or(0))
     }
 
-    /// What lies across: straight or round caps at both ends, and the mitres of the corners.
+    /// Draws the cross lines: straight or round caps at both ends, and the mitres of the corners.
     ///
     /// ```text
     ///      ,----------------
@@ -66,24 +70,24 @@ impl<'a> EntityRenderer<'_, 'a> {
     /// ```
     fn caps(
         &mut self,
-        it: &Entity<'a>,
+        entity: &Entity<'a>,
         frame: Affine,
         corners: &[Corner],
         lines: usize,
     ) -> Result<(), SourceError> {
-        let (Some(handle), [first, middle @ .., last]) = (it.find(340), corners) else {
+        let (Some(handle), [first, middle @ .., last]) = (entity.find(340), corners) else {
             return Ok(());
         };
         let style = match self.object(handle)? {
             Some(style) if style.kind == b"MLINESTYLE" => style.flags(70)?,
             _ => return Ok(()),
         };
-        let flags = it.flags(71)?;
+        let flags = entity.flags(71)?;
         let is_closed = flags & CLOSED != 0;
         if style & MITRES != 0 && lines > 1 {
             let ends = [first, last].into_iter().filter(|_| is_closed);
             for corner in middle.iter().chain(ends) {
-                self.across(it, frame, corner.sides())?;
+                self.across(entity, frame, corner.sides())?;
             }
         }
         let [second, before] = [corners[1].at, corners[corners.len() - 2].at];
@@ -96,14 +100,14 @@ impl<'a> EntityRenderer<'_, 'a> {
                 continue;
             }
             if style & straight != 0 {
-                self.across(it, frame, end.sides())?;
+                self.across(entity, frame, end.sides())?;
             }
             if style & outer != 0 {
-                self.half_circle(it, frame, end.sides(), outward)?;
+                self.half_circle(entity, frame, end.sides(), outward)?;
             }
             if style & inner != 0 {
                 let mut inner: Vec<Point> = (end.offsets.iter().take(lines))
-                    .map(|it| end.at + end.mitre * *it)
+                    .map(|entity| end.at + end.mitre * *entity)
                     .collect();
                 inner.sort_by(|a, b| {
                     let along = |p: &Point| (*p - end.at).dot(end.mitre);
@@ -111,7 +115,7 @@ impl<'a> EntityRenderer<'_, 'a> {
                 });
                 for i in 1..lines / 2 {
                     let pair = [inner[i], inner[lines - 1 - i]];
-                    self.half_circle(it, frame, pair, outward)?;
+                    self.half_circle(entity, frame, pair, outward)?;
                 }
             }
         }
@@ -120,18 +124,18 @@ impl<'a> EntityRenderer<'_, 'a> {
 
     fn across(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         ends: [Point; 2],
     ) -> Result<(), SourceError> {
-        let points = self.places(it, frame, &ends)?;
+        let points = self.places(entity, frame, &ends)?;
         self.sketch.stroke(points)
     }
 
-    /// Half a circle from one point to another, to the side of a way.
+    /// A half circle from one point to another, on the side of a direction.
     fn half_circle(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         [from, to]: [Point; 2],
         side: Vec2,
@@ -141,16 +145,16 @@ impl<'a> EntityRenderer<'_, 'a> {
         let along = across.turn_90();
         let along = if along.dot(side) < 0.0 { -along } else { along };
         self.sketch.lift();
-        self.round(it, frame, center, [across, along], [0.0, PI])
+        self.round(entity, frame, center, [across, along], [0.0, PI])
     }
 }
 
-/// The corners, and whether a line has gaps: of the numbers of a line (41), which are counted before (74), the first is
-/// its offset, and the second where it begins.
-fn corners(it: &Entity<'_>) -> Result<(Vec<Corner>, bool), SourceError> {
+/// The corners, and whether a line has gaps: the first of the numbers of a line (41, counted in 74)
+/// is its offset, the second its start.
+fn corners(entity: &Entity<'_>) -> Result<(Vec<Corner>, bool), SourceError> {
     let mut corners: Vec<Corner> = Vec::new();
     let (mut is_offset, mut has_gaps) = (false, false);
-    for pair in &it.pairs {
+    for pair in &entity.pairs {
         match (pair.code, corners.last_mut()) {
             (11, _) => corners.push(Corner {
                 at: Point::new(pair.number()?, 0.0),
@@ -174,13 +178,13 @@ fn corners(it: &Entity<'_>) -> Result<(Vec<Corner>, bool), SourceError> {
     Ok((corners, has_gaps))
 }
 
-/// Flag of a line that ends where it begins.
+/// The flag of a closed line.
 const CLOSED: u32 = 2;
-/// Flags of a line whose ends have no caps.
+/// The flags of a line without caps.
 const NO_START: u32 = 4;
 const NO_END: u32 = 8;
-/// Flags of a style: the mitres of corners are drawn.
+/// The style flag of drawn mitres.
 const MITRES: u32 = 2;
-/// A straight cap, arcs of pairs of inner lines, and an arc of the outer ones.
+/// The cap flags: straight, arcs of pairs of inner lines, an arc of the outer ones.
 const START_CAPS: [u32; 3] = [16, 32, 64];
 const END_CAPS: [u32; 3] = [256, 512, 1024];

@@ -1,4 +1,4 @@
-//! MULTILEADER: a note, and the lines that lead from it to what it is about.
+//! MULTILEADER: a note with leader lines.
 
 use dobot_geometry::Affine;
 
@@ -7,7 +7,7 @@ use super::pairs::Pair;
 use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 
-/// The groups of a MULTILEADER by the part that they belong to: their codes mean another thing in each.
+/// The groups of a MULTILEADER by part, because their codes differ between parts.
 #[derive(Debug, Default)]
 struct Parts<'a> {
     note: Vec<Pair<'a>>,
@@ -17,12 +17,12 @@ struct Parts<'a> {
 /// The groups of one leader.
 #[derive(Debug, Default)]
 struct LeaderPairs<'a> {
-    /// Where its lines come together.
+    /// The point where its lines meet.
     own: Vec<Pair<'a>>,
     lines: Vec<Vec<Pair<'a>>>,
 }
 
-/// Where in a MULTILEADER a group stands.
+/// The part of a MULTILEADER that a group belongs to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Place {
     Outside,
@@ -64,8 +64,8 @@ impl<'a> Parts<'a> {
         let pairs = match place {
             Place::Outside => None,
             Place::Note => Some(&mut self.note),
-            Place::Leader => leader.map(|it| &mut it.own),
-            Place::Line => leader.and_then(|it| it.lines.last_mut()),
+            Place::Leader => leader.map(|leader| &mut leader.own),
+            Place::Line => leader.and_then(|leader| leader.lines.last_mut()),
         };
         if let Some(pairs) = pairs {
             pairs.push(pair);
@@ -74,46 +74,46 @@ impl<'a> Parts<'a> {
 }
 
 impl EntityRenderer<'_, '_> {
-    /// The lines to the note with the short one in front of it, and the note. Arrows are not drawn.
+    /// Draws the leader lines, the landing line and the note. Arrows are not drawn.
     pub(super) fn multileader(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
     ) -> Result<(), SourceError> {
-        let parts = Parts::of(&it.pairs);
+        let parts = Parts::of(&entity.pairs);
         let mut has_lines = false;
         for leader in &parts.leaders {
-            let own = it.with(leader.own.clone());
+            let own = entity.with(leader.own.clone());
             let mut end = own.points(10)?;
             end.truncate(1);
             if let (Some(&at), true) = (end.first(), own.find(11).is_some()) {
                 end.push(at + own.point(11)?.to_vec2() * own.number_or(40, 0.0)?);
             }
             for line in &leader.lines {
-                let mut points = it.with(line.clone()).points(10)?;
+                let mut points = entity.with(line.clone()).points(10)?;
                 points.extend(&end);
                 points.dedup();
                 has_lines |= points.len() > 1;
-                let points = self.places(it, frame, &points)?;
+                let points = self.places(entity, frame, &points)?;
                 self.sketch.stroke(points)?;
             }
         }
         if has_lines {
-            self.left_out(it, "drawn without its arrow");
+            self.left_out(entity, "drawn without its arrow");
         }
-        let note = it.with(parts.note);
+        let note = entity.with(parts.note);
         if note.flags(296)? == 1 {
-            self.left_out(it, "the block at its end left out");
+            self.left_out(entity, "the block at its end left out");
         }
         if note.flags(290)? == 1 && note.find(304).is_some() {
             let text = note.pairs.iter().filter_map(as_paragraph).collect();
-            self.paragraphs(&it.with(text), frame)?;
+            self.paragraphs(&entity.with(text), frame)?;
         }
         Ok(())
     }
 }
 
-/// A group of the note as that of an MTEXT.
+/// Converts a group of the note to that of an MTEXT.
 fn as_paragraph<'a>(pair: &Pair<'a>) -> Option<Pair<'a>> {
     let code = match pair.code {
         304 => 1,

@@ -1,18 +1,18 @@
-//! Layers and blocks by their names.
+//! Layers and blocks by name.
 
 use std::collections::HashMap;
 
-/// Things by their names, which are the same for `AutoCAD` whether in capitals or not. Other programs tell such names
-/// apart, so that one in the same letters comes first.
+/// Values by name. `AutoCAD` ignores the case of names; other programs do not, so that an exact
+/// match comes first.
 #[derive(Debug)]
 pub(super) struct Named<T> {
     things: HashMap<String, T>,
-    /// Names by what they are in capitals; of several the first.
+    /// The upper-case names; the first of several counts.
     names: HashMap<String, String>,
 }
 
 impl<T> Named<T> {
-    /// Adds a thing; of the same name the last counts.
+    /// Adds a value; the last one of a name counts.
     pub(super) fn insert(&mut self, name: String, thing: T) {
         self.names
             .entry(name.to_uppercase())
@@ -24,7 +24,7 @@ impl<T> Named<T> {
         self.things.get(self.own_name(name))
     }
 
-    /// The name as it stands where the thing is described; the same where it is nowhere.
+    /// The name as defined in the file, or the given one if it is not defined.
     pub(super) fn own_name<'n>(&'n self, name: &'n str) -> &'n str {
         if self.things.contains_key(name) {
             return name;

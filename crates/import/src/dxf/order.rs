@@ -1,15 +1,15 @@
-//! The order in which entities are drawn, where a file tells another than the one in which they stand.
+//! The draw order of entities, if the file changes it.
 
 use std::collections::HashMap;
 
-use super::file::{File, MOST_OBJECTS, Span, too_many};
+use super::file::{File, MAX_OBJECTS, Span, too_many};
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
 
-/// Puts the entities of the drawing and of each block in the order in which they are drawn.
+/// Sorts the entities of the drawing and of each block in draw order.
 ///
-/// A SORTENTSTABLE gives entities (331) other handles (5); all entities of its drawing or block are drawn in the order
-/// of these, and those that it does not name in the order of their own.
+/// A SORTENTSTABLE gives entities (331) other handles (5); all entities of its drawing or block are
+/// drawn in the order of these handles, the others by their own.
 pub(super) fn sort(file: &mut File<'_>) -> Result<(), SourceError> {
     let mut places = HashMap::new();
     for table in file.objects.values() {
@@ -20,7 +20,7 @@ pub(super) fn sort(file: &mut File<'_>) -> Result<(), SourceError> {
     if places.is_empty() {
         return Ok(());
     }
-    let blocks = file.blocks.values_mut().map(|it| &mut it.entities);
+    let blocks = file.blocks.values_mut().map(|block| &mut block.entities);
     for entities in blocks.chain([&mut file.entities]) {
         let sorted = sorted(file.text, entities, &places)?;
         *entities = sorted;
@@ -28,7 +28,7 @@ pub(super) fn sort(file: &mut File<'_>) -> Result<(), SourceError> {
     Ok(())
 }
 
-/// Reads the pairs of an entity and the handle that it is drawn by.
+/// Reads the pairs of an entity and its sort handle.
 fn read(text: &[u8], table: &Span<'_>, places: &mut HashMap<u64, u64>) -> Result<(), SourceError> {
     let mut entity = None;
     for pair in pairs(&text[..table.end], table.begin) {
@@ -43,21 +43,21 @@ fn read(text: &[u8], table: &Span<'_>, places: &mut HashMap<u64, u64>) -> Result
             }
             _ => {}
         }
-        if places.len() > MOST_OBJECTS {
+        if places.len() > MAX_OBJECTS {
             return Err(too_many(text, pair.at));
         }
     }
     Ok(())
 }
 
-/// The entities in their order, each followed by its parts; as they stand where no table names one of them.
+/// The entities in draw order, each followed by its parts; unchanged if no table names one of them.
 fn sorted<'a>(
     text: &'a [u8],
     entities: &[Span<'a>],
     places: &HashMap<u64, u64>,
 ) -> Result<Vec<Span<'a>>, SourceError> {
     let mut keys = Vec::with_capacity(entities.len());
-    let mut is_told = false;
+    let mut is_listed = false;
     for (number, span) in entities.iter().enumerate() {
         let is_part = matches!(span.kind, b"VERTEX" | b"ATTRIB" | b"SEQEND");
         let whole = keys.last().filter(|_| is_part);
@@ -66,7 +66,7 @@ fn sorted<'a>(
             None => match own_handle(text, span)? {
                 Some(handle) => {
                     let place = places.get(&handle);
-                    is_told |= place.is_some();
+                    is_listed |= place.is_some();
                     place.copied().unwrap_or(handle)
                 }
                 None => u64::MAX,
@@ -74,7 +74,7 @@ fn sorted<'a>(
         };
         keys.push((place, number));
     }
-    if is_told {
+    if is_listed {
         keys.sort_unstable();
     }
     Ok(keys
@@ -88,7 +88,7 @@ fn own_handle(text: &[u8], span: &Span<'_>) -> Result<Option<u64>, SourceError> 
         let pair = pair?;
         match pair.code {
             5 => return handle(&pair).map(Some),
-            // What follows belongs to a kind of entity.
+            // The following groups belong to a kind of entity.
             100 => break,
             _ => {}
         }

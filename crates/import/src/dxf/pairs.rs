@@ -1,4 +1,4 @@
-//! A DXF file is pairs of lines: a group code, which tells what the value below it is.
+//! Pairs of lines of a DXF file: a group code and its value.
 
 use std::borrow::Cow;
 
@@ -9,18 +9,18 @@ use crate::place::{beginning, shortened};
 /// A group code with its value.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair<'a> {
-    /// All of the file.
+    /// The whole file.
     text: &'a [u8],
     pub(super) code: i32,
     pub(super) value: &'a [u8],
-    /// Where the code stands in the text.
+    /// The position of the code in the text.
     pub(super) at: usize,
-    /// Where the value stands.
+    /// The position of the value.
     pub(super) value_at: usize,
 }
 
 impl<'a> Pair<'a> {
-    /// The same value under another code.
+    /// The value under another code.
     pub(super) const fn with_code(self, code: i32) -> Self {
         Self { code, ..self }
     }
@@ -29,17 +29,17 @@ impl<'a> Pair<'a> {
         self.code == code && self.value == value
     }
 
-    /// The value as a number. That of a coordinate may be as large as it is in a plan in millimetres, in the
-    /// coordinates of the country.
+    /// The value as a number. Coordinates may be as large as national grid coordinates in
+    /// millimetres.
     pub(super) fn number(&self) -> Result<f64, SourceError> {
         let (most, expected) = match self.code {
-            10..=39 => (MOST_COORDINATE, "a number from -1e12 to 1e12"),
+            10..=39 => (MAX_COORDINATE, "a number from -1e12 to 1e12"),
             _ => (MAX_NUMBER, "a number from -1e9 to 1e9"),
         };
         let number = std::str::from_utf8(self.value)
             .ok()
-            .and_then(|it| it.parse().ok());
-        let number = number.filter(|it: &f64| it.abs() <= most);
+            .and_then(|from_utf8| from_utf8.parse().ok());
+        let number = number.filter(|x: &f64| x.abs() <= most);
         number.ok_or_else(|| self.refused(expected))
     }
 
@@ -53,7 +53,7 @@ impl<'a> Pair<'a> {
         String::from_utf8_lossy(self.value)
     }
 
-    /// The same with the spaces around it.
+    /// The value with surrounding spaces.
     pub(super) fn whole_text(&self) -> Cow<'a, str> {
         let rest = &self.text[self.value_at..];
         let line = rest.split(|&byte| byte == b'\n').next();
@@ -62,8 +62,7 @@ impl<'a> Pair<'a> {
     }
 }
 
-/// The same text with line feeds, where its lines end with carriage returns alone, as on old Macs: all of it is its
-/// first line then.
+/// Replaces carriage returns by line feeds if the file has carriage returns only, as on old Macs.
 pub(super) fn with_line_feeds(text: &[u8]) -> Cow<'_, [u8]> {
     if !next_line(text, &mut beginning(text)).contains(&b'\r') {
         return Cow::Borrowed(text);
@@ -91,7 +90,7 @@ pub(super) fn pairs(
         let code = next_line(text, &mut at);
         let Some(code) = std::str::from_utf8(code)
             .ok()
-            .and_then(|it| it.parse().ok())
+            .and_then(|from_utf8| from_utf8.parse().ok())
         else {
             at = text.len();
             let expected = "a group code such as 0 or 10";
@@ -112,7 +111,7 @@ pub(super) fn pairs(
     })
 }
 
-/// A line without the spaces around it.
+/// A line without surrounding spaces.
 fn next_line<'a>(text: &'a [u8], at: &mut usize) -> &'a [u8] {
     let rest = &text[*at..];
     let length = rest.iter().position(|&byte| byte == b'\n');
@@ -120,5 +119,5 @@ fn next_line<'a>(text: &'a [u8], at: &mut usize) -> &'a [u8] {
     rest[..length.unwrap_or(rest.len())].trim_ascii()
 }
 
-/// Beyond that two places 0.0001 apart are the same.
-pub(super) const MOST_COORDINATE: f64 = 1e12;
+/// Beyond this, places 0.0001 apart are equal.
+pub(super) const MAX_COORDINATE: f64 = 1e12;

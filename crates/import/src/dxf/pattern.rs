@@ -1,4 +1,4 @@
-//! The lines that fill a hatch.
+//! The pattern lines of a hatch.
 
 use dobot_geometry::{Affine, Area, Point, Rect, Vec2, bounds};
 
@@ -7,7 +7,7 @@ use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 use crate::frame::way;
 
-/// A family of parallel lines: each is as far from the one before as the shift says, and dashed alike.
+/// A family of parallel lines with equal shift and dashes.
 ///
 /// ```text
 ///                 / /  --- dashes: a length that is drawn, one that is not (below 0), 0 a dot
@@ -23,11 +23,11 @@ pub(super) struct PatternLine {
 }
 
 impl PatternLine {
-    /// Those of a hatch: angle and scale of the pattern are in them already.
-    pub(super) fn all(it: &Entity<'_>) -> Result<Vec<Self>, SourceError> {
-        let begin = it.pairs.iter().position(|pair| pair.code == 78);
+    /// The families of a hatch, which include angle and scale of the pattern.
+    pub(super) fn all(entity: &Entity<'_>) -> Result<Vec<Self>, SourceError> {
+        let begin = entity.pairs.iter().position(|pair| pair.code == 78);
         let mut lines: Vec<Self> = Vec::new();
-        for pair in &it.pairs[begin.unwrap_or(it.pairs.len())..] {
+        for pair in &entity.pairs[begin.unwrap_or(entity.pairs.len())..] {
             match (pair.code, lines.last_mut()) {
                 (53, _) => lines.push(Self {
                     angle_deg: pair.number()?,
@@ -48,7 +48,7 @@ impl PatternLine {
         Ok(lines)
     }
 
-    /// Its dashes that may lie in these bounds; `None` where they are too many or have no distance.
+    /// Its dashes within these bounds; `None` if there are too many or the lines have no distance.
     fn dashes_in(&self, frame: Affine, bounds: Rect) -> Option<Vec<[Point; 2]>> {
         let along = way(frame, Vec2::from_angle(self.angle_deg.to_radians()));
         let unit_mm = along.length();
@@ -63,7 +63,7 @@ impl PatternLine {
         ];
         let [first, last] = extent(corners.map(|p| along.cross(p - base) / apart_mm));
         let [begin_mm, end_mm] = extent(corners.map(|p| along.dot(p - base)));
-        let period_mm: f64 = self.dashes.iter().map(|it| it.abs() * unit_mm).sum();
+        let period_mm: f64 = self.dashes.iter().map(|dash| dash.abs() * unit_mm).sum();
         let is_dashed = period_mm > 0.0;
         let per_line = if is_dashed {
             (end_mm - begin_mm) / period_mm + 2.0
@@ -72,14 +72,14 @@ impl PatternLine {
         };
         #[expect(clippy::cast_precision_loss, reason = "a handful")]
         let count = (last - first + 1.0) * per_line * self.dashes.len().max(1) as f64;
-        if count.is_nan() || count >= MOST_DASHES {
+        if count.is_nan() || count >= MAX_DASHES {
             return None;
         }
         let mut dashes = Vec::new();
         let mut line = first.ceil();
         while line <= last {
             let from = base + shift * line;
-            // Where the bounds begin and end on this line, from where its dashes begin.
+            // The range of the bounds on this line, from the start of its dashes.
             let before_mm = along.dot(shift) * line;
             let [begin, end] = [begin_mm - before_mm, end_mm - before_mm];
             if is_dashed {
@@ -115,10 +115,10 @@ impl PatternLine {
 }
 
 impl EntityRenderer<'_, '_> {
-    /// Draws the lines that fill an area; too many of them are left to hatching.
+    /// Draws the pattern lines of an area; too many of them are left to hatching.
     pub(super) fn pattern(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         area: Area,
         lines: &[PatternLine],
@@ -127,7 +127,10 @@ impl EntityRenderer<'_, '_> {
         let mut all = Vec::new();
         for line in lines {
             let Some(mut dashes) = line.dashes_in(frame, around) else {
-                self.left_out(it, "its pattern left out, because it has too many lines");
+                self.left_out(
+                    entity,
+                    "its pattern left out, because it has too many lines",
+                );
                 return self.sketch.area(area);
             };
             all.append(&mut dashes);
@@ -136,12 +139,12 @@ impl EntityRenderer<'_, '_> {
     }
 }
 
-/// The least and the largest.
+/// The minimum and the maximum.
 fn extent(numbers: [f64; 4]) -> [f64; 2] {
     let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
     let most = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     [least, most]
 }
 
-/// The lines of one family in one hatch: nobody draws more.
-const MOST_DASHES: f64 = 20_000.0;
+/// The largest number of lines of one family in a hatch.
+const MAX_DASHES: f64 = 20_000.0;

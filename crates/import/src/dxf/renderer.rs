@@ -1,4 +1,4 @@
-//! Draws all entities of a file, and those of its blocks.
+//! The renderer of entities and blocks.
 
 use dobot_geometry::{Affine, Point, Vec2};
 
@@ -14,29 +14,29 @@ use crate::place::{printable, shortened};
 use crate::sketch::Sketch;
 use crate::text::Lettering;
 
-/// Draws entities into a sketch.
+/// A renderer of entities into a sketch.
 #[derive(Debug)]
 pub(super) struct EntityRenderer<'s, 'a> {
     pub(super) sketch: &'s mut Sketch<'a>,
     pub(super) file: &'s File<'a>,
-    /// How many bytes of copied entities may still be read.
+    /// The number of bytes of copied entities that may still be read.
     copies_left: usize,
-    /// The layer that the sketch uses.
+    /// The current layer of the sketch.
     layer: Option<String>,
-    /// Whether nothing shows through the INSERT of the block that is drawn.
+    /// Whether the INSERT of the current block is opaque.
     pub(super) block_is_opaque: bool,
     pub(super) lettering: Lettering,
 }
 
-/// Where a block is drawn.
+/// The context of a block.
 #[derive(Clone, Copy, Debug)]
 struct Copy<'l> {
     frame: Affine,
-    /// How many blocks it is in.
+    /// The nesting depth.
     depth: u32,
-    /// The layer of the INSERT, which is that of entities on layer 0.
+    /// The layer of the INSERT, which entities on layer 0 inherit.
     layer: &'l str,
-    /// The line type of the INSERT in capitals, which is that of entities that have their block's.
+    /// The line type of the INSERT in upper case, which entities with ByBlock inherit.
     line_type: &'l str,
 }
 
@@ -45,7 +45,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Self {
             sketch,
             file,
-            copies_left: MOST_COPIED,
+            copies_left: MAX_COPIED,
             layer: None,
             block_is_opaque: true,
             lettering: Lettering::default(),
@@ -74,10 +74,10 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
                 _ => None,
             };
             let rest = spans.as_slice();
-            let parts = rest.iter().take_while(|it| Some(it.kind) == part);
+            let parts = rest.iter().take_while(|byte| Some(byte.kind) == part);
             let count = parts.count();
             let is_shown = self.entity(span, &rest[..count], copy)?;
-            // The attributes of a block that is shown are entities of their own.
+            // The visible attributes of a block are separate entities.
             if span.kind == b"POLYLINE" || !is_shown {
                 spans = rest[count..].iter();
             }
@@ -85,7 +85,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Ok(())
     }
 
-    /// Copies of copies may be many, although the file is small.
+    /// Charges copied bytes: copies of copies may be many, although the file is small.
     pub(super) fn spend(&mut self, span: Span<'_>) -> Result<(), SourceError> {
         if let Some(left) = self.copies_left.checked_sub(span.end - span.at) {
             self.copies_left = left;
@@ -95,7 +95,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Err(self.sketch.found(span.at, "one copy too many", expected))
     }
 
-    /// Draws an entity; `false` for one that is not to be seen.
+    /// Draws an entity; `false` for an invisible one.
     fn entity(
         &mut self,
         span: Span<'a>,
@@ -129,16 +129,16 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Ok(true)
     }
 
-    /// What is no block: on its layer, and in dashes where it has some.
+    /// Draws an entity other than a block, on its layer, with its dashes.
     fn lines(
         &mut self,
-        it: &Entity<'a>,
+        entity: &Entity<'a>,
         parts: &[Span<'a>],
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
         let mut frame = Some(copy.frame);
-        if has_own_plane(it)? {
-            frame = self.seen(it, copy.frame)?;
+        if has_own_plane(entity)? {
+            frame = self.seen(entity, copy.frame)?;
         }
         let Some(frame) = frame else {
             return Ok(());
@@ -146,101 +146,107 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         self.use_layer(copy.layer)?;
         self.sketch.lift();
         let copy = Copy { frame, ..copy };
-        if let Some(line_type) = self.line_type(it, copy)? {
+        if let Some(line_type) = self.line_type(entity, copy)? {
             let mark = self.sketch.mark();
-            self.shape(it, parts, copy)?;
+            self.shape(entity, parts, copy)?;
             let LineType { lengths, offset } = line_type;
             return self.sketch.dash_since(&mark, &lengths, offset);
         }
-        self.shape(it, parts, copy)
+        self.shape(entity, parts, copy)
     }
 
-    /// The name in capitals of an entity's line type, which may be that of its layer or of its block; empty in a file without any.
-    fn line_type_name(&self, it: &Entity<'_>, layer: &str, of_block: &str) -> String {
+    /// The name in upper case of an entity's line type, which may be inherited from layer or block;
+    /// empty in a file without any.
+    fn line_type_name(&self, entity: &Entity<'_>, layer: &str, of_block: &str) -> String {
         if self.file.line_types.is_empty() {
             return String::new();
         }
-        let own = it.find(6).map(|it| it.text().to_uppercase());
+        let own = entity.find(6).map(|at| at.text().to_uppercase());
         match own.as_deref() {
             None | Some("BYLAYER") => {
                 let info = self.file.layers.get(layer);
-                info.map(|it| it.line_type.clone()).unwrap_or_default()
+                info.map(|info| info.line_type.clone()).unwrap_or_default()
             }
             Some("BYBLOCK") => of_block.to_owned(),
             Some(own) => own.to_owned(),
         }
     }
 
-    /// The dashes of an entity, in mm; `None` where it is solid.
-    fn line_type(&self, it: &Entity<'_>, copy: Copy<'_>) -> Result<Option<LineType>, SourceError> {
-        if !LINES.contains(&it.kind) {
+    /// The dashes of an entity, in mm; `None` for a solid line.
+    fn line_type(
+        &self,
+        entity: &Entity<'_>,
+        copy: Copy<'_>,
+    ) -> Result<Option<LineType>, SourceError> {
+        if !LINES.contains(&entity.kind) {
             return Ok(None);
         }
         let Some(line_type) = self.file.line_types.get(copy.line_type) else {
             return Ok(None);
         };
         let larger = copy.frame.determinant().abs().sqrt();
-        Ok(line_type.scaled(self.file.line_scale * it.number_or(48, 1.0)? * larger))
+        Ok(line_type.scaled(self.file.line_scale * entity.number_or(48, 1.0)? * larger))
     }
 
     fn shape(
         &mut self,
-        it: &Entity<'a>,
+        entity: &Entity<'a>,
         parts: &[Span<'a>],
         Copy { frame, depth, .. }: Copy<'_>,
     ) -> Result<(), SourceError> {
-        match it.kind {
-            b"LINE" => self.straight(it, frame),
-            b"POINT" => self.dot(it, frame),
-            b"CIRCLE" | b"ARC" => self.circle(it, frame),
-            b"ELLIPSE" => self.ellipse(it, frame),
-            b"LWPOLYLINE" => self.light_polyline(it, frame),
-            b"POLYLINE" => self.polyline(it, parts, frame),
-            b"SPLINE" => self.spline(it, frame),
-            b"SOLID" | b"TRACE" => self.solid(it, frame),
-            b"3DFACE" => self.face(it, frame),
-            b"MLINE" => self.multiline(it, frame),
-            b"MESH" => self.mesh(it, frame),
-            b"LEADER" => self.leader(it, frame),
-            b"MULTILEADER" | b"MLEADER" => self.multileader(it, frame),
-            b"WIPEOUT" => self.wipeout(it, frame),
-            b"HATCH" => self.hatch(it, frame),
-            // The end of a POLYLINE, and the window of a sheet.
+        match entity.kind {
+            b"LINE" => self.straight(entity, frame),
+            b"POINT" => self.dot(entity, frame),
+            b"CIRCLE" | b"ARC" => self.circle(entity, frame),
+            b"ELLIPSE" => self.ellipse(entity, frame),
+            b"LWPOLYLINE" => self.light_polyline(entity, frame),
+            b"POLYLINE" => self.polyline(entity, parts, frame),
+            b"SPLINE" => self.spline(entity, frame),
+            b"SOLID" | b"TRACE" => self.solid(entity, frame),
+            b"3DFACE" => self.face(entity, frame),
+            b"MLINE" => self.multiline(entity, frame),
+            b"MESH" => self.mesh(entity, frame),
+            b"LEADER" => self.leader(entity, frame),
+            b"MULTILEADER" | b"MLEADER" => self.multileader(entity, frame),
+            b"WIPEOUT" => self.wipeout(entity, frame),
+            b"HATCH" => self.hatch(entity, frame),
+            // The end of a POLYLINE, and the viewport of a layout.
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),
-            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(it, frame, depth > 0),
-            b"MTEXT" => self.paragraphs(it, frame),
+            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(entity, frame, depth > 0),
+            b"MTEXT" => self.paragraphs(entity, frame),
             b"RAY" | b"XLINE" => {
-                self.left_out(it, "left out, because it has no end");
+                self.left_out(entity, "left out, because it has no end");
                 Ok(())
             }
             _ => {
-                self.left_out(it, "unknown, left out");
+                self.left_out(entity, "unknown, left out");
                 Ok(())
             }
         }
     }
 
-    pub(super) fn left_out(&mut self, it: &Entity<'_>, instead: &str) {
-        self.sketch.warn(it.at, &it.name(), instead);
+    pub(super) fn left_out(&mut self, entity: &Entity<'_>, instead: &str) {
+        self.sketch.warn(entity.at, &entity.name(), instead);
     }
 
-    fn is_hidden(&mut self, it: &Entity<'_>, layer: &str) -> Result<bool, SourceError> {
-        // What a dimension is measured between; the format never plots this layer, whatever its table says.
+    fn is_hidden(&mut self, entity: &Entity<'_>, layer: &str) -> Result<bool, SourceError> {
+        // The definition points of dimensions; the format never plots this layer, whatever its
+        // table declares.
         let is_for_points = layer.eq_ignore_ascii_case("Defpoints");
-        if it.flags(60)? == 1 || is_for_points && it.kind == b"POINT" {
+        if entity.flags(60)? == 1 || is_for_points && entity.kind == b"POINT" {
             return Ok(true);
         }
         let info = self.file.layers.get(layer);
-        // That of a block is off only for what lies on layer 0 in it, which then lies on this one.
-        let is_block = it.kind == b"INSERT";
+        // A layer of a block that is off hides only the entities on layer 0, which inherit it.
+        let is_block = entity.kind == b"INSERT";
         let is_off = !is_block && info.is_some_and(LayerInfo::is_off);
-        let is_unplotted = is_for_points || info.is_some_and(|it| it.is_unplotted);
-        let (what, instead) = if is_off || info.is_some_and(|it| it.is_frozen) {
+        let is_unplotted = is_for_points || info.is_some_and(|info| info.is_unplotted);
+        let (what, instead) = if is_off || info.is_some_and(|info| info.is_frozen) {
             (
                 "hidden object",
                 "left out, because its layer is off or frozen",
             )
-        } else if it.flags(67)? == 1 {
+        } else if entity.flags(67)? == 1 {
             ("paper space object", "left out")
         } else if is_unplotted && !is_block {
             (
@@ -250,19 +256,19 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         } else {
             return Ok(false);
         };
-        self.sketch.warn(it.at, what, instead);
+        self.sketch.warn(entity.at, what, instead);
         Ok(true)
     }
 
-    /// The frame as the entity's extrusion has it; `None` where it is tilted out of the plane.
-    fn seen(&mut self, it: &Entity<'_>, frame: Affine) -> Result<Option<Affine>, SourceError> {
-        let (x, y) = (it.number_or(210, 0.0)?, it.number_or(220, 0.0)?);
+    /// The frame of the entity's extrusion; `None` if it is tilted out of the plane.
+    fn seen(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<Option<Affine>, SourceError> {
+        let (x, y) = (entity.number_or(210, 0.0)?, entity.number_or(220, 0.0)?);
         if x.hypot(y) > 1e-6 {
             let instead = "left out, because only objects in the XY plane are drawn";
-            self.sketch.warn(it.at, "tilted object", instead);
+            self.sketch.warn(entity.at, "tilted object", instead);
             return Ok(None);
         }
-        Ok(Some(frame * Affine::scale_non_uniform(it.side()?, 1.0)))
+        Ok(Some(frame * Affine::scale_non_uniform(entity.side()?, 1.0)))
     }
 
     fn use_layer(&mut self, name: &str) -> Result<(), SourceError> {
@@ -277,39 +283,39 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         })
     }
 
-    /// What the file tells of the layer in use.
+    /// Applies colour and name of the current layer.
     pub(super) fn layer_info(&self) -> Option<&LayerInfo> {
         self.file.layers.get(self.layer.as_ref()?)
     }
 
-    /// A block, drawn once or in rows and columns.
+    /// Draws a block, once or in rows and columns.
     fn insert(
         &mut self,
-        it: &Entity<'a>,
+        entity: &Entity<'a>,
         attributes: &[Span<'a>],
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
-        let name = it.find(2).map(Pair::text).unwrap_or_default();
+        let name = entity.find(2).map(Pair::text).unwrap_or_default();
         let Some(block) = self.file.blocks.get(&name) else {
             let first = shortened(&name);
             let instead = format!("left out, because its block is not in the file: {first:?}");
-            self.left_out(it, &instead);
+            self.left_out(entity, &instead);
             return Ok(());
         };
-        let Some(frame) = self.seen(it, copy.frame)? else {
+        let Some(frame) = self.seen(entity, copy.frame)? else {
             return Ok(());
         };
-        let clip = self.clip(it)?;
-        let turn = Affine::rotate(it.number_or(50, 0.0)?.to_radians());
-        let (columns, rows) = (it.flags(70)?.max(1), it.flags(71)?.max(1));
-        let (wide, high) = (it.number_or(44, 0.0)?, it.number_or(45, 0.0)?);
+        let clip = self.clip(entity)?;
+        let turn = Affine::rotate(entity.number_or(50, 0.0)?.to_radians());
+        let (columns, rows) = (entity.flags(70)?.max(1), entity.flags(71)?.max(1));
+        let (wide, high) = (entity.number_or(44, 0.0)?, entity.number_or(45, 0.0)?);
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
         {
             let shift = Vec2::new(f64::from(column) * wide, f64::from(row) * high);
-            let placed = frame * placed(it, block.base, shift)?;
+            let placed = frame * placed(entity, block.base, shift)?;
             let mark = self.sketch.mark();
             self.block(
-                it,
+                entity,
                 block,
                 Copy {
                     frame: placed,
@@ -320,7 +326,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
                 let ring = ring.iter().map(|&p| placed * p).collect();
                 self.sketch.cut_since(&mark, ring)?;
             }
-            // Those of the first are entities of their own.
+            // Those of the first are separate entities.
             for &span in attributes.iter().filter(|_| row + column > 0) {
                 let frame = copy.frame * Affine::translate(way(turn, shift));
                 self.spend(span)?;
@@ -330,55 +336,55 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Ok(())
     }
 
-    /// A table, whose picture is a block.
-    fn table(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
-        let Some(block) = self.picture(it) else {
+    /// Draws a table, whose picture is a block.
+    fn table(&mut self, entity: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
+        let Some(block) = self.picture(entity) else {
             return Ok(());
         };
-        let right = Vec2::new(it.number_or(11, 1.0)?, it.number_or(21, 0.0)?);
+        let right = Vec2::new(entity.number_or(11, 1.0)?, entity.number_or(21, 0.0)?);
         let turn = Affine::rotate(right.atan2());
-        let at = Affine::translate(it.point(10)?.to_vec2());
+        let at = Affine::translate(entity.point(10)?.to_vec2());
         let frame = copy.frame * at * turn * Affine::translate(-block.base.to_vec2());
-        self.block(it, block, Copy { frame, ..copy })
+        self.block(entity, block, Copy { frame, ..copy })
     }
 
-    /// The picture of a dimension, which is a block that lies where it belongs.
-    fn dimension(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
-        let Some(block) = self.picture(it) else {
+    /// Draws the picture of a dimension, which is a block in its place.
+    fn dimension(&mut self, entity: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
+        let Some(block) = self.picture(entity) else {
             return Ok(());
         };
-        let shift = Point::new(it.number_or(12, 0.0)?, it.number_or(22, 0.0)?) - block.base;
+        let shift = Point::new(entity.number_or(12, 0.0)?, entity.number_or(22, 0.0)?) - block.base;
         let frame = copy.frame * Affine::translate(shift);
-        self.block(it, block, Copy { frame, ..copy })
+        self.block(entity, block, Copy { frame, ..copy })
     }
 
-    /// The block that an entity looks like.
-    fn picture(&mut self, it: &Entity<'_>) -> Option<&'s Block<'a>> {
-        let name = it.find(2).map(Pair::text).unwrap_or_default();
+    /// Draws the block that represents an entity.
+    fn picture(&mut self, entity: &Entity<'_>) -> Option<&'s Block<'a>> {
+        let name = entity.find(2).map(Pair::text).unwrap_or_default();
         let block = self.file.blocks.get(&name);
         if block.is_none() {
-            self.left_out(it, "left out, because its picture is not in the file");
+            self.left_out(entity, "left out, because its picture is not in the file");
         }
         block
     }
 
-    /// A block in a frame, one deeper than what it is drawn for.
+    /// Draws a block in a frame, one level deeper.
     fn block(
         &mut self,
-        it: &Entity<'a>,
+        entity: &Entity<'a>,
         block: &'s Block<'a>,
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
         if copy.depth == MOST_DEPTH {
-            return Err(it.refused("a block inside itself", "blocks nested at most 32 deep"));
+            return Err(entity.refused("a block inside itself", "blocks nested at most 32 deep"));
         }
         self.spend(Span {
             kind: b"",
-            at: it.at,
-            begin: it.at,
-            end: it.at + LEAST_COPY,
+            at: entity.at,
+            begin: entity.at,
+            end: entity.at + MIN_COPY,
         })?;
-        let is_opaque = self.is_opaque(it, self.file.layers.get(copy.layer))?;
+        let is_opaque = self.is_opaque(entity, self.file.layers.get(copy.layer))?;
         let around = std::mem::replace(&mut self.block_is_opaque, is_opaque);
         let depth = copy.depth + 1;
         let drawn = self.entities(&block.entities, Copy { depth, ..copy });
@@ -387,23 +393,24 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     }
 }
 
-/// Whether the coordinates of an entity lie in a plane that its extrusion tells; those of others are the world's.
-fn has_own_plane(it: &Entity<'_>) -> Result<bool, SourceError> {
-    Ok(match it.kind {
-        b"POLYLINE" => it.flags(70)? & IN_SPACE == 0,
+/// Whether the coordinates of an entity are in the plane of its extrusion; those of others are
+/// world coordinates.
+fn has_own_plane(entity: &Entity<'_>) -> Result<bool, SourceError> {
+    Ok(match entity.kind {
+        b"POLYLINE" => entity.flags(70)? & IN_SPACE == 0,
         kind => FLAT.contains(&kind),
     })
 }
 
-/// Where an INSERT puts its block.
-fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceError> {
-    let turn = Affine::rotate(it.number_or(50, 0.0)?.to_radians());
-    let size = Affine::scale_non_uniform(it.number_or(41, 1.0)?, it.number_or(42, 1.0)?);
-    let at = Affine::translate(it.point(10)?.to_vec2());
+/// The transform of an INSERT.
+fn placed(entity: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceError> {
+    let turn = Affine::rotate(entity.number_or(50, 0.0)?.to_radians());
+    let size = Affine::scale_non_uniform(entity.number_or(41, 1.0)?, entity.number_or(42, 1.0)?);
+    let at = Affine::translate(entity.point(10)?.to_vec2());
     Ok(at * turn * Affine::translate(shift) * size * Affine::translate(-base.to_vec2()))
 }
 
-/// What lies in a plane of its own.
+/// Entities with a plane of their own.
 const FLAT: [&[u8]; 9] = [
     b"CIRCLE",
     b"ARC",
@@ -415,7 +422,7 @@ const FLAT: [&[u8]; 9] = [
     b"ATTRIB",
     b"ATTDEF",
 ];
-/// What is drawn in dashes.
+/// Entities drawn in dashes.
 const LINES: [&[u8]; 7] = [
     b"LINE",
     b"CIRCLE",
@@ -425,7 +432,7 @@ const LINES: [&[u8]; 7] = [
     b"POLYLINE",
     b"SPLINE",
 ];
-const MOST_COPIED: usize = 200_000_000;
-/// A copy of an empty block counts as so many bytes.
-const LEAST_COPY: usize = 100;
+const MAX_COPIED: usize = 200_000_000;
+/// The cost of a copy of an empty block, in bytes.
+const MIN_COPY: usize = 100;
 const MOST_DEPTH: u32 = 32;

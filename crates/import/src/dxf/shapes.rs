@@ -1,4 +1,4 @@
-//! The entities that are lines.
+//! Line entities.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +16,7 @@ use crate::error::SourceError;
 use crate::frame::way;
 use crate::limits::MAX_SEGMENTS;
 
-/// A corner of a polyline, and how the way to the next bulges: the tangent of a quarter of its angle.
+/// A corner of a polyline and the bulge of its segment: the tangent of a quarter of its angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) at: Point,
@@ -24,7 +24,7 @@ pub(super) struct Corner {
 }
 
 impl Corner {
-    /// Those that pairs describe one after the other.
+    /// The corners given by consecutive pairs.
     pub(super) fn all(pairs: &[Pair<'_>]) -> Result<Vec<Self>, SourceError> {
         let mut corners: Vec<Self> = Vec::new();
         for pair in pairs {
@@ -43,78 +43,93 @@ impl Corner {
 }
 
 impl EntityRenderer<'_, '_> {
-    pub(super) fn straight(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let [a, b] = [10, 11].map(|code| self.place(it, frame, it.point(code)?));
+    pub(super) fn straight(
+        &mut self,
+        entity: &Entity<'_>,
+        frame: Affine,
+    ) -> Result<(), SourceError> {
+        let [a, b] = [10, 11].map(|code| self.place(entity, frame, entity.point(code)?));
         self.sketch.line(a?, b?)
     }
 
-    pub(super) fn dot(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let at = self.place(it, frame, it.point(10)?)?;
+    pub(super) fn dot(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        let at = self.place(entity, frame, entity.point(10)?)?;
         self.sketch.dot(at)
     }
 
-    pub(super) fn circle(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let (center, radius) = (it.point(10)?, it.number(40)?);
-        let span_rad = match it.kind {
-            b"ARC" => span_rad(it.number(50)?, it.number(51)?),
+    pub(super) fn circle(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        let (center, radius) = (entity.point(10)?, entity.number(40)?);
+        let span_rad = match entity.kind {
+            b"ARC" => span_rad(entity.number(50)?, entity.number(51)?),
             _ => [0.0, TAU],
         };
         let (across, along) = (Vec2::new(radius, 0.0), Vec2::new(0.0, radius));
-        self.round(it, frame, center, [across, along], span_rad)
+        self.round(entity, frame, center, [across, along], span_rad)
     }
 
-    pub(super) fn ellipse(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let (center, across) = (it.point(10)?, it.way(11)?);
-        let along = from_above(Plane::of(it)?.left_of(across)) * it.number(40)?;
+    pub(super) fn ellipse(
+        &mut self,
+        entity: &Entity<'_>,
+        frame: Affine,
+    ) -> Result<(), SourceError> {
+        let (center, across) = (entity.point(10)?, entity.way(11)?);
+        let along = from_above(Plane::of(entity)?.left_of(across)) * entity.number(40)?;
         let across = from_above(across);
-        let (from_rad, to_rad) = (it.number_or(41, 0.0)?, it.number_or(42, TAU)?);
+        let (from_rad, to_rad) = (entity.number_or(41, 0.0)?, entity.number_or(42, TAU)?);
         let sweep_rad = (to_rad - from_rad).rem_euclid(TAU);
-        // Files round the end of a whole one.
+        // Files round the end of a full one.
         let is_whole = !(1e-6..=TAU - 1e-6).contains(&sweep_rad);
         let sweep_rad = if is_whole { TAU } else { sweep_rad };
-        self.round(it, frame, center, [across, along], [from_rad, sweep_rad])
+        self.round(
+            entity,
+            frame,
+            center,
+            [across, along],
+            [from_rad, sweep_rad],
+        )
     }
 
-    /// A part of a circle or an ellipse by two ways from its center, from an angle on, by an angle.
+    /// A part of a circle or an ellipse, given by two vectors from its center, a start angle and a
+    /// sweep.
     pub(super) fn round(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         center: Point,
         [across, along]: [Vec2; 2],
         [from_rad, sweep_rad]: [f64; 2],
     ) -> Result<(), SourceError> {
-        let center = self.place(it, frame, center)?;
+        let center = self.place(entity, frame, center)?;
         let (across, along) = (way(frame, across), way(frame, along));
         let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
-        self.sketch.arc(it.at, &arc)
+        self.sketch.arc(entity.at, &arc)
     }
 
     pub(super) fn light_polyline(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
     ) -> Result<(), SourceError> {
-        let corners = Corner::all(&it.pairs)?;
-        let is_closed = it.flags(70)? & 1 != 0;
-        let points = self.bulged(it, frame, &corners, is_closed)?;
+        let corners = Corner::all(&entity.pairs)?;
+        let is_closed = entity.flags(70)? & 1 != 0;
+        let points = self.bulged(entity, frame, &corners, is_closed)?;
         self.sketch.stroke(points)
     }
 
-    /// The older kind, with its corners as entities.
+    /// The older polyline, with its corners as entities.
     pub(super) fn polyline(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         vertices: &[Span<'_>],
         frame: Affine,
     ) -> Result<(), SourceError> {
-        let flags = it.flags(70)?;
+        let flags = entity.flags(70)?;
         if flags & (MESH | POLYFACE) != 0 {
-            return self.old_mesh(it, vertices, frame);
+            return self.old_mesh(entity, vertices, frame);
         }
         let mut corners = Vec::new();
         for &span in vertices {
-            let vertex = Entity::read(it.text, span)?;
+            let vertex = Entity::read(entity.text, span)?;
             if vertex.flags(70)? & SPLINE_CONTROL == 0 {
                 corners.push(Corner {
                     at: vertex.point(10)?,
@@ -122,14 +137,14 @@ impl EntityRenderer<'_, '_> {
                 });
             }
         }
-        let points = self.bulged(it, frame, &corners, flags & 1 != 0)?;
+        let points = self.bulged(entity, frame, &corners, flags & 1 != 0)?;
         self.sketch.stroke(points)
     }
 
-    /// The line through corners, some ways between them arcs.
+    /// Draws the line through corners, with arcs for bulges.
     pub(super) fn bulged(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         corners: &[Corner],
         is_closed: bool,
@@ -137,16 +152,16 @@ impl EntityRenderer<'_, '_> {
         let Some(first) = corners.first() else {
             return Ok(Vec::new());
         };
-        let mut points = vec![self.place(it, frame, first.at)?];
+        let mut points = vec![self.place(entity, frame, first.at)?];
         let next = corners.iter().skip(1).chain(is_closed.then_some(first));
         for (from, to) in corners.iter().zip(next) {
-            let end = self.place(it, frame, to.at)?;
+            let end = self.place(entity, frame, to.at)?;
             if from.bulge == 0.0 || from.at == to.at {
                 points.push(end);
                 continue;
             }
             let arc = bulge_arc(frame, from, to.at);
-            let arc = self.sketch.arc_points(it.at, &arc)?;
+            let arc = self.sketch.arc_points(entity.at, &arc)?;
             points.extend(&arc[1..arc.len() - 1]);
             points.push(end);
             if points.len() > MAX_SEGMENTS {
@@ -156,34 +171,40 @@ impl EntityRenderer<'_, '_> {
         Ok(points)
     }
 
-    pub(super) fn spline(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let controls = it.points(10)?;
-        let fits = it.points(11)?;
+    pub(super) fn spline(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        let controls = entity.points(10)?;
+        let fits = entity.points(11)?;
         if controls.is_empty() && !fits.is_empty() {
-            return self.fit_spline(it, frame, &fits);
+            return self.fit_spline(entity, frame, &fits);
         }
-        let placed = self.places(it, frame, &controls)?;
-        let degree = usize::try_from(it.flags(71)?).unwrap_or(usize::MAX);
-        let points = self.curve(it, degree, it.numbers(40)?, &placed, &it.numbers(41)?)?;
+        let placed = self.places(entity, frame, &controls)?;
+        let degree = usize::try_from(entity.flags(71)?).unwrap_or(usize::MAX);
+        let points = self.curve(
+            entity,
+            degree,
+            entity.numbers(40)?,
+            &placed,
+            &entity.numbers(41)?,
+        )?;
         self.sketch.stroke(points)
     }
 
-    /// A spline by the points that it passes.
+    /// A spline by fit points.
     fn fit_spline(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         fits: &[Point],
     ) -> Result<(), SourceError> {
-        let pieces = if it.flags(70)? & CLOSED_SPLINE != 0 {
+        let pieces = if entity.flags(70)? & CLOSED_SPLINE != 0 {
             fit::closed_pieces(fits)
         } else {
-            let (first, last) = (direction(it, 12)?, direction(it, 13)?);
+            let (first, last) = (direction(entity, 12)?, direction(entity, 13)?);
             fit::pieces(fits, Ends { first, last })
         };
-        let mut points = vec![self.place(it, frame, fits[0])?];
+        let mut points = vec![self.place(entity, frame, fits[0])?];
         for piece in pieces {
-            let piece = self.sketch.cubic_points(it.at, frame * piece)?;
+            let piece = self.sketch.cubic_points(entity.at, frame * piece)?;
             points.extend(&piece[1..]);
             if points.len() > MAX_SEGMENTS {
                 self.sketch.spend(points.len())?;
@@ -195,7 +216,7 @@ impl EntityRenderer<'_, '_> {
     /// The corners of a spline.
     pub(super) fn curve(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         degree: usize,
         knots: Vec<f64>,
         placed: &[Point],
@@ -203,7 +224,7 @@ impl EntityRenderer<'_, '_> {
     ) -> Result<Vec<Point>, SourceError> {
         let spline = Spline::new(degree, knots, placed, weights);
         let expected = "degree 1 to 15, and as many knots as control points plus degree plus 1";
-        let spline = spline.map_err(|found| it.refused(found, expected))?;
+        let spline = spline.map_err(|found| entity.refused(found, expected))?;
         let points = spline.points(self.sketch.tolerance_mm(), MAX_SEGMENTS);
         let limit = MAX_SEGMENTS;
         let points = points.ok_or(SourceError::TooManySegments { limit })?;
@@ -211,25 +232,26 @@ impl EntityRenderer<'_, '_> {
         Ok(points)
     }
 
-    /// Four corners, the last two crossed over.
-    pub(super) fn solid(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let fourth = if it.find(13).is_some() { 13 } else { 12 };
-        let ring = [10, 11, fourth, 12].map(|code| self.place(it, frame, it.point(code)?));
+    /// Four corners, the last two swapped.
+    pub(super) fn solid(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        let fourth = if entity.find(13).is_some() { 13 } else { 12 };
+        let ring = [10, 11, fourth, 12].map(|code| self.place(entity, frame, entity.point(code)?));
         let ring = ring.into_iter().collect::<Result<_, _>>()?;
         let area = Area {
             rings: vec![ring],
             rule: FillRule::NonZero,
         };
-        self.cover(it, &area)?;
+        self.cover(entity, &area)?;
         self.sketch.area(area)
     }
 
-    /// Three or four corners, some of its edges hidden.
-    pub(super) fn face(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let fourth = if it.find(13).is_some() { 13 } else { 12 };
-        let corners = [10, 11, 12, fourth].map(|code| self.place(it, frame, it.point(code)?));
+    /// Three or four corners, some edges invisible.
+    pub(super) fn face(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        let fourth = if entity.find(13).is_some() { 13 } else { 12 };
+        let corners =
+            [10, 11, 12, fourth].map(|code| self.place(entity, frame, entity.point(code)?));
         let corners: Vec<Point> = corners.into_iter().collect::<Result<_, _>>()?;
-        let hidden = it.flags(70)?;
+        let hidden = entity.flags(70)?;
         for (i, &from) in corners.iter().enumerate() {
             let to = corners[(i + 1) % corners.len()];
             if hidden & (1 << i) != 0 {
@@ -241,52 +263,52 @@ impl EntityRenderer<'_, '_> {
         Ok(())
     }
 
-    /// The line that leads from a note to what it is about; its arrow is not drawn.
-    pub(super) fn leader(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        if it.flags(71)? != 0 {
-            self.left_out(it, "drawn without its arrow");
+    /// The leader line of a note; its arrow is not drawn.
+    pub(super) fn leader(&mut self, entity: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        if entity.flags(71)? != 0 {
+            self.left_out(entity, "drawn without its arrow");
         }
-        let points = self.places(it, frame, &it.points(10)?)?;
+        let points = self.places(entity, frame, &entity.points(10)?)?;
         self.sketch.stroke(points)
     }
 
     pub(super) fn places(
         &self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         points: &[Point],
     ) -> Result<Vec<Point>, SourceError> {
-        let points = points.iter().map(|&p| self.place(it, frame, p));
+        let points = points.iter().map(|&p| self.place(entity, frame, p));
         points.collect()
     }
 
     pub(super) fn place(
         &self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         p: Point,
     ) -> Result<Point, SourceError> {
-        self.sketch.check(it.at, frame * p)
+        self.sketch.check(entity.at, frame * p)
     }
 }
 
-/// A direction of length 1, where an entity has one.
-fn direction(it: &Entity<'_>, code: i32) -> Result<Option<Vec2>, SourceError> {
-    if it.find(code).is_none() {
+/// The unit direction of an entity, if it has one.
+fn direction(entity: &Entity<'_>, code: i32) -> Result<Option<Vec2>, SourceError> {
+    if entity.find(code).is_none() {
         return Ok(None);
     }
-    let way = from_above(it.way(code)?);
+    let way = from_above(entity.way(code)?);
     Ok((way != Vec2::ZERO).then(|| way / way.length()))
 }
 
-/// From where and how far an arc goes counterclockwise; a whole turn where it ends where it begins.
+/// The start and the counterclockwise sweep of an arc; a full turn if it ends at its start.
 pub(super) fn span_rad(from_deg: f64, to_deg: f64) -> [f64; 2] {
     let sweep_deg = (to_deg - from_deg).rem_euclid(360.0);
     let sweep_deg = if sweep_deg == 0.0 { 360.0 } else { sweep_deg };
     [from_deg, sweep_deg].map(f64::to_radians)
 }
 
-/// The arc from a corner that bulges: by four times the arc tangent of its bulge.
+/// The arc of a corner with a bulge: four times the arc tangent of the bulge.
 ///
 /// ```text
 ///   bulge = tan(angle / 4)     the center lies at chord (1 / bulge - bulge) / 4 beside the
@@ -301,11 +323,11 @@ fn bulge_arc(frame: Affine, from: &Corner, to: Point) -> Arc {
     Arc::ellipse(frame * center, across, along, 0.0, sweep_rad)
 }
 
-/// Flags of a POLYLINE whose corners are the world's.
+/// The flags of a POLYLINE with world coordinates.
 pub(super) const IN_SPACE: u32 = 8 | MESH | POLYFACE;
 const MESH: u32 = 16;
 pub(super) const POLYFACE: u32 = 64;
-/// Flags of a SPLINE that ends where it begins.
+/// The flag of a closed SPLINE.
 const CLOSED_SPLINE: u32 = 1 | 2;
-/// Flag of a VERTEX that only bends what others show.
+/// The flag of a VERTEX that is only a control point.
 pub(super) const SPLINE_CONTROL: u32 = 16;

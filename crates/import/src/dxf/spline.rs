@@ -1,4 +1,4 @@
-//! SPLINE: rational B-splines, by de Boor's scheme.
+//! SPLINE by control points: rational B-splines, by de Boor's algorithm.
 
 use dobot_geometry::{Line, ParamCurveNearest, Point, Vec2};
 
@@ -12,14 +12,14 @@ pub(super) struct Spline {
 }
 
 impl Spline {
-    /// An error says what is wrong.
+    /// Creates a curve; an error describes what is wrong.
     pub(super) fn new(
         degree: usize,
         knots: Vec<f64>,
         points: &[Point],
         weights: &[f64],
     ) -> Result<Self, String> {
-        if !(1..=MOST_DEGREE).contains(&degree) {
+        if !(1..=MAX_DEGREE).contains(&degree) {
             return Err(format!("a spline of degree {degree}"));
         }
         if points.len() <= degree || knots.len() != points.len() + degree + 1 {
@@ -28,11 +28,11 @@ impl Spline {
                 "a spline of degree {degree} with {points} control points and {knots} knots"
             ));
         }
-        if knots.windows(2).any(|it| it[0] > it[1]) {
+        if knots.windows(2).any(|pair| pair[0] > pair[1]) {
             return Err("knots in descending order".to_owned());
         }
         let all_count = weights.is_empty() || weights.len() == points.len();
-        if !all_count || weights.iter().any(|&it| it <= 0.0) {
+        if !all_count || weights.iter().any(|&weight| weight <= 0.0) {
             return Err(
                 "a number of weights other than that of control points, or a weight of 0 or less"
                     .to_owned(),
@@ -50,7 +50,7 @@ impl Spline {
         })
     }
 
-    /// Its corners within a tolerance; not more than `most` of them, else `None`.
+    /// Its corners within a tolerance; `None` for more than `most`.
     pub(super) fn points(&self, tolerance: f64, most: usize) -> Option<Vec<Point>> {
         let spans = self.degree..self.controls.len();
         let mut points = Vec::new();
@@ -72,8 +72,7 @@ impl Spline {
         Some(points)
     }
 
-    /// Halves a piece until the curve stays near its chord, a quarter of the way along and at its
-    /// middle.
+    /// Halves a piece until the curve stays near its chord, tested at a quarter and at its middle.
     fn piece(
         &self,
         span: usize,
@@ -98,7 +97,7 @@ impl Spline {
 
     fn at(&self, span: usize, t: f64) -> Point {
         let degree = self.degree;
-        let mut row = [(Vec2::ZERO, 0.0); MOST_DEGREE + 1];
+        let mut row = [(Vec2::ZERO, 0.0); MAX_DEGREE + 1];
         row[..=degree].copy_from_slice(&self.controls[span - degree..=span]);
         for level in 1..=degree {
             for i in (level..=degree).rev() {
@@ -115,8 +114,8 @@ impl Spline {
     }
 }
 
-/// Each span between two knots is cut into so many pieces first, so that no wave lies between the probes.
+/// The initial number of pieces per span, so that no wave lies between the test points.
 const PIECES: u32 = 6;
-const MOST_DEGREE: usize = 15;
-/// How often a piece is halved at most.
+const MAX_DEGREE: usize = 15;
+/// The largest number of halvings of a piece.
 const DEPTH: u32 = 12;

@@ -24,7 +24,7 @@ fn file(tables: &str, blocks: &str, entities: &str) -> String {
     let all = header + &section("TABLES", tables) + &section("BLOCKS", blocks);
     let all = all + &section("ENTITIES", entities) + "0 EOF";
     all.split_whitespace()
-        .map(|it| it.to_owned() + "\n")
+        .map(|word| word.to_owned() + "\n")
         .collect()
 }
 
@@ -39,8 +39,14 @@ fn draw(entities: &str) -> (Artwork, Vec<String>) {
 
 fn corners(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
     let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
-    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
-    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    let corners = |stroke: &Stroke| {
+        stroke
+            .points
+            .iter()
+            .map(|p| (round(p.x), round(p.y)))
+            .collect()
+    };
+    let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     strokes.map(corners).collect()
 }
 
@@ -52,19 +58,19 @@ fn error(text: &[u8]) -> String {
 #[test]
 fn more_objects_and_groups_than_fit_are_refused_with_their_place() {
     let many = file("", "", &"0 X ".repeat(1_000_000));
-    let told = error(many.as_bytes());
+    let message = error(many.as_bytes());
     let expected =
         "found more than 1000000 entities, layers, blocks and objects; expected fewer; purge";
-    assert!(told.contains(expected), "{told}");
+    assert!(message.contains(expected), "{message}");
     let wide = file(
         "",
         "",
         &format!("0 LWPOLYLINE {}", "10 1 20 2 ".repeat(500_001)),
     );
-    let told = error(wide.as_bytes());
+    let message = error(wide.as_bytes());
     let expected =
         "2000029:1: found an entity with more than 1000000 groups; expected fewer; simplify";
-    assert_eq!(told.split(" it,").next(), Some(expected));
+    assert_eq!(message.split(" it,").next(), Some(expected));
 }
 
 #[test]
@@ -75,9 +81,9 @@ fn a_text_that_nobody_reads_is_refused() {
             "",
             &format!("0 {kind} 10 0 20 0 40 5 1 {}", "A".repeat(100_001)),
         );
-        let told = error(text.as_bytes());
+        let message = error(text.as_bytes());
         let expected = "found a text of 100001 bytes; expected at most 100000; divide it";
-        assert!(told.ends_with(expected), "{told}");
+        assert!(message.ends_with(expected), "{message}");
     }
 }
 
@@ -85,17 +91,17 @@ fn a_text_that_nobody_reads_is_refused() {
 fn the_last_of_the_groups_of_a_layer_count_and_so_many_layers_are_refused() {
     let layers = |count: usize| {
         let names: Vec<String> = (0..count)
-            .map(|it| format!("0 LAYER 2 {it} 62 1 62 5"))
+            .map(|i| format!("0 LAYER 2 {i} 62 1 62 5"))
             .collect();
         let tables = format!("0 TABLE 2 LAYER {} 0 ENDTAB", names.join(" "));
         file(&tables, "", "0 CIRCLE 8 3 10 0 20 0 40 9")
     };
     let (artwork, _) = draw_text(&layers(5));
     assert_eq!(artwork.layers[0].color, Some([0, 0, 255]));
-    let told = error(layers(95_000).as_bytes());
+    let message = error(layers(95_000).as_bytes());
     assert!(
-        told.contains("found more than 1000000 entities, layers"),
-        "{told}"
+        message.contains("found more than 1000000 entities, layers"),
+        "{message}"
     );
 }
 
@@ -148,8 +154,8 @@ fn what_lies_far_from_the_drawing_is_refused_with_both_places() {
         "",
         "0 POINT 10 3 20 4 0 POINT 10 3000000 20 0 0 POINT 10 5 20 5",
     );
-    let told = "33:1: found an object at (3000000, 0) mm, far from that at 27:1; expected all objects within 1000000 mm; delete objects far away from the drawing";
-    assert_eq!(error(text.as_bytes()), told);
+    let message = "33:1: found an object at (3000000, 0) mm, far from that at 27:1; expected all objects within 1000000 mm; delete objects far away from the drawing";
+    assert_eq!(error(text.as_bytes()), message);
 }
 
 #[test]
@@ -194,13 +200,13 @@ fn the_unit_of_the_file_counts() {
     }
 }
 
-/// How far lines leave a circle of that radius about the middle of their page, and their length.
+/// The largest deviation of lines from a circle of this radius about the middle of their page, and their length.
 fn on_circle(artwork: &Artwork, radius: f64) -> (f64, f64) {
     let strokes = &artwork.layers[0].strokes;
     let center = bounds_of_strokes(strokes).center();
     let middles = strokes
         .iter()
-        .flat_map(|it| it.segments().map(|(a, b)| a.lerp(b, 0.5)));
+        .flat_map(|stroke| stroke.segments().map(|(a, b)| a.lerp(b, 0.5)));
     let off = middles
         .map(|p| (p.distance(center) - radius).abs())
         .fold(0.0, f64::max);
@@ -303,7 +309,7 @@ fn a_tilted_ellipse_is_as_flat_as_it_is_seen_from_above() {
     // A circle that is lifted by 60 degrees about the X axis.
     let tilted = "0 ELLIPSE 10 0 20 0 11 10 21 0 31 0 40 1 210 0 220 -0.8660254 230 0.5";
     let (artwork, warnings) = draw(tilted);
-    let size = [artwork.width_mm, artwork.height_mm].map(|it| (it * 100.0).round());
+    let size = [artwork.width_mm, artwork.height_mm].map(|value| (value * 100.0).round());
     assert_eq!((size, warnings.len()), ([2000.0, 1000.0], 0));
 }
 
@@ -316,7 +322,7 @@ fn a_spline_by_its_points_passes_them_in_curves() {
         assert!(found.len() > 30, "{found:?}");
         let near = |(x, y): (f64, f64)| {
             let p = Point::new(x, height - y);
-            found.iter().any(|it| it.distance(p) < 1e-6)
+            found.iter().any(|pair| pair.distance(p) < 1e-6)
         };
         points.into_iter().all(near)
     };
@@ -377,8 +383,8 @@ fn the_edges_of_old_meshes_are_drawn_once() {
         faces(&[]),
     ] {
         let (_, warnings) = draw(&format!("0 POINT 10 0 20 0 {broken}"));
-        let told = "1 POLYLINE: left out, because its faces are incomplete";
-        assert!(warnings[0].ends_with(told), "{warnings:?}");
+        let message = "1 POLYLINE: left out, because its faces are incomplete";
+        assert!(warnings[0].ends_with(message), "{warnings:?}");
     }
 }
 
@@ -409,7 +415,7 @@ fn each_line_of_an_mline_is_drawn_beside_its_corners() {
         )
     );
     let (closed, _) = draw(&text.replace("71 1", "71 3"));
-    assert!(closed.layers[0].strokes.iter().all(|it| it.closed));
+    assert!(closed.layers[0].strokes.iter().all(|stroke| stroke.closed));
     let (_, warnings) = draw(&text.replacen("74 2 41 0 41 0", "74 4 41 0 41 0 41 3 41 4", 1));
     assert!(warnings[0].ends_with("1 MLINE: drawn without its gaps"));
 }
@@ -426,7 +432,7 @@ fn layers_have_names_and_colors_and_hidden_ones_are_left_out() {
     let found: Vec<_> = artwork
         .layers
         .iter()
-        .map(|it| (it.name.as_str(), it.color, it.strokes.len()))
+        .map(|layer| (layer.name.as_str(), layer.color, layer.strokes.len()))
         .collect();
     assert_eq!(
         found,
@@ -474,9 +480,9 @@ fn what_lies_on_layers_that_never_plot_is_left_out_with_a_warning() {
         0 LINE 8 DEFPOINTS 10 0 20 5 11 9 21 5 0 POINT 8 Defpoints 10 0 20 7";
     let (artwork, warnings) = draw_text(&file(tables, "", entities));
     assert_eq!(corners(&artwork), [[(0.0, 0.0), (9.0, 0.0)]]);
-    let told = "2 unplotted objects: left out, because its layer is not plotted";
+    let message = "2 unplotted objects: left out, because its layer is not plotted";
     assert!(
-        warnings.len() == 1 && warnings[0].ends_with(told),
+        warnings.len() == 1 && warnings[0].ends_with(message),
         "{warnings:?}"
     );
 }
@@ -523,14 +529,17 @@ fn names_of_layers_and_blocks_are_the_same_in_capitals() {
     let entities = "0 LINE 8 walls 10 0 20 0 11 9 21 0 0 INSERT 8 TÜREN 2 foo 10 0 20 0
         0 INSERT 8 türen 2 Foo 10 0 20 0";
     let (artwork, warnings) = draw_text(&file(tables, blocks, entities));
-    let found = artwork.layers.iter().map(|it| (it.name.as_str(), it.color));
+    let found = artwork
+        .layers
+        .iter()
+        .map(|layer| (layer.name.as_str(), layer.color));
     let found: Vec<_> = found.collect();
-    // Programs that tell such names apart are not AutoCAD, and may have both.
+    // Programs that distinguish such names are not AutoCAD, and may have both.
     let wanted = [("Türen", Some([255, 0, 0])), ("türen", Some([0, 0, 255]))];
     assert_eq!(found, wanted);
-    let told = "1 hidden object: left out, because its layer is off or frozen";
+    let message = "1 hidden object: left out, because its layer is off or frozen";
     assert!(
-        warnings.len() == 1 && warnings[0].ends_with(told),
+        warnings.len() == 1 && warnings[0].ends_with(message),
         "{warnings:?}"
     );
 }
@@ -540,8 +549,8 @@ fn a_block_that_is_missing_is_left_out_with_a_warning() {
     let (artwork, warnings) =
         draw("0 LINE 10 0 20 0 11 9 21 0 0 INSERT 2 foo 10 0 20 0 0 INSERT 2 bar 10 5 20 5");
     assert_eq!(corners(&artwork), [[(0.0, 0.0), (9.0, 0.0)]]);
-    let told = "37:1: 2 INSERTs: left out, because its block is not in the file: \"foo\"";
-    assert_eq!(warnings, [told]);
+    let message = "37:1: 2 INSERTs: left out, because its block is not in the file: \"foo\"";
+    assert_eq!(warnings, [message]);
 }
 
 #[test]
@@ -624,7 +633,7 @@ fn what_is_left_out_is_named_with_its_count() {
     let (_, warnings) = draw(entities);
     let texts: Vec<&str> = warnings
         .iter()
-        .map(|it| it.split_once(": ").unwrap().1)
+        .map(|warning| warning.split_once(": ").unwrap().1)
         .collect();
     assert_eq!(
         texts,
@@ -756,7 +765,7 @@ fn names_of_old_files_are_western() {
     let text = file("", "", "0 LINE 8 Fr?ser 10 0 20 0 11 9 21 0");
     let bytes: Vec<u8> = text
         .bytes()
-        .map(|it| if it == b'?' { 0xE4 } else { it })
+        .map(|byte| if byte == b'?' { 0xE4 } else { byte })
         .collect();
     let (artwork, _) = super::read(&bytes, &ReadOptions::default()).unwrap();
     assert_eq!(artwork.layers[0].name, "Fräser");
@@ -767,7 +776,7 @@ fn layer_name(header: &str, name: &[u8]) -> (String, Vec<String>) {
     let text = file("", "", "0 LINE 8 ? 10 0 20 0 11 9 21 0");
     let header: String = header
         .split_whitespace()
-        .map(|it| it.to_owned() + "\n")
+        .map(|word| word.to_owned() + "\n")
         .collect();
     let text = text.replace("HEADER\n", &format!("HEADER\n{header}"));
     let (before, after) = text.split_once('?').unwrap();
@@ -795,7 +804,7 @@ fn names_are_in_the_code_page_of_the_header_before_2007() {
         ("DOS850", b"\x9dre, \xb5", "Øre, Á"),
         ("dos852", b"\x88\xa2d\xab", "łódź"),
         ("ISO8859-2", b"\xb3", "ł"),
-        // Written by programs that tell another code page than they use.
+        // Written by programs that declare another code page than they use.
         ("ANSI_1252", "Küche".as_bytes(), "Küche"),
         ("ANSI_936", "模".as_bytes(), "模"),
     ] {
@@ -815,8 +824,9 @@ fn names_from_2007_on_are_in_utf8_and_those_without_a_code_page_western() {
     let unknown = "9 $ACADVER 1 AC1009 9 $DWGCODEPAGE 3 dos863";
     let (name, warnings) = layer_name(unknown, b"Fr\xe4ser");
     assert_eq!(name, "Fräser");
-    let told = "1 file in an unknown code page: read as Windows-1252; its header names \"dos863\"";
-    assert_eq!(warnings, [told]);
+    let message =
+        "1 file in an unknown code page: read as Windows-1252; its header names \"dos863\"";
+    assert_eq!(warnings, [message]);
     assert_eq!(layer_name(unknown, b"wall").1, [""; 0]);
 }
 
@@ -828,8 +838,8 @@ fn lines_may_end_as_on_old_macs() {
     let marked = format!("\u{FEFF}{}", returns(&text));
     assert_eq!(draw_text(&marked), draw_text(&text));
     let broken = text.replace("21\n0", "21\nzero");
-    let told = "38:1: found \"zero\" for group 21; expected a number from -1e12 to 1e12";
-    assert_eq!(error(returns(&broken).as_bytes()), told);
+    let message = "38:1: found \"zero\" for group 21; expected a number from -1e12 to 1e12";
+    assert_eq!(error(returns(&broken).as_bytes()), message);
 }
 
 #[test]
@@ -884,7 +894,7 @@ fn lines_have_the_dashes_of_their_type_as_large_as_the_file_says() {
     let dashes = |entities: &str| {
         let (artwork, warnings) = draw_text(&file(types, "", entities));
         assert_eq!(warnings, [""; 0]);
-        let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+        let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
         strokes.map(Stroke::length_mm).collect::<Vec<_>>()
     };
     let near = |found: Vec<f64>, expected: &[f64]| {

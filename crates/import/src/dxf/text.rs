@@ -1,4 +1,4 @@
-//! TEXT, MTEXT and attributes: in plain letters.
+//! TEXT, MTEXT and attributes, in plain letters.
 
 use dobot_geometry::{Affine, Vec2};
 
@@ -14,18 +14,18 @@ use crate::text::{CAPITAL, Lettering, Pose};
 /// A line of text in units of the letters' grid.
 #[derive(Clone, Copy, Debug, Default)]
 struct LineExtent {
-    /// Where the ink of its first letter begins.
+    /// The start of the ink of its first letter.
     begin: f64,
-    /// Where that of its last ends.
+    /// The end of the ink of its last letter.
     end: f64,
-    /// Where a further letter would stand.
+    /// The position of a further letter.
     advance: f64,
 }
 
 impl LineExtent {
     fn of(text: &str, lettering: &mut Lettering) -> Self {
         let mut extent = Self::default();
-        let rooms = text.chars().filter_map(|it| lettering.extent(it));
+        let rooms = text.chars().filter_map(|c| lettering.extent(c));
         for (i, room) in rooms.enumerate() {
             if i == 0 {
                 extent.begin = room.ink[0];
@@ -36,7 +36,7 @@ impl LineExtent {
         extent
     }
 
-    /// With another behind it.
+    /// The line followed by another.
     fn and(self, next: Self) -> Self {
         Self {
             begin: self.begin,
@@ -51,60 +51,64 @@ impl LineExtent {
 }
 
 impl EntityRenderer<'_, '_> {
-    /// TEXT, ATTRIB and ATTDEF: a line.
+    /// Draws TEXT, ATTRIB and ATTDEF: one line.
     pub(super) fn text(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         is_in_block: bool,
     ) -> Result<(), SourceError> {
-        let code = shown(it, is_in_block)?;
-        let Some(pair) = code.and_then(|code| it.find(code)) else {
+        let code = shown(entity, is_in_block)?;
+        let Some(pair) = code.and_then(|code| entity.find(code)) else {
             return Ok(());
         };
         let whole = pair.whole_text();
-        check_length(it, &whole)?;
+        check_length(entity, &whole)?;
         let content = line(&whole).composed();
-        self.tell_plainer(it, &content);
+        self.warn_plain(entity, &content);
         if content.text.trim().is_empty() {
             return Ok(());
         }
         let extent = LineExtent::of(&content.text, &mut self.lettering);
-        let pose = text_pose(it, extent)?;
-        if !has_size(it, &pose)? {
-            self.left_out(it, "left out, because its letters have no size");
+        let pose = text_pose(entity, extent)?;
+        if !has_size(entity, &pose)? {
+            self.left_out(entity, "left out, because its letters have no size");
             return Ok(());
         }
-        self.write(it, frame, &content.text, pose)
+        self.write(entity, frame, &content.text, pose)
     }
 
-    /// MTEXT: lines. Its point and its direction are the world's.
-    pub(super) fn paragraphs(&mut self, it: &Entity<'_>, world: Affine) -> Result<(), SourceError> {
-        let whole = whole_text(it);
-        check_length(it, &whole)?;
+    /// Draws MTEXT: several lines. Its point and its direction are in world coordinates.
+    pub(super) fn paragraphs(
+        &mut self,
+        entity: &Entity<'_>,
+        world: Affine,
+    ) -> Result<(), SourceError> {
+        let whole = whole_text(entity);
+        check_length(entity, &whole)?;
         let content = lines(&whole).composed();
-        self.tell_plainer(it, &content);
-        let unit = it.number(40)? / CAPITAL;
-        let (right, up) = paragraph_directions(it)?;
+        self.warn_plain(entity, &content);
+        let unit = entity.number(40)? / CAPITAL;
+        let (right, up) = paragraph_directions(entity)?;
         let pose = Pose {
-            at: it.point(10)?,
+            at: entity.point(10)?,
             across: right * unit,
             up: up * unit,
         };
-        if !has_size(it, &pose)? {
-            self.left_out(it, "left out, because its letters have no size");
+        if !has_size(entity, &pose)? {
+            self.left_out(entity, "left out, because its letters have no size");
             return Ok(());
         }
-        let (column, row) = attachment(it)?;
-        let room = it.number_or(41, 0.0)? / unit;
+        let (column, row) = attachment(entity)?;
+        let room = entity.number_or(41, 0.0)? / unit;
         let lines = self.wrapped(&content.text, room / NARROW);
-        let spacing = it.number_or(44, 1.0)? * LINE * CAPITAL;
+        let spacing = entity.number_or(44, 1.0)? * LINE * CAPITAL;
         #[expect(clippy::cast_precision_loss, reason = "a count of lines")]
         let below = spacing * (lines.len() - 1) as f64;
         let mut y = (CAPITAL + below) * row - CAPITAL;
         for line in lines {
             let extent = LineExtent::of(&line, &mut self.lettering);
-            // As wide as the letters that the file was made with.
+            // As wide as the letters of the program that made the file.
             let share = room / extent.width();
             let across = pose.across
                 * if (NARROW..1.0).contains(&share) {
@@ -114,14 +118,14 @@ impl EntityRenderer<'_, '_> {
                 };
             let x = -extent.width() * column - extent.begin;
             let at = pose.at + across * x + pose.up * y;
-            self.write(it, world, &line, Pose { at, across, ..pose })?;
+            self.write(entity, world, &line, Pose { at, across, ..pose })?;
             y -= spacing;
         }
         Ok(())
     }
 
-    /// The lines of a text, at least one, broken between words where they are wider than `room`,
-    /// in units of the grid; 0 for as wide as they are.
+    /// The lines of a text, at least one, wrapped between words at the width `room`, in units of
+    /// the grid; 0 for no limit.
     fn wrapped(&mut self, text: &str, room: f64) -> Vec<String> {
         let space = LineExtent::of(" ", &mut self.lettering);
         let mut lines = Vec::new();
@@ -149,7 +153,7 @@ impl EntityRenderer<'_, '_> {
 
     fn write(
         &mut self,
-        it: &Entity<'_>,
+        entity: &Entity<'_>,
         frame: Affine,
         text: &str,
         mut pose: Pose,
@@ -161,36 +165,36 @@ impl EntityRenderer<'_, '_> {
                 up: way(frame, pose.up),
             };
             self.lettering
-                .write(self.sketch, it.at, character, &letter)?;
+                .write(self.sketch, entity.at, character, &letter)?;
             let advance = self.lettering.extent(character).unwrap_or_default().advance;
             pose.at += pose.across * advance;
         }
         Ok(())
     }
 
-    fn tell_plainer(&mut self, it: &Entity<'_>, content: &Content) {
+    fn warn_plain(&mut self, entity: &Entity<'_>, content: &Content) {
         if content.is_plainer {
             let instead = "written plainly: one height, no underlines, fractions on one line";
-            self.sketch.warn(it.at, "formatted text", instead);
+            self.sketch.warn(entity.at, "formatted text", instead);
         }
     }
 }
 
-/// Refuses what nobody reads, and what takes for ever to set.
-fn check_length(it: &Entity<'_>, text: &str) -> Result<(), SourceError> {
-    if text.len() <= MOST_LETTERS {
+/// Refuses texts that are too long.
+fn check_length(entity: &Entity<'_>, text: &str) -> Result<(), SourceError> {
+    if text.len() <= MAX_LETTERS {
         return Ok(());
     }
     let found = format!("a text of {} bytes", text.len());
-    let expected = format!("at most {MOST_LETTERS}; split it");
-    Err(it.refused(found, &expected))
+    let expected = format!("at most {MAX_LETTERS}; split it");
+    Err(entity.refused(found, &expected))
 }
 
-/// The group of what is shown: of a definition its tag, or in a block its value where all copies
-/// share it. `None` where nothing is.
-fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError> {
-    let flags = it.flags(70)?;
-    Ok(match it.kind {
+/// The group of the visible text: of a definition its tag, or in a block its value if all copies
+/// share it. `None` if nothing is visible.
+fn shown(entity: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError> {
+    let flags = entity.flags(70)?;
+    Ok(match entity.kind {
         b"ATTRIB" | b"ATTDEF" if flags & INVISIBLE != 0 => None,
         b"ATTDEF" if is_in_block => (flags & CONSTANT != 0).then_some(1),
         b"ATTDEF" => Some(2),
@@ -198,26 +202,26 @@ fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError>
     })
 }
 
-/// How the letters of a line lie about its points.
-fn text_pose(it: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
-    let (column, row) = justification(it)?;
-    let has_second = it.find(11).is_some();
+/// The placement of a line's letters relative to its points.
+fn text_pose(entity: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
+    let (column, row) = justification(entity)?;
+    let has_second = entity.find(11).is_some();
     let pose = match column {
-        ALIGNED | FIT if has_second => spanning_pose(it, extent, column)?,
+        ALIGNED | FIT if has_second => spanning_pose(entity, extent, column)?,
         _ => {
-            let (right, up) = directions(it)?;
-            let tall = it.number(40)? / CAPITAL;
+            let (right, up) = directions(entity)?;
+            let tall = entity.number(40)? / CAPITAL;
             let is_at_start = (column, row) == (0, 0) || !has_second;
             Pose {
-                at: it.point(if is_at_start { 10 } else { 11 })?,
-                across: right * (tall * it.number_or(41, 1.0)?),
+                at: entity.point(if is_at_start { 10 } else { 11 })?,
+                across: right * (tall * entity.number_or(41, 1.0)?),
                 up: up * tall,
             }
         }
     };
-    let made = it.flags(71)?;
+    let made = entity.flags(71)?;
     let side = |flag: u32| if made & flag == 0 { 1.0 } else { -1.0 };
-    let lean = it.number_or(51, 0.0)?.to_radians().tan();
+    let lean = entity.number_or(51, 0.0)?.to_radians().tan();
     let tall = pose.up.length();
     let leaning = pose.across * (lean * tall / pose.across.length());
     let across = pose.across * side(BACKWARD);
@@ -227,10 +231,14 @@ fn text_pose(it: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
     Ok(Pose { at, across, up })
 }
 
-/// From one point to another: as tall as that makes it, or as said.
-fn spanning_pose(it: &Entity<'_>, extent: LineExtent, column: u32) -> Result<Pose, SourceError> {
-    let at = it.point(10)?;
-    let way = it.point(11)? - at;
+/// Fits between two points: as tall as that makes it, or with the given height.
+fn spanning_pose(
+    entity: &Entity<'_>,
+    extent: LineExtent,
+    column: u32,
+) -> Result<Pose, SourceError> {
+    let at = entity.point(10)?;
+    let way = entity.point(11)? - at;
     // A single I has no width.
     let width = if extent.width() > 0.0 {
         extent.width()
@@ -239,27 +247,27 @@ fn spanning_pose(it: &Entity<'_>, extent: LineExtent, column: u32) -> Result<Pos
     };
     let across = way * (1.0 / width);
     let tall = if column == ALIGNED {
-        across.length() / it.number_or(41, 1.0)?
+        across.length() / entity.number_or(41, 1.0)?
     } else {
-        it.number(40)? / CAPITAL
+        entity.number(40)? / CAPITAL
     };
     let up = way.turn_90() * (tall / way.length());
     Ok(Pose { at, across, up })
 }
 
-/// Across and up.
-fn justification(it: &Entity<'_>) -> Result<(u32, u32), SourceError> {
-    let vertical = if it.kind == b"TEXT" { 73 } else { 74 };
-    let (column, row) = (it.flags(72)?, it.flags(vertical)?);
+/// The justification across and up.
+fn justification(entity: &Entity<'_>) -> Result<(u32, u32), SourceError> {
+    let vertical = if entity.kind == b"TEXT" { 73 } else { 74 };
+    let (column, row) = (entity.flags(72)?, entity.flags(vertical)?);
     if column > FIT || row > TOP {
-        let found = format!("{} justified {column} across and {row} up", it.name());
+        let found = format!("{} justified {column} across and {row} up", entity.name());
         let expected = "0 to 5 across (72) and 0 to 3 up (73, of attributes 74)";
-        return Err(it.refused(found, expected));
+        return Err(entity.refused(found, expected));
     }
     Ok((column, row))
 }
 
-/// How much of a line lies before its point.
+/// The fraction of a line before its point.
 const fn before(column: u32) -> f64 {
     match column {
         CENTER | MIDDLE => 0.5,
@@ -268,7 +276,7 @@ const fn before(column: u32) -> f64 {
     }
 }
 
-/// How far the base line lies below its point, on the letters' grid.
+/// The distance of the base line below its point, on the letters' grid.
 const fn below(column: u32, row: u32) -> f64 {
     match (column, row) {
         (MIDDLE, _) | (_, HALF) => 0.5 * CAPITAL,
@@ -278,71 +286,71 @@ const fn below(column: u32, row: u32) -> f64 {
     }
 }
 
-/// To the right along a line of text, and up.
-fn directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
-    let right = Vec2::from_angle(it.number_or(50, 0.0)?.to_radians());
+/// The directions along a line of text and up.
+fn directions(entity: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
+    let right = Vec2::from_angle(entity.number_or(50, 0.0)?.to_radians());
     Ok((right, right.turn_90()))
 }
 
-/// The same of an MTEXT, which tells a direction in the world or an angle of its own, and may be
-/// seen from behind or from the side.
-fn paragraph_directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
-    let plane = Plane::of(it)?;
-    let right = if it.find(11).is_some() {
-        plane.within(it.way(11)?).unwrap_or_default()
+/// The directions of an MTEXT, which has a direction in the world or an angle, and may be seen from
+/// behind or from the side.
+fn paragraph_directions(entity: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
+    let plane = Plane::of(entity)?;
+    let right = if entity.find(11).is_some() {
+        plane.within(entity.way(11)?).unwrap_or_default()
     } else {
-        plane.right(it.number_or(50, 0.0)?.to_radians())
+        plane.right(entity.number_or(50, 0.0)?.to_radians())
     };
     Ok((from_above(right), from_above(plane.left_of(right))))
 }
 
-/// Where the point of an MTEXT lies: how much of it is before and how much is above.
-fn attachment(it: &Entity<'_>) -> Result<(f64, f64), SourceError> {
-    let number = it.number_or(71, 1.0)?;
-    let index = (1..=9_u8).find(|&it| f64::from(it) == number);
+/// The position of the point of an MTEXT: the fractions before it and above it.
+fn attachment(entity: &Entity<'_>) -> Result<(f64, f64), SourceError> {
+    let number = entity.number_or(71, 1.0)?;
+    let index = (1..=9_u8).find(|&i| f64::from(i) == number);
     let index = index.ok_or_else(|| {
         let found = format!("MTEXT attached at {number}");
-        it.refused(found, "an attachment point from 1 to 9")
+        entity.refused(found, "an attachment point from 1 to 9")
     })? - 1;
     Ok((f64::from(index % 3) * 0.5, f64::from(index / 3) * 0.5))
 }
 
-/// The text of an MTEXT, which is in pieces where it is long.
-fn whole_text(it: &Entity<'_>) -> String {
-    let pieces = it
+/// The text of an MTEXT, which is split if long.
+fn whole_text(entity: &Entity<'_>) -> String {
+    let pieces = entity
         .pairs
         .iter()
         .filter(|pair| pair.code == 1 || pair.code == 3);
     pieces.map(Pair::whole_text).collect()
 }
 
-fn has_size(it: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {
+fn has_size(entity: &Entity<'_>, pose: &Pose) -> Result<bool, SourceError> {
     let area = pose.across.cross(pose.up);
-    Ok(it.number(40)? > 0.0 && area != 0.0 && area.is_finite())
+    Ok(entity.number(40)? > 0.0 && area != 0.0 && area.is_finite())
 }
 
 /// Flags of attributes.
 const INVISIBLE: u32 = 1;
 const CONSTANT: u32 = 2;
-/// Kinds of justification across, among them: between two points, as tall as fits; in the middle
-/// of everything; between two points, as tall as said.
+/// Kinds of justification across: aligned between two points (sets the height), centered in
+/// everything, fitted between two points (keeps the height).
 const CENTER: u32 = 1;
 const RIGHT: u32 = 2;
 const ALIGNED: u32 = 3;
 const MIDDLE: u32 = 4;
 const FIT: u32 = 5;
-/// And up; 0 is the base line.
+/// Kinds of justification up; 0 is the base line.
 const BOTTOM: u32 = 1;
 const HALF: u32 = 2;
 const TOP: u32 = 3;
-/// Flags of how letters are made.
+/// Flags of mirrored letters.
 const BACKWARD: u32 = 2;
 const UPSIDE_DOWN: u32 = 4;
-/// How far letters reach below the base line, on their grid.
+/// The descent of letters below the base line, on their grid.
 const DESCENT: f64 = 7.0;
-/// How much narrower than ours the letters of other programs are.
+/// The width of the letters of other programs relative to ours.
 const NARROW: f64 = 0.8;
-/// From line to line, in heights of capitals.
+/// The line distance, in heights of capitals.
 const LINE: f64 = 5.0 / 3.0;
-/// How many bytes a text may have: thirty pages.
-const MOST_LETTERS: usize = 100_000;
+/// The largest number of bytes of a text: thirty pages.
+const MAX_LETTERS: usize = 100_000;

@@ -1,4 +1,4 @@
-//! Blocks that are clipped: INSERTs with a spatial filter.
+//! Clipped blocks: INSERTs with a spatial filter.
 
 use dobot_geometry::{Affine, Point, Rect, bounds};
 
@@ -8,17 +8,16 @@ use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 
 impl<'a> EntityRenderer<'_, 'a> {
-    /// The ring in which the block of an INSERT shows, in the block's own units; `None` where all of it
-    /// shows.
+    /// The clip ring of the block of an INSERT, in the block's units; `None` if it is not clipped.
     ///
     /// ```text
     ///   INSERT -- 102 {ACAD_XDICTIONARY 360 --> DICTIONARY -- 3 ACAD_FILTER 360 -->
     ///   DICTIONARY -- 3 SPATIAL 360 --> SPATIAL_FILTER
     /// ```
-    pub(super) fn clip(&mut self, it: &Entity<'a>) -> Result<Option<Vec<Point>>, SourceError> {
-        let mut own = it.pairs.iter();
-        own.find(|it| it.is(102, b"{ACAD_XDICTIONARY"));
-        let Some(own) = own.find(|it| it.code == 360) else {
+    pub(super) fn clip(&mut self, entity: &Entity<'a>) -> Result<Option<Vec<Point>>, SourceError> {
+        let mut own = entity.pairs.iter();
+        own.find(|value| value.is(102, b"{ACAD_XDICTIONARY"));
+        let Some(own) = own.find(|value| value.code == 360) else {
             return Ok(None);
         };
         let Some(filters) = self.entry(own, b"ACAD_FILTER")? else {
@@ -28,12 +27,12 @@ impl<'a> EntityRenderer<'_, 'a> {
             return Ok(None);
         };
         match self.object(&filter)? {
-            Some(it) if it.kind == b"SPATIAL_FILTER" => ring(&it).map(Some),
+            Some(entity) if entity.kind == b"SPATIAL_FILTER" => ring(&entity).map(Some),
             _ => Ok(None),
         }
     }
 
-    /// What a dictionary has under a name.
+    /// The entry of a dictionary.
     fn entry(
         &mut self,
         dictionary: &Pair<'a>,
@@ -43,31 +42,33 @@ impl<'a> EntityRenderer<'_, 'a> {
             return Ok(None);
         };
         let mut entries = it.pairs.iter();
-        entries.find(|it| it.is(3, name));
-        Ok(entries.find(|it| matches!(it.code, 350 | 360)).copied())
+        entries.find(|entry| entry.is(3, name));
+        Ok(entries
+            .find(|entry| matches!(entry.code, 350 | 360))
+            .copied())
     }
 
-    /// What has a handle.
+    /// The object with a handle.
     pub(super) fn object(&mut self, handle: &Pair<'a>) -> Result<Option<Entity<'a>>, SourceError> {
         let Some(&span) = self.file.objects.get(handle.value) else {
             return Ok(None);
         };
-        // Many blocks may name the same one.
+        // Many blocks may refer to the same one.
         self.spend(span)?;
         Entity::read(self.file.text, span).map(Some)
     }
 }
 
 /// The corners of a filter.
-fn ring(it: &Entity<'_>) -> Result<Vec<Point>, SourceError> {
-    let corners = it.points(10)?;
-    let numbers = it.numbers(40)?;
-    // Two matrices of twelve numbers are the last: the first is from the world to the block.
+fn ring(entity: &Entity<'_>) -> Result<Vec<Point>, SourceError> {
+    let corners = entity.points(10)?;
+    let numbers = entity.numbers(40)?;
+    // The last groups are two matrices of twelve numbers: the first is from the world to the block.
     let Some(&[xx, xy, _, x, yx, yy, _, y, ..]) =
-        numbers.len().checked_sub(24).map(|it| &numbers[it..])
+        numbers.len().checked_sub(24).map(|n| &numbers[n..])
     else {
         let found = format!("a clip with {} numbers (group 40)", numbers.len());
-        return Err(it.refused(found, "two matrices of 12 numbers"));
+        return Err(entity.refused(found, "two matrices of 12 numbers"));
     };
     let to_block = Affine::new([xx, yx, xy, yy, x, y]);
     let corners: Vec<Point> = corners.into_iter().map(|p| to_block * p).collect();

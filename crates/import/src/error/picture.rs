@@ -1,77 +1,77 @@
-//! Why a picture cannot be drawn.
+//! Errors of pictures.
 
 use thiserror::Error;
 
 use crate::formats::Format;
 
-/// Why a picture cannot be drawn.
+/// The error returned when a picture cannot be drawn.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ImageError {
-    /// No bytes at all.
+    /// The file is empty.
     #[error(
         "the file is empty; a picture is a {} file",
         Format::names(Format::is_picture, "or")
     )]
     EmptyFile,
-    /// Another format, whatever its name says.
+    /// The file is of another format, whatever its name is.
     #[error(
         "the file is not a {} file; save the picture as PNG or JPEG",
         Format::names(Format::is_picture, "or")
     )]
     UnknownFormat,
-    /// The file breaks off, or is not what its first bytes say.
+    /// The file is truncated or damaged.
     #[error("cannot read the {format} picture: {problem}; save it again as PNG or JPEG")]
     Damaged {
-        /// Which one.
+        /// The format.
         format: &'static str,
-        /// What the decoder says.
+        /// The message of the decoder.
         problem: String,
     },
-    /// A width or height of 0, which a GIF file may have.
+    /// The width or height is 0, which is possible in a GIF file.
     #[error(
         "the picture has {width} x {height} pixels; allowed are 1 x 1 or more; save it again as PNG or JPEG"
     )]
     NoPixels {
-        /// From left to right.
+        /// The width.
         width: usize,
-        /// From top to bottom.
+        /// The height.
         height: usize,
     },
-    /// More pixels than are ever needed.
+    /// The picture has too many pixels.
     #[error(
         "the picture has {width} x {height} pixels; allowed are {limit} million; make it smaller"
     )]
     TooManyPixels {
-        /// From left to right.
+        /// The width.
         width: usize,
-        /// From top to bottom.
+        /// The height.
         height: usize,
-        /// In millions.
+        /// The largest number allowed, in millions.
         limit: usize,
     },
     /// A setting of the shading is out of range.
     #[error("the {setting} of the shading is {found}; allowed is {allowed}")]
     Setting {
-        /// Which.
+        /// The setting.
         setting: &'static str,
-        /// What it is.
+        /// Its value.
         found: f64,
-        /// What it may be.
+        /// What is allowed.
         allowed: &'static str,
     },
-    /// Lines so near to each other on so large a paper that drawing them would take days.
+    /// The lines are too close for the size of the picture; drawing it would take days.
     #[error(
         "a spacing of {spacing_mm} mm is too fine for a picture of {width_mm:.0} x {height_mm:.0} mm on the paper; allowed are {least_mm:.2} mm or more; use a wider spacing or a smaller picture"
     )]
     TooFine {
-        /// The spacing asked for, on the paper.
+        /// The spacing, on the paper.
         spacing_mm: f64,
-        /// The smallest for this size.
+        /// The smallest spacing for this size.
         least_mm: f64,
-        /// The picture on the paper, left to right.
+        /// The width of the picture on the paper.
         width_mm: f64,
-        /// The picture on the paper, top to bottom.
+        /// The height of the picture on the paper.
         height_mm: f64,
     },
 }

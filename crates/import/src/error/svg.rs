@@ -1,148 +1,148 @@
-//! What can be wrong with an SVG file.
+//! Errors of SVG files.
 
 use thiserror::Error;
 
 use crate::place::Place;
 
-/// Why an SVG file cannot be drawn.
+/// The error returned when an SVG file cannot be drawn.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SvgError {
-    /// No text at all.
+    /// The file is empty.
     #[error("the file is empty; an SVG file begins with <svg")]
     EmptyFile,
-    /// Not well-formed XML.
+    /// The file is not well-formed XML.
     #[error("{place}: not well-formed XML: {problem}")]
     Malformed {
-        /// Where reading stopped.
+        /// The place at which reading stopped.
         place: Place,
-        /// What the XML parser found.
+        /// The message of the XML parser.
         problem: String,
     },
-    /// XML of which the end is missing, as after a broken download.
+    /// The XML is truncated, as after an interrupted download.
     #[error(
         "{place}: not well-formed XML: the file ends too soon: {part} starts here and is not closed"
     )]
     EndsTooSoon {
-        /// Where the innermost part begins that is not closed.
+        /// The start of the innermost unclosed part.
         place: Place,
-        /// What it is: an element, as far as its name is there, or a comment.
+        /// The part: an element, as far as its name is complete, or a comment.
         part: String,
     },
-    /// XML, but something else.
+    /// The file is XML, but not SVG.
     #[error("{place}: the outermost element is <{found}>; it must be <svg>")]
     NotSvg {
-        /// Where the element begins.
+        /// The start of the outermost element.
         place: Place,
         /// Its name.
         found: String,
     },
-    /// An attribute that does not read as what it must be. Browsers stop drawing the shape here.
+    /// An attribute has an invalid value. Browsers stop drawing the shape here.
     #[error("{place}: {attribute} of <{element}> {found}; expected {expected}")]
     BadValue {
-        /// Where the value goes wrong.
+        /// The place in the value.
         place: Place,
         /// The attribute's name.
         attribute: String,
         /// The element's name.
         element: String,
-        /// The text that it holds from there on, shortened, or behind which it ends.
+        /// The text at the place, shortened, or the text at whose end the value is incomplete.
         found: String,
         /// What is allowed there.
         expected: &'static str,
     },
-    /// Entities are fine as abbreviations; these could fill the memory.
+    /// Entities expand to too much text.
     #[error("{place}: entities that expand to {problem}; save the file without a DOCTYPE")]
     Entities {
-        /// Where the first is declared.
+        /// The first declaration.
         place: Place,
-        /// What they would expand to.
+        /// What they expand to.
         problem: &'static str,
     },
-    /// An element that is drawn inside itself.
+    /// An element is drawn inside itself.
     #[error("{place}: <{element}> refers to an element that contains it")]
     Recursive {
-        /// Where the element stands.
+        /// The place of the element.
         place: Place,
         /// Its name.
         element: String,
     },
-    /// Elements inside elements inside elements.
+    /// Elements are nested too deep.
     #[error(
         "{place}: elements are nested more than {limit} deep, including references; ungroup them"
     )]
     TooDeep {
         /// The first element that is too deep.
         place: Place,
-        /// How deep is allowed.
+        /// The largest depth allowed.
         limit: u32,
     },
-    /// More elements than a plotter draws in a lifetime, counting each reference as a copy.
+    /// The drawing has too many elements, counting each reference as a copy.
     #[error(
         "the drawing has more than {limit} elements, including copies; combine its paths, or draw it in parts"
     )]
     TooManyElements {
-        /// How many are allowed.
+        /// The largest number allowed.
         limit: u64,
     },
-    /// More elements, and groups that they become, than there is room for.
+    /// The drawing has too many elements and groups.
     #[error(
         "the drawing has more than {limit} elements, including copies and counting those twice that have a transform, an opacity, a clip path, a mask or a filter; combine its paths, or draw it in parts"
     )]
     TooManyGroups {
-        /// How many are allowed.
+        /// The largest number allowed.
         limit: u64,
     },
-    /// Styles that take for ever to read.
+    /// The styles take too long to read.
     #[error(
         "the styles (CSS) of the elements take too long to read, including copies; save the file as plain SVG, without long style attributes"
     )]
     LongStyles,
-    /// More line segments than a plotter draws in a lifetime.
+    /// The drawing has too many line segments.
     #[error(
         "the drawing has more than {limit} line segments; simplify its paths or allow a larger tolerance"
     )]
     TooManySegments {
-        /// How many are allowed.
+        /// The largest number allowed.
         limit: u64,
     },
-    /// The same where no tolerance makes them fewer.
+    /// The drawing has too many line segments, which no tolerance reduces.
     #[error(
         "the drawing has more than {limit} line segments; simplify its paths, or draw it in parts"
     )]
     TooManyCorners {
-        /// How many are allowed.
+        /// The largest number allowed.
         limit: u64,
     },
-    /// Clip paths that cut so often that it takes for ever.
+    /// Clip paths take too long.
     #[error(
         "clipping lines and areas takes too long; simplify the clip paths, or draw it in parts"
     )]
     TooManyCuts,
-    /// The page has no area, or no size at all.
+    /// The page has no area or no size.
     #[error("the page has no area; set width, height or viewBox of <svg> above 0")]
     NoPage,
-    /// A point beyond any table.
+    /// A point is too far from the page.
     #[error(
         "a path leads to ({x_mm:.0}, {y_mm:.0}) mm; at most {limit_mm:.0} mm from the page's corner are allowed"
     )]
     TooFar {
-        /// To the right of the page's left edge.
+        /// The distance to the right of the page's left edge.
         x_mm: f64,
-        /// Down from the page's top edge.
+        /// The distance down from the page's top edge.
         y_mm: f64,
-        /// How far is allowed.
+        /// The largest distance allowed.
         limit_mm: f64,
     },
-    /// Text, no font to draw it with, and nothing else.
+    /// The file contains only text, and no font is installed.
     #[error(
         "nothing to draw: the file holds only text and no font was found; install a font or convert the text to paths"
     )]
     NoFont,
-    /// The tolerance must be a positive number of millimetres.
+    /// The tolerance is not a positive number of millimetres, or too small.
     #[error("the tolerance is {found_mm} mm; allowed are {least_mm} mm or more")]
     Tolerance {
-        /// What was asked for.
+        /// The requested tolerance.
         found_mm: f64,
         /// The smallest allowed.
         least_mm: f64,

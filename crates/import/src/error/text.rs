@@ -1,37 +1,37 @@
-//! What can be wrong with a text.
+//! Errors of texts.
 
 use thiserror::Error;
 
-/// Why a text cannot be written.
+/// The error returned when a text cannot be written.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TextError {
-    /// Letters of no size, or larger than any table.
+    /// The letter height is out of range.
     #[error("the letter height is {found_mm} mm; allowed are 0.1 to 1000 mm")]
     Height {
-        /// What was asked for.
+        /// The requested height.
         found_mm: f64,
     },
-    /// Lines upon each other, or far apart.
+    /// The line spacing is out of range.
     #[error("the line spacing is {found} letter heights; allowed are 0.5 to 10")]
     LineSpacing {
-        /// What was asked for.
+        /// The requested spacing.
         found: f64,
     },
-    /// More than the arm writes in days.
+    /// The text is too long.
     #[error("the text has {characters} characters; allowed are {limit}; write it in parts")]
     TooLong {
-        /// How many there are.
+        /// The number of characters.
         characters: usize,
-        /// How many are allowed.
+        /// The largest number allowed.
         limit: usize,
     },
-    /// No such font.
+    /// There is no such font.
     #[error("there is no font {family:?}; {}", known(nearest))]
     UnknownFont {
-        /// What was asked for.
+        /// The requested font.
         family: String,
-        /// What the fonts are called whose names are most like it.
+        /// The most similar font names.
         nearest: Vec<String>,
     },
 }

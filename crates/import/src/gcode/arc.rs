@@ -14,7 +14,8 @@ use dobot_geometry::Point;
 
 use crate::arc::SAME_MM;
 
-/// The center of an arc by its radius; negative takes the long way. An error says what is wrong.
+/// The center of an arc from its radius; a negative radius selects the longer arc. The error
+/// describes what is wrong.
 pub(super) fn center_by_radius(
     start: Point,
     end: Point,
@@ -43,8 +44,8 @@ pub(super) fn center_by_radius(
     Ok(start.midpoint(end) + left * (side * height))
 }
 
-/// By what angle an arc goes about its center, below 0 for clockwise; a whole turn where it ends
-/// where it begins. An error says what is wrong.
+/// The sweep of an arc about its center, below 0 for clockwise; a full turn if it ends at its
+/// start. The error describes what is wrong.
 pub(super) fn sweep_rad(
     center: Point,
     start: Point,
@@ -72,7 +73,7 @@ pub(super) fn sweep_rad(
     })
 }
 
-/// Where an arc turns back along X, in their order: at its farthest to either side.
+/// The points at which an arc turns back along X, in order.
 pub(super) fn far_sides(center: Point, start: Point, sweep_rad: f64) -> [Option<f64>; 2] {
     let from = start - center;
     let (radius, begin) = (from.length(), from.y.atan2(from.x));
@@ -94,7 +95,7 @@ pub(super) fn far_sides(center: Point, start: Point, sweep_rad: f64) -> [Option<
     })
 }
 
-/// Radii that no rounding makes different: by more than 0.01 mm and half a percent.
+/// Whether radii differ by more than rounding explains: more than 0.01 mm and half a percent.
 fn differ(a: f64, b: f64) -> bool {
     let by = (a - b).abs();
     by > 0.01 && by > 0.005 * a.max(b)

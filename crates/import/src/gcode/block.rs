@@ -1,32 +1,32 @@
-//! The words of a line of G-code.
+//! Blocks of G-code: the words of a line.
 
 use crate::error::SourceError;
 use crate::number::{decimal, real};
 use crate::place::beginning;
 
-/// A line: its G and M codes in their order, and the values of its other letters.
+/// A block: its G and M codes in order, and the values of its other letters.
 #[derive(Debug, Default)]
 pub(super) struct Block {
-    /// Where its first word stands.
+    /// The position of its first word.
     pub(super) at: usize,
-    /// Codes in tenths with their places: `G90.1` is 901.
+    /// Codes in tenths with their positions: `G90.1` is 901.
     pub(super) g: Codes,
     pub(super) m: Codes,
-    /// A `$` line, which speaks to GRBL and not of the drawing.
+    /// A `$` line, a command to GRBL that does not draw.
     pub(super) is_setting: bool,
-    /// A `?`, `!` or `~` alone, by which GRBL is asked, held and released.
+    /// A lone `?`, `!` or `~`, a real-time command of GRBL.
     pub(super) is_real_time: bool,
-    /// It begins with `/`.
+    /// Whether it starts with `/`.
     pub(super) is_optional: bool,
-    /// What stands here counts where the letter has a value.
+    /// The values; valid for letters in the bit set.
     values: [f64; 26],
     places: [u32; 26],
-    /// The letters with a value, a bit for each.
+    /// The letters with a value, as a bit set.
     letters: u32,
 }
 
 impl Block {
-    /// Becomes an empty line that begins there.
+    /// Clears the block and sets its position.
     fn begin(&mut self, at: usize) {
         self.at = at;
         self.g.0.clear();
@@ -41,7 +41,7 @@ impl Block {
         (self.letters & (1 << i) != 0).then(|| self.values[i])
     }
 
-    /// Where a letter stands, or else the line.
+    /// The position of a letter, or else of the line.
     pub(super) fn place(&self, letter: u8) -> usize {
         match self.value(letter) {
             Some(_) => self.at + self.places[usize::from(letter - b'A')] as usize,
@@ -50,7 +50,9 @@ impl Block {
     }
 
     pub(super) fn has_any(&self, letters: &[u8]) -> bool {
-        let bits = letters.iter().fold(0, |bits, it| bits | 1 << (it - b'A'));
+        let bits = letters
+            .iter()
+            .fold(0, |bits, letter| bits | 1 << (letter - b'A'));
         self.letters & bits != 0
     }
 
@@ -58,13 +60,13 @@ impl Block {
         self.letters == 0 && self.g.0.is_empty() && self.m.0.is_empty()
     }
 
-    /// Whether letters stand alone here: `G28 X` names an axis.
+    /// Whether letters may have no value here: `G28 X` names an axis.
     fn allows_bare_letters(&self) -> bool {
-        let homes = self.g.0.iter().any(|it| [280, 300].contains(&it.1));
-        homes || self.m.0.iter().any(|it| it.1 > 90)
+        let homes = self.g.0.iter().any(|entry| [280, 300].contains(&entry.1));
+        homes || self.m.0.iter().any(|entry| entry.1 > 90)
     }
 
-    /// Whether a laser or a spindle is switched: `M3 I` does that with the moves from there on (Marlin).
+    /// Whether a laser or a spindle is switched: `M3 I` does so with the following moves (Marlin).
     fn switches_tool(&self) -> bool {
         self.m.first(&[30, 40, 50]).is_some()
     }
@@ -100,27 +102,30 @@ impl Block {
         }
         self.letters |= 1 << i;
         self.values[i] = value;
-        // Lines of four gigabytes have failed before.
+        // Longer files are refused before.
         self.places[i] = u32::try_from(at - self.at).unwrap_or(u32::MAX);
         Ok(())
     }
 }
 
-/// Codes with their places.
+/// The codes with their positions.
 #[derive(Debug, Default)]
 pub(super) struct Codes(pub(super) Vec<(usize, u32)>);
 
 impl Codes {
     pub(super) fn has(&self, code: u32) -> bool {
-        self.0.iter().any(|it| it.1 == code)
+        self.0.iter().any(|entry| entry.1 == code)
     }
 
     pub(super) fn first(&self, codes: &[u32]) -> Option<(usize, u32)> {
-        self.0.iter().copied().find(|it| codes.contains(&it.1))
+        self.0
+            .iter()
+            .copied()
+            .find(|entry| codes.contains(&entry.1))
     }
 }
 
-/// Hands on the lines that hold words, one by one: a file has millions of them, so that they share their place.
+/// Passes on the lines with words one by one, in one reused block: a file has millions of them.
 pub(super) fn each(
     text: &[u8],
     mut hand_on: impl FnMut(&Block) -> Result<(), SourceError>,
@@ -197,29 +202,30 @@ impl BlockLexer<'_> {
         Ok(())
     }
 
-    /// Whether nothing but a comment follows this character.
+    /// Whether only a comment follows this character.
     fn is_last_word(&self) -> bool {
         let mut rest = self.text[self.at + 1..].iter();
-        let next = rest.find(|it| !b" \t".contains(it));
-        next.is_none_or(|it| b"\r\n(;".contains(it))
+        let next = rest.find(|rest| !b" \t".contains(rest));
+        next.is_none_or(|next| b"\r\n(;".contains(next))
     }
 
-    /// `O1234` or `:1234`, alone but for a comment: the name of the program. With a word behind it, it is a subroutine.
+    /// Skips `O1234` or `:1234` with at most a comment: the name of the program. With another word
+    /// it is a subroutine.
     fn program_number(&mut self) -> Result<(), SourceError> {
         let at = self.at;
-        let is_digit = |it: &u8| it.is_ascii_digit();
-        let digits = self.text[at + 1..].iter().take_while(|it| is_digit(it));
+        let is_digit = |byte: &u8| byte.is_ascii_digit();
+        let digits = self.text[at + 1..].iter().take_while(|byte| is_digit(byte));
         let end = at + 1 + digits.count();
         let rest = &self.text[end..];
-        let behind = rest.iter().find(|it| !b" \t".contains(it));
-        if end == at + 1 || !behind.is_none_or(|it| b"\r\n(;".contains(it)) {
+        let behind = rest.iter().find(|byte| !b" \t".contains(byte));
+        if end == at + 1 || !behind.is_none_or(|after| b"\r\n(;".contains(after)) {
             return Err(self.found(at, WORD));
         }
         self.at = end;
         Ok(())
     }
 
-    /// `*71` after a line: the exclusive or of its bytes.
+    /// Checks `*71` after a line: the exclusive or of its bytes.
     fn checksum(&mut self, begin: usize) -> Result<(), SourceError> {
         let line = &self.text[begin..self.at];
         let expected = line.iter().fold(0, |sum, byte| sum ^ byte);
@@ -265,7 +271,7 @@ impl BlockLexer<'_> {
             return Err(self.found(at, WORD));
         };
         self.at += length;
-        // A message may hold anything.
+        // A message may contain anything.
         if letter == b'M' && [117.0, 118.0].contains(&value) {
             self.skip_line();
         }
@@ -280,20 +286,21 @@ impl BlockLexer<'_> {
     }
 }
 
-/// Whether a number goes on with an exponent, as in `X1e-05`. `X1E5` has a word E behind X: that of an extruder.
+/// Whether a number continues with an exponent, as in `X1e-05`. `X1E5` has a word E after X: that
+/// of an extruder.
 fn has_exponent(word: &[u8], behind: &[u8]) -> bool {
     match *behind {
-        // Programs write their letters as capitals, and those of numbers small.
+        // Programs write words in upper case, and exponents in lower case.
         [b'e', b'+' | b'-', b'0'..=b'9', ..] | [b'e', b'0'..=b'9', ..] => {
             word.first().is_some_and(u8::is_ascii_uppercase)
         }
-        // Nobody writes 5 as 05.
+        // No program writes 5 as 05.
         [b'E', b'+' | b'-', b'0', b'0'..=b'9', ..] => true,
         _ => false,
     }
 }
 
-/// Where a comment ends that begins a line: at its own bracket, if those within it are in pairs.
+/// The end of a comment at the start of a text: its own bracket, if inner ones are balanced.
 fn comment_end(line: &[u8]) -> Option<usize> {
     let first = line.iter().position(|&byte| byte == b')')?;
     let behind = line[first..].iter().position(|&byte| byte == b';');

@@ -1,13 +1,13 @@
-//! What G and M codes mean for a drawing.
+//! The meaning of G and M codes for a drawing.
 
-/// What to do about a code.
+/// The meaning of a code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
-    /// It is carried out, or makes no difference to a drawing.
+    /// Executed, or without effect on a drawing.
     Plain,
-    /// Without it something else would be drawn.
+    /// Unsupported: without it something else would be drawn; the text gives the reason.
     Refused(&'static str),
-    /// Left out, with a warning that says this.
+    /// Left out with this warning.
     LeftOut(&'static str),
 }
 
@@ -40,7 +40,7 @@ pub(super) fn g(code: u32) -> Meaning {
     }
 }
 
-/// Whether a G code in tenths drills, bores or taps a hole with each place that follows.
+/// Whether a G code in tenths drills, bores or taps a hole at each following place.
 pub(super) const fn is_drill(g_code: u32) -> bool {
     matches!(g_code, 730 | 740 | 810 | 820 | 830 | 840 | 850 | 860 | 890)
 }
@@ -49,7 +49,7 @@ pub(super) const fn is_drill(g_code: u32) -> bool {
 pub(super) const fn m(code: u32) -> Meaning {
     use Meaning::{LeftOut, Plain, Refused};
     match code {
-        // Laser or spindle, end (M99 of a program that is run again and again, too), tool change, coolant, motors and
+        // Laser or spindle, end (also M99 of a repeated program), tool change, coolant, motors and
         // extruder, servo.
         20 | 30 | 40 | 50 | 60 | 70 | 80 | 90 | 170 | 180 | 300 | 480 | 490 | 820 | 830 | 840
         | 990 | 1060 | 1070 | 2800 => Plain,
@@ -60,7 +60,8 @@ pub(super) const fn m(code: u32) -> Meaning {
     }
 }
 
-/// Whether the words beside an M code in tenths are its own, and none of a move: limits, currents, steps, axes.
+/// Whether the words of an M code in tenths are its own parameters instead of a move: limits,
+/// currents, steps, axes.
 pub(super) const fn has_own_words(m_code: u32) -> bool {
     match m(m_code) {
         Meaning::LeftOut(_) => m_code > 90,
@@ -68,7 +69,7 @@ pub(super) const fn has_own_words(m_code: u32) -> bool {
     }
 }
 
-/// A code as people write it: `G90.1` for 901.
+/// The written form of a code: `G90.1` for 901.
 pub(super) fn name(letter: char, code: u32) -> String {
     match code % 10 {
         0 => format!("{letter}{}", code / 10),
@@ -76,7 +77,7 @@ pub(super) fn name(letter: char, code: u32) -> String {
     }
 }
 
-/// G codes in tenths that are carried out or make no difference, in their order. G53 to G59.9 are plain too.
+/// G codes in tenths that are executed or have no effect, in order. G53 to G59.9 are plain too.
 const PLAIN_G: &[u32] = &[
     0, 10, 20, 30, 40, 150, 170, 180, 190, 200, 210, 280, 300, 400, 430, 431, 432, 490, 500, 610,
     611, 640, 690, 800, 900, 901, 910, 911, 920, 921, 922, 940, 970, 980, 990,

@@ -1,28 +1,29 @@
-//! Whether M3 turns the servo of a pen, which GRBL has in place of the spindle, and no laser of two powers.
+//! Detection of a pen servo on the spindle output of GRBL (M3).
 
 use super::machine::{Move, MoveKind, ToolState};
 use super::servo::{ServoCode, ServoStatistics, UpSource};
 
-/// How M3 is used. A servo gets two angles by turns, each in a line of its own with M3, and holds one of them in all
-/// moves; the program waits (G4) for it to turn, or has one of them in all that it does in haste (G0). A laser goes off
-/// on its way, or has its power beside the moves.
+/// The use of M3. A servo alternates between two angles, each on a separate line with M3, and keeps
+/// one of them in all moves; the program waits (G4) for it to turn, or has one of the angles in all
+/// rapid moves (G0). A laser is off while it travels, or has its power on the lines of moves.
 #[derive(Debug, Default)]
 pub(super) struct GrblServoStatistics {
     angles: ServoStatistics,
-    /// The angle of the last move, and of the one before it that had another.
+    /// The angle of the last move, and of the last move with another angle.
     held: Option<f64>,
     other: Option<f64>,
-    /// How often it was turned between moves.
+    /// The number of turns between moves.
     turns: u32,
-    /// The angle with which the program waited last.
+    /// The angle of the last wait.
     waited: Option<f64>,
-    /// It did not wait for the servo to turn.
+    /// Whether it did not wait for the servo to turn.
     is_hasty: bool,
-    /// Something moved along X or Y without an angle since the first: nothing may move with one after that.
+    /// Whether something moved along X or Y without an angle after the first angle: after that
+    /// nothing may move with one.
     is_off: bool,
-    /// Something does not fit a servo.
+    /// Whether something does not fit a servo.
     is_none: bool,
-    /// With what it moved in haste, and with what at a working speed.
+    /// The angle of rapid moves, and of moves at a feed rate.
     rapids: Angles,
     feeds: Angles,
 }
@@ -41,29 +42,29 @@ impl Angles {
 }
 
 impl GrblServoStatistics {
-    /// Counts a move of any kind.
-    pub(super) fn count(&mut self, it: &Move) {
-        if it.kind == MoveKind::Dwell {
-            self.waited = it.tool.angle(ServoCode::M3);
+    /// Handles a move of any kind.
+    pub(super) fn count(&mut self, motion: &Move) {
+        if motion.kind == MoveKind::Dwell {
+            self.waited = motion.tool.angle(ServoCode::M3);
         }
-        if it.stands() {
+        if motion.stands() {
             return;
         }
-        self.angles.count(it, ServoCode::M3);
-        let Some(angle) = it.tool.angle(ServoCode::M3) else {
+        self.angles.count(motion, ServoCode::M3);
+        let Some(angle) = motion.tool.angle(ServoCode::M3) else {
             self.is_off |= self.held.is_some();
-            self.is_none |= it.tool.power.is_some();
+            self.is_none |= motion.tool.power.is_some();
             return;
         };
-        // That of a laser at work may be told beside the moves.
+        // The power of a laser may be on the lines of moves.
         let own = (angle > 0.0).then_some(angle);
-        self.is_none |= it.tool.power != own || self.is_off;
+        self.is_none |= motion.tool.power != own || self.is_off;
         match self.held.replace(angle) {
             Some(held) if held != angle => self.turn(held, angle),
             _ => {}
         }
         self.waited = None;
-        match it.kind {
+        match motion.kind {
             MoveKind::Rapid => self.rapids.count(angle),
             _ => self.feeds.count(angle),
         }
@@ -76,24 +77,24 @@ impl GrblServoStatistics {
         self.other = Some(from);
     }
 
-    /// The angle that is up, where it is a servo; `end` is the tool at the end of the program.
+    /// The angle of the raised pen, if it is a servo; `end` is the tool at the end of the program.
     pub(super) fn up(&self, text: &[u8], end: &ToolState) -> Option<(f64, UpSource)> {
         let is_mixed = self.rapids.is_mixed || self.feeds.is_mixed;
         let has_both = self.rapids.first.is_some() && self.feeds.first.is_some();
-        let is_told_by_haste = has_both && !is_mixed && self.rapids.first != self.feeds.first;
-        let fits = self.turns >= LEAST_TURNS && (!self.is_hasty || is_told_by_haste);
-        let is_zero = |it: Option<f64>| it == Some(0.0);
-        // A laser that is off at 0 draws the same; at 0 a pen is down only where nothing else is told.
+        let differs_by_haste = has_both && !is_mixed && self.rapids.first != self.feeds.first;
+        let fits = self.turns >= MIN_TURNS && (!self.is_hasty || differs_by_haste);
+        let is_zero = |x: Option<f64>| x == Some(0.0);
+        // A laser that is off at 0 draws the same; 0 lowers a pen only without another indication.
         let has_zero = is_zero(self.held) || is_zero(self.other);
-        let is_laser = has_zero && (!is_told_by_haste || is_zero(self.rapids.first));
+        let is_laser = has_zero && (!differs_by_haste || is_zero(self.rapids.first));
         if self.is_none || !fits || is_laser {
             return None;
         }
-        // M5 lets it rest in the end.
+        // M5 relaxes it at the end.
         let end = end.angle(ServoCode::M3).or(self.held);
         self.angles.up(text, ServoCode::M3, end)
     }
 }
 
-/// A laser may have another power once, for what it does next.
-const LEAST_TURNS: u32 = 2;
+/// A laser may once have another power for what follows.
+const MIN_TURNS: u32 = 2;

@@ -1,4 +1,4 @@
-//! The ink that moves leave.
+//! The ink of moves.
 
 use super::ink_rule::InkRule;
 use super::laser::LaserSwitch;
@@ -9,20 +9,20 @@ use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::sketch::Sketch;
 
-/// Draws the moves of a program.
+/// A renderer of moves.
 #[derive(Debug)]
 pub(super) struct Inker<'s, 'a> {
     sketch: &'s mut Sketch<'a>,
     rule: InkRule,
-    /// That of the laser that draws it; a pen has none.
+    /// The state of the laser; `None` for a pen.
     switch: Option<LaserSwitch>,
-    /// What the last ink was drawn with.
+    /// The tool of the last ink.
     tool: Option<ToolState>,
-    /// Something moved along X or Y.
+    /// Whether something moved along X or Y.
     has_moved: bool,
-    /// The pen was lowered here, or the laser waits, and has drawn nothing yet.
+    /// The place where the pen was lowered, or the laser waits, and has drawn nothing yet.
     lowered: Option<Move>,
-    /// What is told of layers below full power.
+    /// The warnings about layers below full power.
     dim: Vec<DimLayer>,
 }
 
@@ -43,22 +43,22 @@ impl<'s, 'a> Inker<'s, 'a> {
         }
     }
 
-    pub(super) fn draw(&mut self, it: &Move) -> Result<(), SourceError> {
-        if it.kind == MoveKind::Drill && !matches!(self.rule, InkRule::Height { .. }) {
+    pub(super) fn draw(&mut self, motion: &Move) -> Result<(), SourceError> {
+        if motion.kind == MoveKind::Drill && !matches!(self.rule, InkRule::Height { .. }) {
             let instead = "left out, because Z does not lift the pen";
-            self.sketch.warn(it.at, "drilled hole", instead);
+            self.sketch.warn(motion.at, "drilled hole", instead);
             return Ok(());
         }
-        let stands = it.stands();
+        let stands = motion.stands();
         self.has_moved |= !stands;
-        // A tool that stands may draw on from there: only a dot would be burned.
-        let inks = self.inks(it) && (stands || !self.stays_dark(it));
+        // A waiting tool may continue from here: only a dot would be burned.
+        let inks = self.inks(motion) && (stands || !self.stays_dark(motion));
         match (inks, stands) {
             (true, true) => {
-                self.stand(it);
+                self.stand(motion);
                 Ok(())
             }
-            (true, false) => self.ink(it),
+            (true, false) => self.ink(motion),
             (false, stands) => {
                 if let Some(lowered) = self.lowered.take() {
                     self.dot(lowered)?;
@@ -71,18 +71,21 @@ impl<'s, 'a> Inker<'s, 'a> {
         }
     }
 
-    /// Tells of what the whole drawing has shown.
+    /// Reports what the whole drawing has shown.
     pub(super) fn finish(mut self) -> Result<(), SourceError> {
-        if let Some(waits) = self.lowered.take_if(|it| it.kind == MoveKind::Dwell) {
+        if let Some(waits) = self
+            .lowered
+            .take_if(|lowered| lowered.kind == MoveKind::Dwell)
+        {
             self.dot(waits)?;
         }
         if self.switch.is_none() {
             return Ok(());
         }
-        let strong = self
-            .dim
-            .iter()
-            .filter(|it| it.speed_mm_s.is_none_or(|it| it > FASTEST_MM_S));
+        let strong = self.dim.iter().filter(|item| {
+            item.speed_mm_s
+                .is_none_or(|speed_mm_s| speed_mm_s > FASTEST_MM_S)
+        });
         let too_strong = strong.min_by(|a, b| a.share.total_cmp(&b.share));
         if let Some(first) = self.dim.first() {
             let instead = "burned faster instead, because this laser is only on or off";
@@ -106,78 +109,81 @@ impl<'s, 'a> Inker<'s, 'a> {
         Ok(())
     }
 
-    fn inks(&self, it: &Move) -> bool {
+    fn inks(&self, motion: &Move) -> bool {
         match self.rule {
             InkRule::Laser { travel, .. } => {
-                let least = if it.kind == MoveKind::Dwell {
+                let least = if motion.kind == MoveKind::Dwell {
                     travel
                 } else {
                     0.0
                 };
-                it.kind != MoveKind::Rapid && it.tool.power.is_some_and(|power| power > least)
+                motion.kind != MoveKind::Rapid
+                    && motion.tool.power.is_some_and(|power| power > least)
             }
-            InkRule::Height { below_mm, .. } => it.z_mm.is_some_and(|z_mm| z_mm < below_mm),
-            InkRule::HighPen { above_mm } => it.z_mm.is_some_and(|z_mm| z_mm > above_mm),
-            InkRule::Switch => it.kind != MoveKind::Rapid && it.tool.is_on_without_power,
-            InkRule::Servo { code, up, .. } => it.tool.angle(code).is_some_and(|angle| angle != up),
-            InkRule::Plain { .. } => it.kind != MoveKind::Rapid,
+            InkRule::Height { below_mm, .. } => motion.z_mm.is_some_and(|z_mm| z_mm < below_mm),
+            InkRule::HighPen { above_mm } => motion.z_mm.is_some_and(|z_mm| z_mm > above_mm),
+            InkRule::Switch => motion.kind != MoveKind::Rapid && motion.tool.is_on_without_power,
+            InkRule::Servo { code, up, .. } => {
+                motion.tool.angle(code).is_some_and(|angle| angle != up)
+            }
+            InkRule::Plain { .. } => motion.kind != MoveKind::Rapid,
             InkRule::Dark => false,
         }
     }
 
-    /// Whether a laser burns nothing in a move in which a pen would draw, which is told.
-    fn stays_dark(&mut self, it: &Move) -> bool {
+    /// Whether a laser burns nothing in a move in which a pen would draw; warns if so.
+    fn stays_dark(&mut self, motion: &Move) -> bool {
         let Some(switch) = self.switch else {
             return false;
         };
-        let is_dwell = it.kind == MoveKind::Dwell;
+        let is_dwell = motion.kind == MoveKind::Dwell;
         let is_by_z = matches!(self.rule, InkRule::Height { .. } | InkRule::HighPen { .. });
-        let (what, instead) = if it.stands() && (is_by_z || !is_dwell) {
+        let (what, instead) = if motion.stands() && (is_by_z || !is_dwell) {
             let instead = "not burned, because Z and drilling cycles do not switch a laser on";
             ("hole", instead)
-        } else if switch.is_on(it) {
+        } else if switch.is_on(motion) {
             return false;
-        } else if is_dwell && switch.is_spindle_dwell(it) {
+        } else if is_dwell && switch.is_spindle_dwell(motion) {
             let instead = "not burned (G4 before the first line, above all lines or of a drill)";
             ("spindle dwell", instead)
         } else {
             let instead = "not burned, because the laser is off there (G0, M5, M107 or S0)";
             ("dark move", instead)
         };
-        self.sketch.warn(it.at, what, instead);
+        self.sketch.warn(motion.at, what, instead);
         true
     }
 
-    /// The pen touches the paper, or the laser burns, where it is.
-    fn stand(&mut self, it: &Move) {
+    /// Makes a dot where the pen touches the paper or the laser burns.
+    fn stand(&mut self, motion: &Move) {
         let laser = matches!(self.rule, InkRule::Laser { .. });
-        let waits = it.kind == MoveKind::Dwell;
+        let waits = motion.kind == MoveKind::Dwell;
         let is_unlifted = matches!(self.rule, InkRule::Plain { .. } | InkRule::Switch);
         let is_nothing = is_unlifted || (laser && !waits);
-        if !is_nothing && !self.sketch.ends_at(it.to) {
+        if !is_nothing && !self.sketch.ends_at(motion.to) {
             // A stroke from here may follow: then the wait is only for the pen to come down.
-            self.lowered = Some(*it);
+            self.lowered = Some(*motion);
         }
     }
 
-    fn dot(&mut self, mut it: Move) -> Result<(), SourceError> {
+    fn dot(&mut self, mut motion: Move) -> Result<(), SourceError> {
         if !self.has_moved && self.has_trial() {
             let instead = "left out, before the first move (M300)";
-            self.sketch.warn(it.at, "pen test", instead);
+            self.sketch.warn(motion.at, "pen test", instead);
             return Ok(());
         }
-        if self.stays_dark(&it) {
+        if self.stays_dark(&motion) {
             return Ok(());
         }
         if !matches!(self.rule, InkRule::Laser { .. }) {
-            // That of going down is not the speed of lines.
-            (it.tool.feed, it.tool.speed_mm_s) = (None, None);
+            // The speed of lowering is not that of lines.
+            (motion.tool.feed, motion.tool.speed_mm_s) = (None, None);
         }
-        self.take(&it)?;
-        self.sketch.dot(it.to)
+        self.take(&motion)?;
+        self.sketch.dot(motion.to)
     }
 
-    /// Whether programs for this tool begin with a trial of the pen, after which they wait for a person's word.
+    /// Whether programs for this tool start with a pen test and then wait for a person.
     const fn has_trial(&self) -> bool {
         matches!(
             self.rule,
@@ -188,42 +194,45 @@ impl<'s, 'a> Inker<'s, 'a> {
         )
     }
 
-    fn ink(&mut self, it: &Move) -> Result<(), SourceError> {
-        self.take(it)?;
+    fn ink(&mut self, motion: &Move) -> Result<(), SourceError> {
+        self.take(motion)?;
         self.lowered = None;
-        match it.kind {
+        match motion.kind {
             MoveKind::Arc { center, sweep_rad } => {
-                let arc = Arc::between(center, it.from, sweep_rad, it.to);
-                self.sketch.arc(it.at, &arc)
+                let arc = Arc::between(center, motion.from, sweep_rad, motion.to);
+                self.sketch.arc(motion.at, &arc)
             }
             MoveKind::UprightArc {
                 by: [first, second],
             } => {
-                let corners = [it.from, first, second, it.to];
-                let mut lines = corners.windows(2).filter(|it| it[0] != it[1]);
-                lines.try_for_each(|it| self.sketch.line(it[0], it[1]))
+                let corners = [motion.from, first, second, motion.to];
+                let mut lines = corners.windows(2).filter(|pair| pair[0] != pair[1]);
+                lines.try_for_each(|line| self.sketch.line(line[0], line[1]))
             }
-            _ => self.sketch.line(it.from, it.to),
+            _ => self.sketch.line(motion.from, motion.to),
         }
     }
 
     /// Uses the layer of a move's tool.
-    fn take(&mut self, it: &Move) -> Result<(), SourceError> {
-        let tool = it.tool;
+    fn take(&mut self, motion: &Move) -> Result<(), SourceError> {
+        let tool = motion.tool;
         if self.tool == Some(tool) {
             return Ok(());
         }
         let before = self.tool.replace(tool);
         let InkRule::Laser { full, .. } = self.rule else {
-            return self.take_pen(it, before);
+            return self.take_pen(motion, before);
         };
         let name = [("T", tool.number), ("S", tool.power), ("F", tool.feed)];
-        let share = tool.power.map_or(1.0, |it| it / full);
-        let speed_mm_s = tool.speed_mm_s.map(|it| it / share);
-        let is_new = self.use_layer(&name, speed_mm_s.map(|it| it.min(FASTEST_MM_S)))?;
+        let share = tool.power.map_or(1.0, |power| power / full);
+        let speed_mm_s = tool.speed_mm_s.map(|speed_mm_s| speed_mm_s / share);
+        let is_new = self.use_layer(
+            &name,
+            speed_mm_s.map(|speed_mm_s| speed_mm_s.min(FASTEST_MM_S)),
+        )?;
         if is_new && share < FULL {
             self.dim.push(DimLayer {
-                at: it.at,
+                at: motion.at,
                 share,
                 speed_mm_s,
             });
@@ -231,8 +240,8 @@ impl<'s, 'a> Inker<'s, 'a> {
         Ok(())
     }
 
-    fn take_pen(&mut self, it: &Move, before: Option<ToolState>) -> Result<(), SourceError> {
-        let tool = it.tool;
+    fn take_pen(&mut self, motion: &Move, before: Option<ToolState>) -> Result<(), SourceError> {
+        let tool = motion.tool;
         if before.is_none_or(|before| before.number != tool.number) {
             self.use_layer(&[("T", tool.number)], tool.speed_mm_s)?;
         }
@@ -241,7 +250,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         layer.speed_mm_s = first.or(tool.speed_mm_s);
         if first.is_some() && tool.speed_mm_s.is_some() && tool.speed_mm_s != first {
             let instead = "drawn with the first speed of the tool";
-            self.sketch.warn(it.at, "speed change", instead);
+            self.sketch.warn(motion.at, "speed change", instead);
         }
         Ok(())
     }
@@ -266,16 +275,16 @@ impl<'s, 'a> Inker<'s, 'a> {
     }
 }
 
-/// A layer that is to be burned below full power.
+/// A layer to be burned below full power.
 #[derive(Debug)]
 struct DimLayer {
     at: usize,
     share: f64,
-    /// The speed at which full power burns as much, in mm/s, where the file tells one.
+    /// The speed at which full power burns equally, in mm/s, if the file has a speed.
     speed_mm_s: Option<f64>,
 }
 
 /// The largest speed of the arm while it writes, in mm/s.
 const FASTEST_MM_S: f64 = 200.0;
-/// What is above is full power.
+/// The threshold of full power.
 const FULL: f64 = 0.999;

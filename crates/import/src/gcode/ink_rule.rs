@@ -1,4 +1,4 @@
-//! The rule by which moves leave ink, found from the words of the whole file.
+//! The rule that tells drawing moves from travels, inferred from the whole file.
 
 use super::grbl_servo::GrblServoStatistics;
 use super::high_pen::HighStatistics;
@@ -9,11 +9,11 @@ use super::spindle::SpindleStatistics;
 use super::switch::SwitchStatistics;
 use super::zero::ZeroStatistics;
 
-/// Which moves leave ink.
+/// The rule of drawing moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum InkRule {
-    /// A laser, or a pen that M3 lowers: G1 to G3 while M3, M4 or M106 hold with S above 0. `full`
-    /// is the S of full power; up to `travel` a pen is up that waits.
+    /// A laser, or a pen lowered by M3: G1 to G3 while M3, M4 or M106 is active with S above 0.
+    /// `full` is the S of full power; up to the S `travel` a waiting pen is up.
     Laser {
         full: f64,
         travel: f64,
@@ -23,39 +23,39 @@ pub(super) enum InkRule {
     Height { below_mm: f64, source: HeightSource },
     /// A pen whose Z points down: every move that ends above a height.
     HighPen { above_mm: f64 },
-    /// A laser or a pen that M3 switches, without S: G1 to G3 meanwhile.
+    /// A laser or a pen switched by M3 without S: G1 to G3 while it is on.
     Switch,
-    /// A pen lifted by a servo: every move with another angle than the one that is up.
+    /// A pen lifted by a servo: every move with another angle than that of the raised pen.
     Servo {
         code: ServoCode,
         up: f64,
         source: UpSource,
     },
-    /// Neither: G1 to G3. `has_switch` if the file has M3, M5 or S nevertheless.
+    /// No indication: G1 to G3. `has_switch` if the file has M3, M5 or S nevertheless.
     Plain { has_switch: bool },
     /// A laser that is never on with power: nothing.
     Dark,
 }
 
-/// From what the height is known below which a pen draws.
+/// The source of the height below which a pen draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum HeightSource {
-    /// It is 0: there are moves below and others above.
+    /// 0: there are moves below and others above.
     Zero,
-    /// It is 0, and lines at 0 are left out.
+    /// 0, and lines at 0 are left out.
     AboveZero,
-    /// It is just above 0: there are lines at 0, too.
+    /// Just above 0: there are lines at 0, too.
     AtZero,
-    /// It is 0: all lines are below.
+    /// 0: all lines are below.
     BelowZero,
-    /// Moves in haste (G0) stay above.
+    /// Below the rapid moves (G0).
     Rapids,
-    /// It is just above the lowest move.
+    /// Just above the lowest move.
     Lowest,
 }
 
 impl InkRule {
-    /// Where the file leaves it open: what stands in it, and what was made of that.
+    /// The warning about an ambiguous file: what it contains and how it was read.
     pub(super) fn assumed(self) -> Option<(&'static str, String)> {
         match self {
             Self::Laser { is_at_heights, .. } => {
@@ -89,7 +89,7 @@ impl InkRule {
         }
     }
 
-    /// Why there is no ink.
+    /// The reason why there is no ink.
     pub(super) const fn nothing(self, burns: bool) -> &'static str {
         match self {
             Self::Laser { .. } | Self::Switch => "no move with the laser on",
@@ -133,31 +133,31 @@ impl HeightSource {
     }
 }
 
-/// What the moves of a file have in common.
+/// Statistics of the moves of a file.
 #[derive(Debug, Default)]
 pub(super) struct MoveStatistics {
     /// The lines that a laser would burn, and the places where it would wait.
     lines: BurnStatistics,
     dwells: BurnStatistics,
-    /// Heights of the moves along X or Y in haste, since the laser or spindle first worked.
+    /// Heights of rapid moves along X or Y, since the laser or spindle was first on.
     rapids: Range,
-    /// Heights of those at a working speed.
+    /// Heights of moves at a feed rate.
     feeds: Range,
-    /// Heights of all moves, those along Z included.
+    /// Heights of all moves, including those along Z.
     all: Range,
-    /// The height so far, where it is known.
+    /// The current height, if known.
     z_mm: Option<f64>,
     has_feeds: bool,
-    /// Heights at which moves along Z alone end that come down at a working speed while the tool is on.
+    /// End heights of downward moves along Z only at a feed rate while the tool is on.
     plunges: Range,
     has_drill_cycle: bool,
-    /// It came down by a move along Z alone.
+    /// Whether it came down by a move along Z only.
     comes_down: bool,
     zero: ZeroStatistics,
     spindle: SpindleStatistics,
-    /// The S above 0 of moves in haste.
+    /// The S above 0 of rapid moves.
     travel_powers: Range,
-    /// And of those at a working speed.
+    /// The S above 0 of moves at a feed rate.
     line_powers: Range,
     m280: ServoStatistics,
     m300: ServoStatistics,
@@ -167,42 +167,43 @@ pub(super) struct MoveStatistics {
 }
 
 impl MoveStatistics {
-    pub(super) fn count(&mut self, it: &Move) {
-        self.all.count(it.z_mm);
-        if let Some(to_mm) = it.z_mm {
+    pub(super) fn count(&mut self, motion: &Move) {
+        self.all.count(motion.z_mm);
+        if let Some(to_mm) = motion.z_mm {
             let from_mm = self.z_mm.replace(to_mm).unwrap_or(to_mm);
-            let comes_down = it.stands() && from_mm - to_mm >= SAME_HEIGHT_MM;
+            let comes_down = motion.stands() && from_mm - to_mm >= SAME_HEIGHT_MM;
             self.comes_down |= comes_down;
-            if comes_down && it.kind == MoveKind::Line && it.tool.power.is_some() {
-                self.plunges.count(it.z_mm);
+            if comes_down && motion.kind == MoveKind::Line && motion.tool.power.is_some() {
+                self.plunges.count(motion.z_mm);
             }
-            self.zero.count(it, from_mm, to_mm);
-            self.spindle.count_rise(it, to_mm - from_mm);
+            self.zero.count(motion, from_mm, to_mm);
+            self.spindle.count_rise(motion, to_mm - from_mm);
         }
-        self.spindle.count(it);
-        self.m3.count(it);
-        self.has_drill_cycle |= it.kind == MoveKind::Drill;
-        if it.kind == MoveKind::Dwell {
-            self.dwells.count(it);
+        self.spindle.count(motion);
+        self.m3.count(motion);
+        self.has_drill_cycle |= motion.kind == MoveKind::Drill;
+        if motion.kind == MoveKind::Dwell {
+            self.dwells.count(motion);
         }
-        if it.stands() {
+        if motion.stands() {
             return;
         }
-        self.high.count(it);
-        self.switch.count(it);
-        self.m280.count(it, ServoCode::M280);
-        self.m300.count(it, ServoCode::M300);
-        if it.kind == MoveKind::Rapid {
-            self.travel_powers.count(it.tool.power);
-            return self.rapids.count(it.z_mm);
+        self.high.count(motion);
+        self.switch.count(motion);
+        self.m280.count(motion, ServoCode::M280);
+        self.m300.count(motion, ServoCode::M300);
+        if motion.kind == MoveKind::Rapid {
+            self.travel_powers.count(motion.tool.power);
+            return self.rapids.count(motion.z_mm);
         }
-        self.line_powers.count(it.tool.power);
+        self.line_powers.count(motion.tool.power);
         self.has_feeds = true;
-        self.feeds.count(it.z_mm);
-        self.lines.count(it);
+        self.feeds.count(motion.z_mm);
+        self.lines.count(motion);
     }
 
-    /// What a laser burns at most; `end` is its state at the end of the program.
+    /// The largest set of lines that a laser may burn; `end` is its state at the end of the
+    /// program.
     pub(super) const fn laser_switch(&self, end: LaserState) -> LaserSwitch {
         LaserSwitch {
             end,
@@ -212,7 +213,8 @@ impl MoveStatistics {
         }
     }
 
-    /// `end` is the tool at the end of the program, and `laser` the state of the laser there.
+    /// Infers the rule; `end` is the tool at the end of the program, and `laser` the state of the
+    /// laser there.
     pub(super) fn rule(
         &self,
         text: &[u8],
@@ -226,7 +228,7 @@ impl MoveStatistics {
             return InkRule::Dark;
         }
         let height = self.height();
-        // A pen that is up with less than it is down with is drawn as with a laser.
+        // A pen that is raised with less S than lowered is drawn like a laser.
         if height.is_none()
             && self.travel_power() == 0.0
             && let Some((up, source)) = self.m3.up(text, end)
@@ -240,7 +242,7 @@ impl MoveStatistics {
         match full {
             Some(most) if height.is_none() || !self.is_mill() => {
                 let burnt = self.burns();
-                let full = told_full(text).unwrap_or_else(|| scale(most));
+                let full = commented_full(text).unwrap_or_else(|| scale(most));
                 InkRule::Laser {
                     full: full.max(most),
                     travel: self.travel_power(),
@@ -263,7 +265,8 @@ impl MoveStatistics {
         all.reduce(f64::max)
     }
 
-    /// Heights of what a laser would burn: of its dots only where it burns no lines, for a spindle waits above its work.
+    /// Heights of what a laser would burn: of its dots only if it burns no lines, because a spindle
+    /// waits above its work.
     const fn burns(&self) -> &Range {
         if self.lines.full.is_some() {
             &self.lines.heights
@@ -272,20 +275,21 @@ impl MoveStatistics {
         }
     }
 
-    /// A mill turns its spindle all the time, and travels above its work.
+    /// The rule of a mill, whose spindle turns all the time and which travels above its work.
     fn is_mill(&self) -> bool {
         self.has_drill_cycle
             || self.rapids.lowest > self.burns().highest
             || self.spindle.is_spindle()
     }
 
-    /// Whether Z moves the tool into the work: by a drilling cycle, or below all that moves along X or Y.
+    /// Whether Z moves the tool into the work: by a drilling cycle, or below all moves along X or
+    /// Y.
     const fn is_drill(&self) -> bool {
         let travels_mm = self.rapids.lowest.min(self.feeds.lowest);
         self.has_drill_cycle || self.plunges.lowest < travels_mm
     }
 
-    /// Where all travels have less power than all lines, a servo holds the pen up with that.
+    /// If all travels have less power than all lines, a servo holds the pen up with that power.
     fn travel_power(&self) -> f64 {
         let most = self.travel_powers.highest.max(0.0);
         if most < self.line_powers.lowest && self.line_powers.lowest.is_finite() {
@@ -296,8 +300,8 @@ impl MoveStatistics {
     }
 
     fn servo(&self, text: &[u8], end: &ToolState) -> Option<InkRule> {
-        let of = |it: &ServoStatistics, code| {
-            let (up, source) = it.up(text, code, end.angle(code))?;
+        let of = |servo: &ServoStatistics, code| {
+            let (up, source) = servo.up(text, code, end.angle(code))?;
             Some(InkRule::Servo { code, up, source })
         };
         of(&self.m280, ServoCode::M280).or_else(|| of(&self.m300, ServoCode::M300))
@@ -331,8 +335,9 @@ impl MoveStatistics {
         Some(InkRule::Height { below_mm, source })
     }
 
-    /// That of a file that has come down to the one height of all its lines and travels by moves along Z alone: nothing but Z
-    /// says there when the pen is down, and what moves it meanwhile draws, G0 too.
+    /// The rule of a file that comes down to the single height of all its lines and travels by
+    /// moves along Z only: only Z shows when the pen is down, and every move meanwhile draws,
+    /// including G0.
     fn lifted(&self) -> Option<InkRule> {
         let (lowest, highest) = (self.all.lowest, self.all.highest);
         let of_lines = self.highest_line_mm();
@@ -347,7 +352,7 @@ impl MoveStatistics {
         Some(InkRule::Height { below_mm, source })
     }
 
-    /// Where there are moves below 0.
+    /// The rule of a file with moves below 0.
     fn about_zero(&self, highest: f64) -> (f64, HeightSource) {
         if !self.zero.has_lines || highest < SAME_HEIGHT_MM {
             (0.0, HeightSource::Zero)
@@ -365,16 +370,16 @@ struct BurnStatistics {
     /// The largest S.
     full: Option<f64>,
     heights: Range,
-    /// Where the first one stands in the text.
+    /// The position of the first one in the text.
     first_at: Option<usize>,
 }
 
 impl BurnStatistics {
-    fn count(&mut self, it: &Move) {
-        if let Some(power) = it.tool.power {
+    fn count(&mut self, motion: &Move) {
+        if let Some(power) = motion.tool.power {
             self.full = Some(self.full.map_or(power, |full| full.max(power)));
-            self.heights.count(it.z_mm);
-            self.first_at.get_or_insert(it.at);
+            self.heights.count(motion.z_mm);
+            self.first_at.get_or_insert(motion.at);
         }
     }
 }
@@ -403,8 +408,8 @@ impl Default for Range {
     }
 }
 
-/// The S of full power, where only the largest one is known: that, unless it is next to nothing in any
-/// scale that controllers have, of which 255 is the least that is not 1.
+/// The S of full power, if only the largest S is known: that one, unless it is tiny in any scale of
+/// controllers, of which 255 is the smallest that is not 1.
 fn scale(most: f64) -> f64 {
     if most > 1.0 && most < 26.0 {
         255.0
@@ -413,11 +418,11 @@ fn scale(most: f64) -> f64 {
     }
 }
 
-/// The S of full power, as comments tell it: `; Cut @ 600 mm/min, 20% power` before S200.
-fn told_full(text: &[u8]) -> Option<f64> {
+/// The S of full power from comments: `; Cut @ 600 mm/min, 20% power` before S200.
+fn commented_full(text: &[u8]) -> Option<f64> {
     let mut percent = None;
     for line in text.split(|&byte| byte == b'\n') {
-        // A power tells something behind a comment only.
+        // Only a power in a comment counts.
         if percent.is_none() && !line.starts_with(b";") {
             continue;
         }
@@ -426,23 +431,28 @@ fn told_full(text: &[u8]) -> Option<f64> {
             let before = line
                 .split("% power")
                 .next()
-                .filter(|it| it.len() < line.len());
-            let number = before.and_then(|it| it.rsplit([' ', ',']).next());
-            percent = number.and_then(|it| it.parse::<f64>().ok()).or(percent);
+                .filter(|part| part.len() < line.len());
+            let number = before.and_then(|before| before.rsplit([' ', ',']).next());
+            percent = number
+                .and_then(|number| number.parse::<f64>().ok())
+                .or(percent);
             continue;
         }
         let power = line.split_once('S').map(|(_, rest)| rest.trim_end());
-        let digits =
-            power.and_then(|it| it.split(|c: char| c != '.' && !c.is_ascii_digit()).next());
+        let digits = power.and_then(|power| {
+            power
+                .split(|c: char| c != '.' && !c.is_ascii_digit())
+                .next()
+        });
         let power = digits
-            .and_then(|it| it.parse::<f64>().ok())
-            .filter(|it| *it > 0.0);
-        if let (Some(percent), Some(power)) = (percent.filter(|it| *it > 0.0), power) {
+            .and_then(|digit| digit.parse::<f64>().ok())
+            .filter(|digit| *digit > 0.0);
+        if let (Some(percent), Some(power)) = (percent.filter(|percent| *percent > 0.0), power) {
             return Some((100.0 * power / percent).round());
         }
     }
     None
 }
 
-/// A sheet is no flatter.
+/// The smallest height difference of a sheet.
 pub(super) const SAME_HEIGHT_MM: f64 = 0.1;

@@ -1,4 +1,4 @@
-//! What a machine does when it reads a line: the state that G-code builds on.
+//! The machine state that G-code modifies.
 
 use dobot_geometry::{Point, Vec2};
 
@@ -14,21 +14,21 @@ use crate::warning::Warnings;
 /// A move of the machine, from one line of the program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Move {
-    /// Where it stands in the text.
+    /// The position in the text.
     pub(super) at: usize,
     pub(super) kind: MoveKind,
     pub(super) from: Point,
     pub(super) to: Point,
-    /// The height at its end, where it is known.
+    /// The height at its end, if known.
     pub(super) z_mm: Option<f64>,
     pub(super) tool: ToolState,
     pub(super) laser: LaserState,
-    /// What switched the tool is M3.
+    /// Whether M3 switched the tool on.
     pub(super) is_by_m3: bool,
 }
 
 impl Move {
-    /// Whether the machine moves along Z alone, or waits.
+    /// Whether the machine moves along Z only, or waits.
     pub(super) fn stands(&self) -> bool {
         let is_arc = matches!(
             self.kind,
@@ -37,52 +37,53 @@ impl Move {
         self.from == self.to && !is_arc
     }
 
-    /// Whether it moves along X or Y at a working speed.
+    /// Whether it moves along X or Y at a feed rate.
     pub(super) fn is_line(&self) -> bool {
         !self.stands() && self.kind != MoveKind::Rapid
     }
 }
 
-/// How the machine gets there.
+/// The kind of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum MoveKind {
-    /// G0, G28: in haste.
+    /// G0, G28: a rapid move.
     Rapid,
-    /// G1.
+    /// G1: a line.
     Line,
-    /// G2 and G3: about a center, by an angle that is above 0 for counterclockwise.
+    /// G2 and G3: about a center, by an angle above 0 for counterclockwise.
     Arc { center: Point, sweep_rad: f64 },
-    /// Those of an upright plane (G18, G19), from above: a line by the two places where it turns back, or its end.
+    /// An arc in a vertical plane (G18, G19), seen from above: a line with the two places where it
+    /// turns back, or its end.
     UprightArc { by: [Point; 2] },
-    /// G81 and the like: a hole, at its depth.
+    /// G81 and similar: a hole, at its depth.
     Drill,
-    /// G4: it waits.
+    /// G4: a wait.
     Dwell,
 }
 
-/// The tool of the machine, and how it is used.
+/// The state of the tool.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct ToolState {
     /// Its number.
     pub(super) number: Option<f64>,
-    /// The S in force where M3, M4 or M106 hold and it is above 0.
+    /// The current S while M3, M4 or M106 is active, if above 0.
     pub(super) power: Option<f64>,
-    /// M3, M4 or M106 hold, and the program tells no S so far.
+    /// Whether M3, M4 or M106 is active, and the program has no S yet.
     pub(super) is_on_without_power: bool,
-    /// The angle that M280 gave a servo.
+    /// The servo angle of M280.
     m280: Option<f64>,
-    /// And M300.
+    /// The servo angle of M300.
     m300: Option<f64>,
-    /// The S beside M3, in a line that does not move; M5 ends it.
+    /// The S on an M3 line without motion; M5 ends it.
     m3: Option<f64>,
-    /// F as the file has it.
+    /// F as in the file.
     pub(super) feed: Option<f64>,
-    /// The same in mm/s.
+    /// F in mm/s.
     pub(super) speed_mm_s: Option<f64>,
 }
 
 impl ToolState {
-    /// The angle of the servo that this code turns.
+    /// The servo angle that this code sets.
     pub(super) const fn angle(&self, code: ServoCode) -> Option<f64> {
         match code {
             ServoCode::M280 => self.m280,
@@ -98,24 +99,24 @@ impl ToolState {
 pub(super) struct Machine<'a, 'w> {
     text: &'a [u8],
     warnings: &'w mut Warnings<'a>,
-    /// Where it stands, in mm.
+    /// The position, in mm.
     at: Point,
     z_mm: Option<f64>,
-    /// Where the program counts from since G92.
+    /// The origin of the program since G92.
     origin: Point,
     origin_z_mm: f64,
-    /// The motion code in force, in tenths.
+    /// The active motion code, in tenths.
     motion: u32,
-    /// Holes are drilled instead.
+    /// Whether a drilling cycle is active instead.
     cycle: Option<DrillCycle>,
-    /// G99: behind a hole the tool stays at R.
+    /// G99: after a hole the tool stays at R.
     stays_at_r: bool,
     plane: Plane,
     unit_mm: f64,
     is_relative: bool,
     centers_are_absolute: bool,
     feed_is_by_minute: bool,
-    /// The coordinate system in use (G54 to G59.3), in tenths.
+    /// The active coordinate system (G54 to G59.3), in tenths.
     system: Option<u32>,
     is_by_m3: bool,
     laser: LaserState,
@@ -148,7 +149,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         }
     }
 
-    /// Takes a line, and hands on the moves that it asks for.
+    /// Executes a block and passes its moves on.
     pub(super) fn handle(
         &mut self,
         block: &Block,
@@ -171,7 +172,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             self.warn(block.at, "optional line", "drawn (/)");
         }
         self.check_codes(block)?;
-        if block.g.0.is_empty() && block.m.0.iter().any(|it| codes::has_own_words(it.1)) {
+        if block.g.0.is_empty() && block.m.0.iter().any(|code| codes::has_own_words(code.1)) {
             self.switch_tool(block);
             return Ok(());
         }
@@ -185,11 +186,11 @@ impl<'a, 'w> Machine<'a, 'w> {
         } else if let Some(it) = self.motion(block)? {
             hand_on(&it)?;
         }
-        self.has_ended = [20, 300, 990].into_iter().any(|it| block.m.has(it));
+        self.has_ended = [20, 300, 990].into_iter().any(|value| block.m.has(value));
         Ok(())
     }
 
-    /// The tool and the laser as they are now.
+    /// The current tool and laser.
     pub(super) const fn state(&self) -> (ToolState, LaserState) {
         (self.tool, self.laser)
     }
@@ -204,7 +205,7 @@ impl<'a, 'w> Machine<'a, 'w> {
 
     fn check_codes(&mut self, block: &Block) -> Result<(), SourceError> {
         for &(at, code) in &block.g.0 {
-            // Compensation by a tool without a number, or number 0, is none.
+            // Compensation for tool number 0 or no tool is none.
             if ![410, 420].contains(&code) || block.value(b'D') != Some(0.0) {
                 self.check_code(at, 'G', code, codes::g(code))?;
             }
@@ -275,7 +276,7 @@ impl<'a, 'w> Machine<'a, 'w> {
                 _ => {}
             }
         }
-        let mut motions = block.g.0.iter().filter(|it| it.1 <= 30);
+        let mut motions = block.g.0.iter().filter(|code| code.1 <= 30);
         match motions.nth(1) {
             Some(&(at, code)) => {
                 let expected = "one of G0 to G3 per line";
@@ -288,7 +289,7 @@ impl<'a, 'w> Machine<'a, 'w> {
     fn use_system(&mut self, at: usize, code: u32) {
         let first = *self.system.get_or_insert(code);
         if first != code {
-            let [what, first] = [code, first].map(|it| codes::name('G', it));
+            let [what, first] = [code, first].map(|value| codes::name('G', value));
             let instead = format!("drawn in the place of {first}");
             self.warn(at, &format!("{what} coordinate system"), &instead);
         }
@@ -305,7 +306,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.switch_tool(block);
     }
 
-    /// Carries out M3, M4, M5, M106, M107, the codes of servos, and S.
+    /// Executes M3, M4, M5, M106, M107, the servo codes, and S.
     fn switch_tool(&mut self, block: &Block) {
         for &(_, code) in &block.m.0 {
             match code {
@@ -324,7 +325,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         if block.m.has(2800) {
             self.tool.m280 = block.value(b'S').or(self.tool.m280);
         }
-        let angle = servo_angle(block).filter(|it| *it != SERVO_OFF);
+        let angle = servo_angle(block).filter(|servo_angle| *servo_angle != SERVO_OFF);
         self.tool.m300 = angle.or(self.tool.m300);
         let is_m3 = block.m.has(30) && !block.has_any(b"XYZ");
         let angle = block.value(b'S').filter(|_| is_m3);
@@ -335,18 +336,18 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.laser.is_on == Some(true)
     }
 
-    /// S is the power, unless it belongs to another code: a time to wait, a servo's angle.
+    /// S is the power, unless it belongs to another code: a dwell, a servo angle.
     fn set_power(&mut self, block: &Block) {
         if let Some(s) = block.value(b'S') {
             let is_others = |code: u32| code > 90 && ![1060, 1070].contains(&code);
-            // Beside P, which is the time, it is no time.
+            // With P, which is the time, S is not the time.
             let is_time = block.g.has(40) && block.value(b'P').is_none();
-            if !is_time && !block.m.0.iter().any(|it| is_others(it.1)) {
+            if !is_time && !block.m.0.iter().any(|code| is_others(code.1)) {
                 self.laser.power = Some(s);
             }
         }
         let power = self.laser.power;
-        self.tool.power = power.filter(|it| self.is_on() && *it > 0.0);
+        self.tool.power = power.filter(|power| self.is_on() && *power > 0.0);
         self.tool.is_on_without_power = self.is_on() && power.is_none();
     }
 
@@ -379,8 +380,11 @@ impl<'a, 'w> Machine<'a, 'w> {
         };
         self.z_mm = z_mm;
         if self.motion < 20 && block.has_any(b"IJR") {
-            let places = b"IJR".iter().filter(|it| block.value(**it).is_some());
-            let at = places.map(|&it| block.place(it)).min().unwrap_or(block.at);
+            let places = b"IJR".iter().filter(|c| block.value(**c).is_some());
+            let at = places
+                .map(|&place| block.place(place))
+                .min()
+                .unwrap_or(block.at);
             let expected = "I, J and R only with G2 or G3";
             let found = format!(
                 "the center of an arc with {}",
@@ -451,7 +455,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         })
     }
 
-    /// The center of an arc between two points of its plane, and by what angle it goes.
+    /// The center of an arc between two points of its plane, and its sweep.
     fn circle(
         &self,
         block: &Block,
@@ -463,7 +467,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         let center = self.center(block, ends, origin, clockwise)?;
         let found = |found| self.found(block.at, found, "ends that fit the arc");
         let sweep_rad = sweep_rad(center, ends[0], ends[1], clockwise).map_err(found)?;
-        if let Some(turns) = block.value(b'P').filter(|&it| it != 1.0) {
+        if let Some(turns) = block.value(b'P').filter(|&value| value != 1.0) {
             let turns = format!("an arc of {turns} turns (P)");
             return Err(self.found(block.place(b'P'), turns, "at most one turn"));
         }
@@ -488,7 +492,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             let [i, j] = letters.map(char::from);
             return Err(self.found(block.at, found, &format!("{i} and {j}, or R")));
         }
-        let [i, j] = letters.map(|it| block.value(it).map(|it| it * self.unit_mm));
+        let [i, j] = letters.map(|letter| block.value(letter).map(|value| value * self.unit_mm));
         Ok(if self.centers_are_absolute {
             let x = i.map_or(from.x, |i| origin.x + i);
             Point::new(x, j.map_or(from.y, |j| origin.y + j))
@@ -497,13 +501,13 @@ impl<'a, 'w> Machine<'a, 'w> {
         })
     }
 
-    /// Whether a line belongs to the drilling cycle in force.
+    /// Whether a block belongs to the active drilling cycle.
     fn drills(&self, block: &Block) -> bool {
         let others = [40, 280, 300, 530, 920, 921, 922];
         self.cycle.is_some() && block.has_any(b"XYZR") && block.g.first(&others).is_none()
     }
 
-    /// G81 and the like: to the place, down to Z, and up again.
+    /// G81 and similar: to the place, down to Z, and up again.
     fn drill(
         &mut self,
         block: &Block,
@@ -521,7 +525,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             let expected = "Z (the depth) and R (the start height)";
             return Err(self.found(block.at, "a drilling cycle without a depth", expected));
         };
-        if let Some(times) = block.value(b'L').filter(|&it| it != 1.0) {
+        if let Some(times) = block.value(b'L').filter(|&value| value != 1.0) {
             let times = format!("a drilling cycle of {times} times (L)");
             return Err(self.found(block.place(b'L'), times, "single holes"));
         }
@@ -543,7 +547,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         Ok(())
     }
 
-    /// G92: the place where the machine stands gets other numbers; G92.1 takes them back.
+    /// G92: assigns new coordinates to the current position; G92.1 removes them.
     fn set_origin(&mut self, block: &Block) -> Result<(), SourceError> {
         if !block.g.has(920) {
             (self.origin, self.origin_z_mm) = (Point::ORIGIN, 0.0);
@@ -552,7 +556,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         if !block.has_any(b"XYZE") {
             return Err(self.found(block.at, "G92 without an axis", "X, Y or Z after it"));
         }
-        let value = |letter| block.value(letter).map(|it| it * self.unit_mm);
+        let value = |letter| block.value(letter).map(|value| value * self.unit_mm);
         let [x, y, z] = [b'X', b'Y', b'Z'].map(value);
         let origin = Point::new(
             x.map_or(self.origin.x, |x| self.at.x - x),
@@ -566,7 +570,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         Ok(())
     }
 
-    /// G28 and G30: the machine's own corner, where Marlin begins to count at 0.
+    /// G28 and G30: the machine's own corner, which is 0 in Marlin.
     fn home(&mut self, block: &Block, at: usize) -> Move {
         self.warn(at, "G28 or G30 homing", "read as a travel to X 0, Y 0");
         let is_all = !block.has_any(b"XYZ");
@@ -579,10 +583,14 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.moved(block, MoveKind::Rapid, to)
     }
 
-    /// G53: in the machine's own coordinates, which the file does not define.
+    /// G53: a move in machine coordinates, which the file does not define.
     fn machine_move(&mut self, block: &Block) -> Result<Move, SourceError> {
         self.warn(block.at, "G53 move", "read as a travel with the pen up");
-        let value = |letter, here| block.value(letter).map_or(here, |it| it * self.unit_mm);
+        let value = |letter, here| {
+            block
+                .value(letter)
+                .map_or(here, |value| value * self.unit_mm)
+        };
         let to = Point::new(value(b'X', self.at.x), value(b'Y', self.at.y));
         let to = checked(self.text, block.at, to)?;
         self.z_mm = None;
@@ -602,7 +610,7 @@ enum Plane {
 }
 
 impl Plane {
-    /// Those of an arc's center, Z last.
+    /// The letters of an arc's center, Z last.
     const fn center_letters(self) -> [u8; 2] {
         match self {
             Self::Xy => *b"IJ",
@@ -612,27 +620,27 @@ impl Plane {
     }
 }
 
-/// What a drilling cycle remembers from hole to hole: heights, in mm.
+/// The parameters of a drilling cycle that persist from hole to hole: heights, in mm.
 #[derive(Clone, Copy, Debug, Default)]
 #[expect(clippy::struct_field_names, reason = "the unit of each")]
 struct DrillCycle {
-    /// Where the tool was before.
+    /// The height of the tool before.
     initial_mm: Option<f64>,
-    /// Where it begins to drill.
+    /// The start height of drilling.
     r_mm: Option<f64>,
-    /// Where it ends.
+    /// The depth.
     bottom_mm: Option<f64>,
 }
 
-/// The S of M300 where it may be the angle of a servo, or 255 for none: a beep has a higher one, and P.
+/// The S of M300 if it may be a servo angle, or 255 for none: a beep has a higher one, and P.
 fn servo_angle(block: &Block) -> Option<f64> {
     let s = block
         .value(b'S')
-        .filter(|it| (0.0..=180.0).contains(it) || *it == SERVO_OFF);
+        .filter(|value| (0.0..=180.0).contains(value) || *value == SERVO_OFF);
     s.filter(|_| block.m.has(3000) && block.value(b'P').is_none())
 }
 
-/// The S of M300 that lets a servo rest.
+/// The S of M300 that relaxes a servo.
 const SERVO_OFF: f64 = 255.0;
-/// Those that turn, those beside the first three, and the extruder's.
+/// Letters of rotary axes, of secondary axes, and of the extruder.
 const OTHER_AXES: &[u8] = b"ABCEUVW";

@@ -1,4 +1,4 @@
-//! The servo that lifts a pen, and which of its angles is up.
+//! Detection of a servo that lifts a pen, and of its raised angle.
 
 use super::machine::{Move, MoveKind};
 use crate::number::decimal;
@@ -7,9 +7,10 @@ use crate::number::decimal;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ServoCode {
     M280,
-    /// A beep elsewhere; the angle of the pen's servo with the machines of Inkscape's extension Unicorn.
+    /// A beep elsewhere; the servo angle on the machines of Inkscape's extension Unicorn.
     M300,
-    /// The speed of a spindle or the power of a laser elsewhere; the angle of a pen's servo in place of the spindle of GRBL.
+    /// The speed of a spindle or the power of a laser elsewhere; the angle of a servo on the
+    /// spindle output of GRBL.
     M3,
 }
 
@@ -31,18 +32,18 @@ impl ServoCode {
     }
 }
 
-/// By what an angle is known for up.
+/// The evidence for the raised angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum UpSource {
-    /// A comment calls it so.
+    /// A comment.
     Comment,
-    /// It is that of the moves in haste.
+    /// The rapid moves.
     Rapids,
-    /// It is the larger one.
+    /// The larger angle.
     Larger,
-    /// It is the last one: the file began with a move before the first.
+    /// The last angle: the file started with a move before the first angle.
     Last,
-    /// It is that of the first move.
+    /// The first move.
     First,
 }
 
@@ -58,16 +59,16 @@ impl UpSource {
     }
 }
 
-/// What the moves of a file have in common with the angles of a servo.
+/// Statistics of the moves of a file and the servo angles.
 #[derive(Debug, Default)]
 pub(super) struct ServoStatistics {
-    /// Those with which something moves, in their order.
+    /// The angles of moves, in order.
     angles: Vec<AngleUse>,
-    /// Something moved before the first angle.
+    /// Whether something moved before the first angle.
     has_moved_before: bool,
 }
 
-/// How many moves have an angle.
+/// The number of moves with an angle.
 #[derive(Clone, Copy, Debug)]
 struct AngleUse {
     angle: f64,
@@ -76,28 +77,29 @@ struct AngleUse {
 }
 
 impl ServoStatistics {
-    /// Counts a move along X or Y.
-    pub(super) fn count(&mut self, it: &Move, code: ServoCode) {
-        let Some(angle) = it.tool.angle(code) else {
+    /// Handles a move along X or Y.
+    pub(super) fn count(&mut self, motion: &Move, code: ServoCode) {
+        let Some(angle) = motion.tool.angle(code) else {
             self.has_moved_before |= self.angles.is_empty();
             return;
         };
-        let known = self.angles.iter().position(|it| it.angle == angle);
+        let known = self.angles.iter().position(|motion| motion.angle == angle);
         let i = known.unwrap_or(self.angles.len());
-        if i == MOST_ANGLES {
+        if i == MAX_ANGLES {
             return;
         }
         if known.is_none() {
             self.angles.push(AngleUse::new(angle));
         }
-        let count = match it.kind {
+        let count = match motion.kind {
             MoveKind::Rapid => &mut self.angles[i].rapids,
             _ => &mut self.angles[i].feeds,
         };
         *count = count.saturating_add(1);
     }
 
-    /// The angle that is up, unless nothing moves with another; `end` is that at the end of the program.
+    /// The raised angle, unless nothing moves with another one; `end` is the angle at the end of
+    /// the program.
     pub(super) fn up(
         &self,
         text: &[u8],
@@ -105,20 +107,25 @@ impl ServoStatistics {
         end: Option<f64>,
     ) -> Option<(f64, UpSource)> {
         let first = self.angles.first()?;
-        let end = end.filter(|it| *it != first.angle);
+        let end = end.filter(|end| *end != first.angle);
         let last = end.filter(|_| self.has_moved_before);
         if self.angles.len() == 1 && last.is_none() {
             return None;
         }
-        let angles = || self.angles.iter().map(|it| it.angle).chain(last);
-        if let Some(told) = told_up(text, code).filter(|up| angles().any(|it| it == *up)) {
-            return Some((told, UpSource::Comment));
+        let angles = || self.angles.iter().map(|angle| angle.angle).chain(last);
+        if let Some(up_angle) =
+            commented_up(text, code).filter(|up| angles().any(|angle| angle == *up))
+        {
+            return Some((up_angle, UpSource::Comment));
         }
-        // Of those with the largest share, the first.
+        // The first one with the largest share.
         let shares = || self.angles.iter().map(AngleUse::share_of_rapids);
         let most = shares().fold(0.0, f64::max);
         if shares().any(|share| share < most) {
-            let up = self.angles.iter().find(|it| it.share_of_rapids() == most)?;
+            let up = self
+                .angles
+                .iter()
+                .find(|angle| angle.share_of_rapids() == most)?;
             return Some((up.angle, UpSource::Rapids));
         }
         Some(match (code, last) {
@@ -143,16 +150,16 @@ impl AngleUse {
     }
 }
 
-/// The angle that a comment calls up: `M300 S50 (pen up)`, `M280 P0 S90 ; up`.
-fn told_up(text: &[u8], code: ServoCode) -> Option<f64> {
+/// The raised angle according to a comment: `M300 S50 (pen up)`, `M280 P0 S90 ; up`.
+fn commented_up(text: &[u8], code: ServoCode) -> Option<f64> {
     let mut lines = text.split(|byte| b"\r\n".contains(byte));
     lines.find_map(|line| {
         let comment = line.iter().position(|byte| b"(;".contains(byte))?;
         let (words, comment) = line.split_at(comment);
         let name = code.name().as_bytes();
-        let is_named = |it: &[u8]| {
-            it.strip_prefix(name)
-                .is_some_and(|it| !it.first().is_some_and(u8::is_ascii_digit))
+        let is_named = |byte: &[u8]| {
+            byte.strip_prefix(name)
+                .is_some_and(|rest| !rest.first().is_some_and(u8::is_ascii_digit))
         };
         if !(0..words.len()).any(|i| is_named(&words[i..])) || !calls_up(comment) {
             return None;
@@ -165,10 +172,10 @@ fn told_up(text: &[u8], code: ServoCode) -> Option<f64> {
 fn calls_up(comment: &[u8]) -> bool {
     let has = |word: &[u8]| {
         let mut words = comment.split(|byte| !byte.is_ascii_alphabetic());
-        words.any(|it| it.eq_ignore_ascii_case(word))
+        words.any(|found| found.eq_ignore_ascii_case(word))
     };
     has(b"up") && !has(b"down")
 }
 
-/// No file has more angles with a meaning of their own.
-const MOST_ANGLES: usize = 16;
+/// The largest number of different angles.
+const MAX_ANGLES: usize = 16;

@@ -46,8 +46,14 @@ fn corners_by_pen(text: &str) -> Vec<Vec<(f64, f64)>> {
 
 fn corners_of(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
     let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
-    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
-    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    let corners = |stroke: &Stroke| {
+        stroke
+            .points
+            .iter()
+            .map(|p| (round(p.x), round(p.y)))
+            .collect()
+    };
+    let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     strokes.map(corners).collect()
 }
 
@@ -56,11 +62,11 @@ fn error(text: &str) -> String {
     read.unwrap_err().to_string()
 }
 
-/// How far a layer's lines leave the circle of that radius about the middle of a page as large.
+/// The largest deviation of a layer's lines from the circle of this radius about the middle of a page of its size.
 fn leaves_circle_by(layer: &Layer, radius: f64) -> f64 {
     let center = Point::new(radius, radius);
     let strokes = layer.strokes.iter();
-    let middles = strokes.flat_map(|it| it.segments().map(|(a, b)| a.lerp(b, 0.5)));
+    let middles = strokes.flat_map(|stroke| stroke.segments().map(|(a, b)| a.lerp(b, 0.5)));
     let off = middles
         .chain(layer.points())
         .map(|p| (p.distance(center) - radius).abs());
@@ -80,23 +86,35 @@ fn a_laser_burns_while_m3_or_m4_hold_with_power_and_never_in_g0() {
 }
 
 #[test]
-fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_told() {
+fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_reported() {
     let text = "M3\nG1 X9 S1000 F600\nG0 Y1\nG1 X0 S300\nG0 Y2\nG1 X9 S1000\nG0 Y3\nG1 X0 F60\n";
     let (artwork, warnings) = draw(text);
-    let names: Vec<_> = artwork.layers.iter().map(|it| it.name.as_str()).collect();
+    let names: Vec<_> = artwork
+        .layers
+        .iter()
+        .map(|layer| layer.name.as_str())
+        .collect();
     assert_eq!(names, ["S1000 F600", "S300 F600", "S1000 F60"]);
-    let strokes: Vec<_> = artwork.layers.iter().map(|it| it.strokes.len()).collect();
+    let strokes: Vec<_> = artwork
+        .layers
+        .iter()
+        .map(|layer| layer.strokes.len())
+        .collect();
     assert_eq!(strokes, [2, 1, 1]);
     assert_eq!(
         warnings,
         ["4:1: 1 weaker layer: burned faster instead, because this laser is only on or off"]
     );
-    let speeds: Vec<_> = artwork.layers.iter().map(|it| it.speed_mm_s).collect();
+    let speeds: Vec<_> = artwork
+        .layers
+        .iter()
+        .map(|layer| layer.speed_mm_s)
+        .collect();
     assert_eq!(speeds, [Some(10.0), Some(10.0 / 0.3), Some(1.0)]);
 }
 
 #[test]
-fn what_only_a_laser_burns_otherwise_is_not_told_of_a_pen() {
+fn what_only_a_laser_burns_otherwise_is_not_reported_of_a_pen() {
     let text = "; Cut @ 600 mm/min, 20% power\nM4\nG0 X1 Y1\nG1 X9 S200 F600\nM5\n";
     assert_eq!(draw_by_pen(text).1, <[&str; 0]>::default());
     assert_eq!(draw(text).1.len(), 1);
@@ -110,7 +128,7 @@ fn numbers_with_an_exponent_are_read_and_an_extruder_behind_a_number_stays_one()
     let (artwork, warnings) = draw("G1X9Y9E2\ng1x1y1e3");
     assert_eq!([artwork.width_mm, artwork.height_mm], [9.0, 9.0]);
     assert!(
-        warnings.iter().any(|it| it.contains("2 E words")),
+        warnings.iter().any(|warning| warning.contains("2 E words")),
         "{warnings:?}"
     );
     assert_eq!(
@@ -120,7 +138,7 @@ fn numbers_with_an_exponent_are_read_and_an_extruder_behind_a_number_stays_one()
 }
 
 #[test]
-fn power_that_the_file_tells_in_percent_is_burned_as_fast_as_the_arm_can() {
+fn power_that_the_file_states_in_percent_is_burned_as_fast_as_the_arm_can() {
     let job = |percent: u32, s: u32| {
         format!(
             "; LightBurn 1.4\n; GRBL device profile\nG21\nM4\n; Line @ 600 mm/min, {percent}% power\nG0 X1 Y1\n; Layer C00\nG1 X9 S{s} F600\nG1 Y9\nM5\n"
@@ -135,7 +153,9 @@ fn power_that_the_file_tells_in_percent_is_burned_as_fast_as_the_arm_can() {
     for text in [job(1, 10), job(1, 10).replace("1% power", "faint")] {
         let (artwork, warnings) = draw(&text);
         assert_eq!(
-            artwork.layers[0].speed_mm_s.map(|it| it > 199.0),
+            artwork.layers[0]
+                .speed_mm_s
+                .map(|speed_mm_s| speed_mm_s > 199.0),
             Some(true)
         );
         assert!(
@@ -160,7 +180,11 @@ fn a_pen_that_waits_to_come_down_leaves_no_dot_before_its_stroke() {
         [[(0.0, 0.0), (4.0, 0.0)], [(6.0, 0.0), (8.0, 0.0)]]
     );
     let (artwork, _) = draw(text);
-    let names: Vec<_> = artwork.layers.iter().map(|it| it.name.as_str()).collect();
+    let names: Vec<_> = artwork
+        .layers
+        .iter()
+        .map(|layer| layer.name.as_str())
+        .collect();
     assert_eq!(names, ["S90 F1000"]);
 }
 
@@ -232,7 +256,7 @@ fn drilled_holes_are_dots_where_z_lifts_the_pen() {
         "G0 Z5\nG99 G83 X1 Y1 Z-2 R1 Q0.5 F50\nX11\nG81 Y6\nG0 X0 Y0",
         "G0 Z5\nG91 G82 X1 Y1 Z-3 R-4 P1\nX10\nY5\nG80",
     ] {
-        assert_eq!(corners_by_pen(text), holes.map(|it| [it]), "{text}");
+        assert_eq!(corners_by_pen(text), holes.map(|hole| [hole]), "{text}");
     }
     let (_, warnings) = draw("M280 S90\nG0 X1\nM280 S30\nG1 X5\nM280 S90\nG81 X9 Z-1 R1");
     assert!(
@@ -324,7 +348,7 @@ fn each_tool_is_a_layer() {
     let layers = layers(text);
     let found: Vec<_> = layers
         .iter()
-        .map(|it| (it.name.as_str(), it.strokes.len()))
+        .map(|layer| (layer.name.as_str(), layer.strokes.len()))
         .collect();
     assert_eq!(found, [("T1", 2), ("T2", 1)]);
     assert!(
@@ -367,7 +391,7 @@ fn inches_relative_ways_and_moved_origins_are_millimetres() {
 }
 
 #[test]
-fn speeds_in_inches_are_told_in_millimetres_per_second() {
+fn speeds_in_inches_are_reported_in_millimetres_per_second() {
     let layers = layers("G20 M3 S1\nG1 X1 F60");
     assert_eq!(
         (layers[0].name.as_str(), layers[0].speed_mm_s),
@@ -457,7 +481,7 @@ fn words_of_other_codes_are_no_moves_no_tools_and_no_speeds() {
     assert!(
         warnings
             .iter()
-            .all(|it| it.ends_with("code: unknown, left out")),
+            .all(|warning| warning.ends_with("code: unknown, left out")),
         "{warnings:?}"
     );
     // With a motion code beside it, and modal beside a laser's, a word is one of a move.
@@ -634,7 +658,7 @@ fn written(strokes: &[Vec<(i32, i32)>]) -> String {
     for stroke in strokes {
         for (i, (x, y)) in stroke.iter().enumerate() {
             let word = if i == 0 { "G0" } else { "G1" };
-            let [x, y] = [x, y].map(|it| f64::from(*it) / 100.0);
+            let [x, y] = [x, y].map(|value| f64::from(*value) / 100.0);
             writeln!(text, "{word} X{x} Y{y} S{}", i.min(1) * 255).unwrap();
         }
     }
@@ -651,12 +675,12 @@ proptest! {
     fn strokes_come_back_as_they_were_written(strokes in strokes()) {
         let (artwork, _) = draw(&written(&strokes));
         let all = || strokes.iter().flatten();
-        let left = all().map(|it| it.0).min().unwrap();
-        let top = all().map(|it| it.1).max().unwrap();
-        let wanted = strokes.iter().flat_map(|stroke| stroke.windows(2)).filter(|it| it[0] != it[1]);
-        let found = artwork.layers.iter().flat_map(|it| &it.strokes).flat_map(Stroke::segments);
+        let left = all().map(|item| item.0).min().unwrap();
+        let top = all().map(|item| item.1).max().unwrap();
+        let wanted = strokes.iter().flat_map(|stroke| stroke.windows(2)).filter(|stroke| stroke[0] != stroke[1]);
+        let found = artwork.layers.iter().flat_map(|layer| &layer.strokes).flat_map(Stroke::segments);
         let place = |&(x, y): &(i32, i32)| Point::new(0.01 * f64::from(x - left), 0.01 * f64::from(top - y));
-        let wanted: Vec<_> = wanted.map(|it| (place(&it[0]), place(&it[1]))).collect();
+        let wanted: Vec<_> = wanted.map(|wanted| (place(&wanted[0]), place(&wanted[1]))).collect();
         let found: Vec<_> = found.collect();
         prop_assert_eq!(found.len(), wanted.len());
         for (found, wanted) in found.iter().zip(&wanted) {
@@ -695,7 +719,7 @@ fn a_file_cut_anywhere_gives_less_or_an_error() {
     let whole = layers(text)[0].strokes[0].length_mm();
     for end in 0..text.len() {
         if let Ok((artwork, _)) = super::read(&text.as_bytes()[..end], &ReadOptions::default()) {
-            let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+            let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
             let length: f64 = strokes.map(Stroke::length_mm).sum();
             assert!(length <= whole + 1e-9, "{end}: {length}");
         }

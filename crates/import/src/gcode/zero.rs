@@ -1,21 +1,23 @@
-//! Whether lines at Z 0 are drawn where others lie below it: by a pen whose paper is not flat, or a mill that traces.
+//! Whether lines at Z 0 are drawn while others are below: by a pen on uneven paper, or a mill that
+//! engraves.
 
 use super::ink_rule::SAME_HEIGHT_MM;
 use super::machine::Move;
 
-/// What the moves of a file do at Z 0.
+/// The moves of a file at Z 0.
 #[derive(Debug, Default)]
 pub(super) struct ZeroStatistics {
     visit: Visit,
-    /// Lines at a working speed lie there.
+    /// Whether lines at a feed rate are there.
     pub(super) has_lines: bool,
-    /// The tool came down there from above, drew a line, and went up again.
+    /// Whether the tool came down there from above, drew a line, and went up again.
     has_visits: bool,
-    /// Lines at a working speed slope to it or from it, as in a relief, where it is untouched.
+    /// Whether lines at a feed rate slope to it or from it, as in a relief, whose untouched surface
+    /// it is.
     has_slopes: bool,
 }
 
-/// How far the tool is with a line at Z 0 alone.
+/// The progress of an isolated line at Z 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Visit {
     #[default]
@@ -25,9 +27,9 @@ enum Visit {
 }
 
 impl ZeroStatistics {
-    /// Counts a move of any kind between those heights, in mm.
-    pub(super) fn count(&mut self, it: &Move, from_mm: f64, to_mm: f64) {
-        let (stands, is_line) = (it.stands(), it.is_line());
+    /// Handles a move of any kind between these heights, in mm.
+    pub(super) fn count(&mut self, motion: &Move, from_mm: f64, to_mm: f64) {
+        let (stands, is_line) = (motion.stands(), motion.is_line());
         let slopes = is_line && from_mm != to_mm;
         self.has_slopes |= slopes && (is_zero(from_mm) || is_zero(to_mm));
         let is_above = |z_mm: f64| z_mm >= SAME_HEIGHT_MM;
@@ -43,7 +45,7 @@ impl ZeroStatistics {
         self.has_lines |= is_line && is_zero(to_mm);
     }
 
-    /// Whether lines there are drawn, and are no travels.
+    /// Whether lines there are drawn, not travels.
     pub(super) const fn has_ink(&self) -> bool {
         self.has_visits && !self.has_slopes
     }

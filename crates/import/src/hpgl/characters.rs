@@ -1,4 +1,4 @@
-//! How the characters of labels are: SI, SR, DI, DR, SL, ES, LO.
+//! The shape of label characters: SI, SR, DI, DR, SL, ES, LO.
 //!
 //! ```text
 //!   + - - - - - - - - +     a cell: 1.5 characters wide, 2 high; ES adds to it
@@ -15,14 +15,14 @@ use dobot_geometry::{Point, Vec2};
 use super::transform::{PlotTransform, UNIT_MM};
 use crate::text::{CAPITAL, Pose};
 
-/// What the file has said of characters.
+/// The character settings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Characters {
     pub(super) size: Size,
     pub(super) direction: Direction,
-    /// The tangent of the angle by which they lean to the right.
+    /// The tangent of the slant to the right.
     pub(super) slant: f64,
-    /// What is added to a cell, in cells.
+    /// The extra space of a cell, in cells.
     pub(super) extra: Point,
     pub(super) origin: Origin,
 }
@@ -30,42 +30,42 @@ pub(super) struct Characters {
 /// Width and height of a character; below 0 it is mirrored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Size {
-    /// The file has not said.
+    /// The default.
     Default,
     /// In centimetres.
     Absolute(Vec2),
-    /// In hundredths of the way from P1 to P2.
+    /// In percent of the distance from P1 to P2.
     Relative(Vec2),
 }
 
-/// Where the next character is.
+/// The direction of the text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Direction {
     Absolute(Vec2),
-    /// In hundredths of the way from P1 to P2.
+    /// In percent of the distance from P1 to P2.
     Relative(Vec2),
 }
 
-/// Where a label lies about the pen.
+/// The label origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Origin {
-    /// How much of it lies before the pen, and how much below: 0, 0.5 or 1.
+    /// The fraction of the label before the pen, and below it: 0, 0.5 or 1.
     share: Vec2,
-    /// How far it keeps from the pen, in heights of a character.
+    /// The distance to the pen, in heights of a character.
     gap: f64,
 }
 
-/// The cell of a character, as ways on the paper in millimetres.
+/// The cell of a character, as vectors on the paper in millimetres.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
-    /// A millimetre in the direction of the label, and one up from it.
+    /// The unit vector along the label, and the one up from it.
     units: [Vec2; 2],
     /// The character's width and height.
     pub(super) across: Vec2,
     pub(super) up: Vec2,
-    /// To the next character.
+    /// The vector to the next character.
     pub(super) advance: Vec2,
-    /// To the line above.
+    /// The vector to the line above.
     pub(super) line: Vec2,
     slant: f64,
     origin: Origin,
@@ -86,7 +86,7 @@ impl Default for Characters {
 impl Characters {
     pub(super) fn cell(&self, transform: &PlotTransform) -> Cell {
         let [p1, p2] = transform.corners;
-        let percent = |it: Vec2| Vec2::new(it.x * (p2.x - p1.x), it.y * (p2.y - p1.y)) * 0.01;
+        let percent = |vec2: Vec2| Vec2::new(vec2.x * (p2.x - p1.x), vec2.y * (p2.y - p1.y)) * 0.01;
         let size_mm = match self.size {
             Size::Default => DEFAULT_CM * MM_PER_CM,
             Size::Absolute(cm) => cm * MM_PER_CM,
@@ -112,7 +112,7 @@ impl Characters {
 }
 
 impl Origin {
-    /// On the base line where the label begins.
+    /// The start of the label on the base line.
     const PEN: Self = Self {
         share: Vec2::ZERO,
         gap: 0.0,
@@ -124,18 +124,18 @@ impl Origin {
     ///   1   4   7         11  14  17
     /// ```
     ///
-    /// The pen stands there on the label.
+    /// The position of the pen relative to the label.
     pub(super) fn of(number: f64) -> Option<Self> {
         let gap = if number > 10.0 { 0.5 } else { 0.0 };
         let base = number - 20.0 * gap;
-        let base = (1..=9_u8).find(|&it| f64::from(it) == base)? - 1;
+        let base = (1..=9_u8).find(|&i| f64::from(i) == base)? - 1;
         let share = Vec2::new(f64::from(base / 3), f64::from(base % 3)) * 0.5;
         Some(Self { share, gap })
     }
 }
 
 impl Cell {
-    /// From the pen to where a label of that many columns begins.
+    /// The vector from the pen to the start of a label with this many columns.
     pub(super) fn start(&self, columns: f64) -> Vec2 {
         let Origin { share, gap } = self.origin;
         let gap_mm = gap * self.up.length();
@@ -144,12 +144,12 @@ impl Cell {
         aside - self.length(columns) * share.x - self.up * share.y
     }
 
-    /// Whether labels follow each other: else each is placed for itself.
+    /// Whether labels follow each other; otherwise each is placed separately.
     pub(super) const fn goes_on(&self) -> bool {
         self.origin.share.x == 0.0
     }
 
-    /// Of a label, without the gap behind its last character.
+    /// The width of a label, without the gap after its last character.
     fn length(&self, columns: f64) -> Vec2 {
         if columns > 0.0 {
             self.advance * (columns - 1.0) + self.across
@@ -158,7 +158,7 @@ impl Cell {
         }
     }
 
-    /// A letter in its place: narrow ones stand in its middle, wide ones are squeezed into it.
+    /// A letter in its cell: narrow ones are centered, wide ones are compressed.
     pub(super) fn pose(&self, at: Point, ink: [f64; 2]) -> Pose {
         let width = ink[1] - ink[0];
         let unit = 1.0 / width.max(CAPITAL_WIDTH);
@@ -172,8 +172,8 @@ impl Cell {
     }
 }
 
-/// On a sheet of A4 or smaller.
+/// The default size on a sheet of A4 or smaller.
 const DEFAULT_CM: Vec2 = Vec2::new(0.187, 0.269);
 const MM_PER_CM: f64 = 10.0;
-/// Of the ink of H, on the letters' grid.
+/// The ink of H, on the letters' grid.
 const CAPITAL_WIDTH: f64 = 14.0;

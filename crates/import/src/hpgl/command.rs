@@ -1,4 +1,4 @@
-//! The commands of a plot file: two letters, and what belongs to them.
+//! The commands of a plot file: two letters and parameters.
 
 use crate::error::SourceError;
 use crate::number::{decimal, real};
@@ -6,12 +6,12 @@ use crate::number::{decimal, real};
 /// A command with its parameters.
 #[derive(Debug)]
 pub(super) struct Command<'a> {
-    /// Where it stands in the text.
+    /// The position in the text.
     pub(super) at: usize,
-    /// Its two letters, as capitals.
+    /// The two letters, in upper case.
     pub(super) name: [u8; 2],
     pub(super) numbers: Vec<f64>,
-    /// What PE encodes, LB writes and SM marks with.
+    /// The text of PE, LB or SM.
     pub(super) bytes: &'a [u8],
 }
 
@@ -20,7 +20,7 @@ impl Command<'_> {
         self.numbers.get(index).copied()
     }
 
-    /// As it stands in the file.
+    /// The command as in the file.
     pub(super) fn text(&self) -> String {
         let numbers: Vec<String> = self.numbers.iter().map(f64::to_string).collect();
         format!("{} {}", self.letters(), numbers.join(","))
@@ -33,7 +33,7 @@ impl Command<'_> {
     }
 }
 
-/// The commands of a file, in their order.
+/// The commands of a file, in order.
 pub(super) fn commands(text: &[u8]) -> impl Iterator<Item = Result<Command<'_>, SourceError>> {
     let mut lexer = CommandLexer {
         text,
@@ -50,18 +50,19 @@ pub(super) fn commands(text: &[u8]) -> impl Iterator<Item = Result<Command<'_>, 
     })
 }
 
-/// The number that a text begins with; some programs write exponents, with which no command can begin.
+/// The number at the start of a text; some programs write exponents, with which no command can
+/// start.
 fn number(text: &[u8]) -> Option<(f64, usize)> {
     let plain = decimal(text)?;
-    Some(real(text).filter(|it| it.1 > plain.1).unwrap_or(plain))
+    Some(real(text).filter(|x| x.1 > plain.1).unwrap_or(plain))
 }
 
 struct CommandLexer<'a> {
     text: &'a [u8],
     at: usize,
-    /// What ends a label (DT).
+    /// The terminator of labels (DT).
     label_end: u8,
-    /// That end belongs to the label too.
+    /// Whether the terminator belongs to the label.
     writes_end: bool,
 }
 
@@ -79,7 +80,7 @@ impl<'a> CommandLexer<'a> {
             return Err(self.found(COMMAND));
         }
         self.at += 2;
-        let name = [a, b].map(|it| it.to_ascii_uppercase());
+        let name = [a, b].map(|value| value.to_ascii_uppercase());
         let mut command = Command {
             at,
             name,
@@ -101,7 +102,7 @@ impl<'a> CommandLexer<'a> {
         Ok(Some(command))
     }
 
-    /// What may stand between two commands.
+    /// Skips what may be between two commands.
     fn skip_between(&mut self) -> Result<(), SourceError> {
         while let Some(&byte) = self.text.get(self.at) {
             match byte {
@@ -113,7 +114,7 @@ impl<'a> CommandLexer<'a> {
         Ok(())
     }
 
-    /// A sequence for the device and not for the drawing.
+    /// Skips a sequence for the device.
     ///
     /// ```text
     ///   ESC . I 81 ; ; 17 :     the plotter's line     (HP-GL)
@@ -127,7 +128,7 @@ impl<'a> CommandLexer<'a> {
             let rest = rest.get(from..).unwrap_or_default();
             from + rest
                 .iter()
-                .take_while(|it| b"-0123456789;".contains(it))
+                .take_while(|byte| b"-0123456789;".contains(byte))
                 .count()
         };
         match rest.get(1) {
@@ -147,12 +148,13 @@ impl<'a> CommandLexer<'a> {
         Ok(())
     }
 
-    /// How long a setting of a printer is: numbers, each with a letter behind it, the last one with a capital letter.
+    /// The length of a printer setting: numbers, each followed by a letter, the last one in upper
+    /// case.
     fn printer_setting(&self, rest: &[u8]) -> Result<usize, SourceError> {
         let parts = rest.iter().enumerate().skip(3);
         for (i, byte) in parts {
             match byte {
-                // So many bytes of a picture or a font follow.
+                // That many bytes of a picture or a font follow.
                 b'W' | b'w' => break,
                 b'A'..=b'Z' | b'@' => return Ok(i + 1),
                 b'a'..=b'z' | b'0'..=b'9' | b'+' | b'-' | b'.' => {}
@@ -187,20 +189,20 @@ impl<'a> CommandLexer<'a> {
         Ok(numbers)
     }
 
-    /// What stands before a byte, which is skipped.
+    /// Skips to a byte, and returns what was skipped.
     fn until(&mut self, end: u8) -> &'a [u8] {
         let rest = &self.text[self.at..];
-        let length = rest.iter().position(|&it| it == end);
+        let length = rest.iter().position(|&byte| byte == end);
         self.at += length.map_or(rest.len(), |length| length + 1);
         &rest[..length.unwrap_or(rest.len())]
     }
 
-    /// `CO "any text"`
+    /// Parses `CO "any text"`.
     fn comment(&mut self) {
         let rest = &self.text[self.at..];
         if let Some(quote) = rest
             .iter()
-            .position(|&it| it != b' ')
+            .position(|&byte| byte != b' ')
             .filter(|&i| rest[i] == b'"')
         {
             self.at += quote + 1;
@@ -208,7 +210,7 @@ impl<'a> CommandLexer<'a> {
         }
     }
 
-    /// What LB, which stands at an offset, writes.
+    /// The text of LB at an offset.
     fn label(&mut self, at: usize) -> Result<&'a [u8], SourceError> {
         let begin = self.at;
         let text = self.until(self.label_end);
@@ -221,26 +223,26 @@ impl<'a> CommandLexer<'a> {
                 expected,
             ));
         }
-        if text.len() > MOST_LETTERS {
+        if text.len() > MAX_LETTERS {
             let found = format!("a label of {} characters", text.len());
-            let expected = format!("at most {MOST_LETTERS}; split it");
+            let expected = format!("at most {MAX_LETTERS}; split it");
             return Err(SourceError::found(self.text, at, found, expected));
         }
         let length = text.len() + usize::from(self.writes_end);
         Ok(&self.text[begin..begin + length])
     }
 
-    /// `DT #` or `DT #,0`, which writes the end too.
+    /// Parses `DT #` or `DT #,0`, which prints the terminator too.
     fn set_label_end(&mut self) -> Result<(), SourceError> {
         self.label_end = self.character().first().copied().unwrap_or(ETX);
         self.writes_end = self.numbers()? == [0.0];
         Ok(())
     }
 
-    /// A single character as a parameter, where there is one.
+    /// A single character as an optional parameter.
     fn character(&mut self) -> &'a [u8] {
         let rest = &self.text[self.at..];
-        let length = usize::from(rest.first().is_some_and(|&it| it != b';'));
+        let length = usize::from(rest.first().is_some_and(|&rest| rest != b';'));
         self.at += length;
         &rest[..length]
     }
@@ -250,8 +252,8 @@ impl<'a> CommandLexer<'a> {
     }
 }
 
-/// Nobody reads a longer label, and it would be kept three times over.
-const MOST_LETTERS: usize = 100_000;
+/// The longest label; it would be kept in three copies.
+const MAX_LETTERS: usize = 100_000;
 const ESC: u8 = 0x1B;
 const ETX: u8 = 3;
 const COMMAND: &str = "a command of two letters such as PD";

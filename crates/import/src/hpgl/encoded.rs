@@ -1,25 +1,25 @@
-//! PE: lines whose numbers are packed into letters.
+//! PE: lines with numbers encoded in letters.
 //!
-//! A number is doubled, one added where it is below 0, and written in base 64, smallest digit
-//! first: from `?` (63) on, the last digit from 191 on. With 7 bits the base is 32 and the last
-//! digit is from 95 on.
+//! A number is doubled, plus one if it is negative, and written in base 64, smallest digit first:
+//! from `?` (63) on, the last digit from 191 on. With 7 bits the base is 32 and the last digit is
+//! from 95 on.
 
-/// A step that PE asks for.
+/// A step of PE.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum EncodedItem {
-    /// A pen to take.
+    /// Selects a pen.
     Pen(f64),
-    /// The pen goes somewhere.
+    /// Moves the pen.
     Go {
         x: f64,
         y: f64,
-        /// Counted from the origin, not from where the pen is.
+        /// Whether the coordinates count from the origin, not from the pen.
         is_absolute: bool,
         is_up: bool,
     },
 }
 
-/// Unpacks the letters of PE. An error says what is wrong, and at which byte.
+/// Decodes the letters of PE. The error describes what is wrong, and at which byte.
 pub(super) fn items(
     encoded: &[u8],
 ) -> impl Iterator<Item = Result<EncodedItem, (usize, &'static str)>> {
@@ -36,7 +36,7 @@ struct Decoder<'a> {
     bytes: &'a [u8],
     at: usize,
     has_7_bits: bool,
-    /// What a digit counts: fractions have binary digits.
+    /// The value of a digit: fractions have binary digits.
     unit: f64,
 }
 
@@ -80,9 +80,9 @@ impl Decoder<'_> {
     fn number(&mut self) -> Result<f64, (usize, &'static str)> {
         let (bits, last) = if self.has_7_bits { (5, 95) } else { (6, 191) };
         let mut value = 0_u64;
-        for shift in (0..MOST_BITS).step_by(bits) {
-            let digit = self.peek().map(|it| it & self.mask());
-            let digit = digit.filter(|&it| it >= 63 && it < last + (1 << bits));
+        for shift in (0..MAX_BITS).step_by(bits) {
+            let digit = self.peek().map(|next| next & self.mask());
+            let digit = digit.filter(|&digit| digit >= 63 && digit < last + (1 << bits));
             let digit = digit.ok_or((self.at, DIGIT))?;
             self.at += 1;
             let is_last = digit >= last;
@@ -104,7 +104,7 @@ impl Decoder<'_> {
         if value & 1 == 1 { -size } else { size }
     }
 
-    /// The next byte that counts.
+    /// The next significant byte.
     fn peek(&mut self) -> Option<u8> {
         while self.bytes.get(self.at)? & 0x7F <= b' ' {
             self.at += 1;
@@ -117,5 +117,5 @@ impl Decoder<'_> {
     }
 }
 
-const MOST_BITS: usize = 48;
+const MAX_BITS: usize = 48;
 const DIGIT: &str = "a digit of an encoded number";

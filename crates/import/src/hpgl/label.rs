@@ -1,4 +1,4 @@
-//! Labels: texts in letters (LB, BL, PB, CP), and marks at places (SM).
+//! Labels (LB, BL, PB, CP) and symbols at points (SM).
 
 use dobot_geometry::{Point, Vec2};
 use dobot_lettering::StrokeFont;
@@ -9,17 +9,17 @@ use super::plotter::Plotter;
 use crate::error::SourceError;
 use crate::text::{Lettering, composed};
 
-/// What a plotter knows of texts.
+/// The text state of a plotter.
 #[derive(Debug, Default)]
 pub(super) struct Labels {
     characters: Characters,
-    /// Where a carriage return leads, on the paper; `None` for where the pen is.
+    /// The position of a carriage return, on the paper; `None` for that of the pen.
     pub(super) margin_mm: Option<Point>,
-    /// What SM marks places with.
+    /// The symbol of SM.
     symbol: Option<char>,
-    /// What BL keeps for PB.
+    /// The text that BL stores for PB.
     kept: String,
-    /// Warnings that only count once the file writes a text: place, what, instead.
+    /// Warnings that only count when the file writes a text: place, what, instead.
     unlike: Vec<(usize, &'static str, &'static str)>,
     lettering: Lettering,
 }
@@ -32,34 +32,36 @@ struct Cursor {
 }
 
 impl Plotter<'_> {
-    /// The commands of texts.
-    pub(super) fn text(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        match &it.name {
-            b"LB" => self.write(it, &decoded(it.bytes)),
-            b"PB" => self.write(it, &self.labels.kept.clone()),
-            b"CP" => self.skip_cells(it),
-            b"SI" | b"SR" => self.set_size(it),
-            b"DI" | b"DR" => self.set_direction(it),
-            b"LO" => self.set_origin(it),
-            _ => self.set_style(it),
+    /// The text commands.
+    pub(super) fn text(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        match &command.name {
+            b"LB" => self.write(command, &decoded(command.bytes)),
+            b"PB" => self.write(command, &self.labels.kept.clone()),
+            b"CP" => self.skip_cells(command),
+            b"SI" | b"SR" => self.set_size(command),
+            b"DI" | b"DR" => self.set_direction(command),
+            b"LO" => self.set_origin(command),
+            _ => self.set_style(command),
         }
     }
 
-    /// Commands that only change how texts look.
-    fn set_style(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let numbers = it.numbers.as_slice();
-        let first = it.number(0).unwrap_or_default();
+    /// Commands that only change the appearance of texts.
+    fn set_style(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let numbers = command.numbers.as_slice();
+        let first = command.number(0).unwrap_or_default();
         let labels = &mut self.labels;
-        let mut unlike = |what, instead| labels.unlike.push((it.at, what, instead));
-        match &it.name {
-            b"BL" => labels.kept = decoded(it.bytes),
-            b"SM" => labels.symbol = decoded(it.bytes).chars().find(|it| *it > ' '),
+        let mut unlike = |what, instead| labels.unlike.push((command.at, what, instead));
+        match &command.name {
+            b"BL" => labels.kept = decoded(command.bytes),
+            b"SM" => labels.symbol = decoded(command.bytes).chars().find(|c| *c > ' '),
             b"SL" => labels.characters.slant = first,
             b"ES" if numbers.len() < 3 => {
-                labels.characters.extra = Point::new(first, it.number(1).unwrap_or_default());
+                labels.characters.extra = Point::new(first, command.number(1).unwrap_or_default());
             }
             b"ES" => {
-                return Err(self.refused(it, "the extra width and height of the character cells"));
+                return Err(
+                    self.refused(command, "the extra width and height of the character cells")
+                );
             }
             b"CS" | b"CA" if first != 0.0 => unlike(
                 "character set",
@@ -79,9 +81,9 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    fn set_size(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let is_relative = &it.name == b"SR";
-        self.labels.characters.size = match *it.numbers.as_slice() {
+    fn set_size(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let is_relative = &command.name == b"SR";
+        self.labels.characters.size = match *command.numbers.as_slice() {
             [] if is_relative => Size::Relative(DEFAULT_PERCENT),
             [] => Size::Default,
             [width, height] if width != 0.0 && height != 0.0 => {
@@ -92,22 +94,22 @@ impl Plotter<'_> {
                 };
                 size(Vec2::new(width, height))
             }
-            _ => return Err(self.refused(it, "a width and a height other than 0")),
+            _ => return Err(self.refused(command, "a width and a height other than 0")),
         };
         Ok(())
     }
 
-    fn set_direction(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let way = match *it.numbers.as_slice() {
+    fn set_direction(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let way = match *command.numbers.as_slice() {
             [] => Vec2::new(1.0, 0.0),
             [run, rise] => Vec2::new(run, rise),
-            _ => return Err(self.refused(it, "a direction as run,rise")),
+            _ => return Err(self.refused(command, "a direction as run,rise")),
         };
         if way.length() == 0.0 {
-            self.warn(it, "zero direction", "ignored (DI or DR)");
+            self.warn(command, "zero direction", "ignored (DI or DR)");
             return Ok(());
         }
-        self.labels.characters.direction = if &it.name == b"DR" {
+        self.labels.characters.direction = if &command.name == b"DR" {
             Direction::Relative(way)
         } else {
             Direction::Absolute(way)
@@ -116,27 +118,27 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    fn set_origin(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let mut number = it.number(0).unwrap_or(1.0);
+    fn set_origin(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let mut number = command.number(0).unwrap_or(1.0);
         if number == PCL_ORIGIN {
             let instead = "read as LO 1 (LO 21)";
             self.labels
                 .unlike
-                .push((it.at, "PCL label origin", instead));
+                .push((command.at, "PCL label origin", instead));
             number = 1.0;
         }
         let origin = Origin::of(number)
-            .ok_or_else(|| self.refused(it, "an origin from 1 to 9 or from 11 to 19"))?;
+            .ok_or_else(|| self.refused(command, "an origin from 1 to 9 or from 11 to 19"))?;
         self.labels.characters.origin = origin;
         self.labels.margin_mm = None;
         Ok(())
     }
 
-    /// CP: so many cells to the right and so many up, or to the next line.
-    fn skip_cells(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let cell = self.cell(it);
+    /// CP: moves by this many cells to the right and up, or to the next line.
+    fn skip_cells(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let cell = self.cell(command);
         let mut cursor = self.cursor();
-        match *it.numbers.as_slice() {
+        match *command.numbers.as_slice() {
             [] => {
                 cursor.lines(&cell, -1.0);
                 cursor.at = cursor.margin;
@@ -145,18 +147,18 @@ impl Plotter<'_> {
                 cursor.at += cell.advance * spaces;
                 cursor.lines(&cell, lines);
             }
-            _ => return Err(self.refused(it, "the numbers of spaces and lines, or nothing")),
+            _ => return Err(self.refused(command, "the numbers of spaces and lines, or nothing")),
         }
-        self.put_pen(it, cursor)
+        self.put_pen(command, cursor)
     }
 
-    /// Writes from the pen on, which goes on behind the label.
-    fn write(&mut self, it: &Command<'_>, text: &str) -> Result<(), SourceError> {
+    /// Writes from the pen on, and moves the pen after the label.
+    fn write(&mut self, command: &Command<'_>, text: &str) -> Result<(), SourceError> {
         if text.is_empty() {
             return Ok(());
         }
-        let cell = self.cell(it);
-        let has_pen = self.select(it)?;
+        let cell = self.cell(command);
+        let has_pen = self.select(command)?;
         self.end_dashes()?;
         let mut cursor = self.cursor();
         for line in text.split_inclusive('\r') {
@@ -164,7 +166,7 @@ impl Plotter<'_> {
             let start = cell.start(columns(line));
             cursor.at = pen + start;
             for character in line.chars() {
-                self.character(it, character, &cell, &mut cursor, has_pen)?;
+                self.character(command, character, &cell, &mut cursor, has_pen)?;
             }
             if !line.ends_with('\r') {
                 cursor.at = if cell.goes_on() {
@@ -174,12 +176,12 @@ impl Plotter<'_> {
                 };
             }
         }
-        self.put_pen(it, cursor)
+        self.put_pen(command, cursor)
     }
 
     fn character(
         &mut self,
-        it: &Command<'_>,
+        command: &Command<'_>,
         character: char,
         cell: &Cell,
         cursor: &mut Cursor,
@@ -191,12 +193,12 @@ impl Plotter<'_> {
             '\u{8}' => cursor.at -= cell.advance,
             '\t' => {
                 cursor.at += cell.advance * TAB;
-                self.warn(it, "label tab", "read as five spaces");
+                self.warn(command, "label tab", "read as five spaces");
             }
-            it if it.is_control() => {}
+            command if command.is_control() => {}
             _ => {
                 if has_pen {
-                    self.letter(it, character, cell, cursor.at)?;
+                    self.letter(command, character, cell, cursor.at)?;
                 }
                 cursor.at += cell.advance;
             }
@@ -206,7 +208,7 @@ impl Plotter<'_> {
 
     fn letter(
         &mut self,
-        it: &Command<'_>,
+        command: &Command<'_>,
         character: char,
         cell: &Cell,
         at: Point,
@@ -214,32 +216,32 @@ impl Plotter<'_> {
         let lettering = &mut self.labels.lettering;
         let ink = lettering.extent(character).unwrap_or_default().ink;
         let pose = cell.pose(at, ink);
-        lettering.write(&mut self.sketch, it.at, character, &pose)
+        lettering.write(&mut self.sketch, command.at, character, &pose)
     }
 
-    /// SM: marks the place of the pen.
-    pub(super) fn mark(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    /// SM: marks the position of the pen.
+    pub(super) fn mark(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
         let Some(symbol) = self.labels.symbol.filter(|_| !self.polygon.is_open) else {
             return Ok(());
         };
-        let cell = self.cell(it);
-        if self.select(it)? {
+        let cell = self.cell(command);
+        if self.select(command)? {
             let at = self.transform.point(self.at) - (cell.across + cell.up) * 0.5;
             self.end_dashes()?;
-            self.letter(it, symbol, &cell, at)?;
+            self.letter(command, symbol, &cell, at)?;
         }
         Ok(())
     }
 
-    /// The cell of a character that is about to be written.
-    fn cell(&mut self, it: &Command<'_>) -> Cell {
+    /// The cell of the next character.
+    fn cell(&mut self, command: &Command<'_>) -> Cell {
         for (at, what, instead) in std::mem::take(&mut self.labels.unlike) {
             self.sketch.warn(at, what, instead);
         }
         let characters = self.labels.characters;
         if characters.size == Size::Default {
             let instead = "written as for an A4 sheet, 1.87 mm wide, 2.69 mm tall (no SI or SR)";
-            self.warn(it, "sizeless text", instead);
+            self.warn(command, "sizeless text", instead);
         }
         characters.cell(&self.transform)
     }
@@ -250,18 +252,18 @@ impl Plotter<'_> {
         Cursor { at, margin }
     }
 
-    fn put_pen(&mut self, it: &Command<'_>, cursor: Cursor) -> Result<(), SourceError> {
-        self.sketch.check(it.at, cursor.margin)?;
+    fn put_pen(&mut self, command: &Command<'_>, cursor: Cursor) -> Result<(), SourceError> {
+        self.sketch.check(command.at, cursor.margin)?;
         self.at = self
             .transform
-            .point_at(self.sketch.check(it.at, cursor.at)?);
+            .point_at(self.sketch.check(command.at, cursor.at)?);
         self.labels.margin_mm = Some(cursor.margin);
         self.sketch.lift();
         self.is_dot = false;
         Ok(())
     }
 
-    /// IN and DF: all settings of texts as at the start.
+    /// IN and DF: resets all text settings.
     pub(super) fn reset_labels(&mut self) {
         let lettering = std::mem::take(&mut self.labels.lettering);
         self.labels = Labels {
@@ -272,14 +274,14 @@ impl Plotter<'_> {
 }
 
 impl Cursor {
-    /// So many lines up, where a carriage return leads too.
+    /// Moves up by this many lines, the position of a carriage return too.
     fn lines(&mut self, cell: &Cell, count: f64) {
         let way = cell.line * count;
         (self.at, self.margin) = (self.at + way, self.margin + way);
     }
 }
 
-/// How many cells wide a line is.
+/// The width of a line, in cells.
 fn columns(line: &str) -> f64 {
     line.chars().fold(0.0, |columns: f64, it| match it {
         '\u{8}' => (columns - 1.0).max(0.0),
@@ -289,7 +291,7 @@ fn columns(line: &str) -> f64 {
     })
 }
 
-/// UTF-8 where it is, else Roman-8, in which plotters write.
+/// Decodes UTF-8 if valid, else Roman-8, the encoding of plotters.
 fn decoded(bytes: &[u8]) -> String {
     let roman = |byte: u8| match byte {
         0..0x80 => char::from(byte),
@@ -305,12 +307,12 @@ fn decoded(bytes: &[u8]) -> String {
     }
 }
 
-/// Where PCL, the language of printers, places a text.
+/// The place of a text in PCL, the printer language.
 const PCL_ORIGIN: f64 = 21.0;
-/// What SR without numbers stands for.
+/// The default of SR without numbers.
 const DEFAULT_PERCENT: Vec2 = Vec2::new(0.75, 1.5);
-/// In cells; the reference leaves it open, printers of HP do so.
+/// In cells; the reference does not specify it, printers of HP use it.
 const TAB: f64 = 5.0;
-/// From 160 on.
+/// The characters from 160 on.
 const ROMAN_8: &str = "\u{A0}ÀÂÈÊËÎÏ´ˋˆ¨˜ÙÛ₤¯Ýý°ÇçÑñ¡¿¤£¥§ƒ¢âêôûáéóúàèòùäëöü\
     ÅîØÆåíøæÄìÖÜÉïßÔÁÃãÐðÍÌÓÒÕõŠšÚŸÿÞþ·µ¶¾—¼½ªº«■»±";

@@ -6,32 +6,32 @@ use super::transform::{PlotTransform, UNIT_MM};
 use crate::error::SourceError;
 use crate::sketch::SketchMark;
 
-/// How lines are dashed.
+/// The line types.
 #[derive(Debug)]
 pub(super) struct LineTypes {
-    /// Pen down and pen up in turn, for the types from 1 on: their shares of a pattern.
+    /// Alternating pen down and pen up for the types from 1 on, as fractions of a pattern.
     patterns: [Vec<f64>; COUNT],
-    /// The type in use, and the one before it (LT 99).
+    /// The current type, and the previous one (LT 99).
     current: Option<LineType>,
     previous: Option<LineType>,
     length: PatternLength,
-    /// Where the lines of this type begin.
+    /// The start of the lines of this type.
     since: Option<SketchMark>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct LineType {
-    /// From 0 on.
+    /// The type number, from 0.
     pattern: usize,
-    /// A straight line has whole patterns, and begins and ends with half a dash.
+    /// Whether a straight line has whole patterns, and starts and ends with half a dash.
     is_adaptive: bool,
 }
 
-/// How long a pattern is.
+/// The length of a pattern.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct PatternLength {
     number: f64,
-    /// In mm, or else in percent of the way from P1 to P2.
+    /// In mm, or else in percent of the distance from P1 to P2.
     is_absolute: bool,
 }
 
@@ -63,49 +63,52 @@ impl PatternLength {
 
 impl Plotter<'_> {
     /// LT: the type, from -8 to 8, the length of its pattern, and whether that is in mm.
-    pub(super) fn set_line_type(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    pub(super) fn set_line_type(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
         self.end_dashes()?;
         let types = &mut self.line_types;
-        if let Some(number) = it.number(1).filter(|it| *it > 0.0) {
+        if let Some(number) = command.number(1).filter(|number| *number > 0.0) {
             types.length.number = number;
         }
-        if let Some(mode) = it.number(2) {
+        if let Some(mode) = command.number(2) {
             types.length.is_absolute = mode == 1.0;
         }
         let before = types.current;
-        types.current = match it.number(0).map(f64::trunc) {
+        types.current = match command.number(0).map(f64::trunc) {
             None => None,
             Some(PREVIOUS) => types.previous,
             Some(number) => line_type(number),
         };
         types.previous = before.or(types.previous);
-        if let (Some(number), None) = (it.number(0), types.current)
+        if let (Some(number), None) = (command.number(0), types.current)
             && number != PREVIOUS
         {
-            self.warn(it, "line type without a pattern", "drawn solid (LT)");
+            self.warn(command, "line type without a pattern", "drawn solid (LT)");
         }
         Ok(())
     }
 
-    /// UL: which type, and its dashes and gaps. Without these it is as in the beginning, and so are all without a type.
-    pub(super) fn define_line_type(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    /// UL: a type, and its dashes and gaps. Without these the type is reset, and without a type all
+    /// are.
+    pub(super) fn define_line_type(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
         self.end_dashes()?;
         let patterns = &mut self.line_types.patterns;
-        match it.numbers.as_slice() {
+        match command.numbers.as_slice() {
             [] => *patterns = PATTERNS.map(<[f64]>::to_vec),
             [number, gaps @ ..] => {
                 let Some(LineType { pattern, .. }) = line_type(number.abs().trunc()) else {
                     return Err(
-                        self.refused(it, "a line type from 1 to 8, and its dashes and gaps")
+                        self.refused(command, "a line type from 1 to 8, and its dashes and gaps")
                     );
                 };
                 let is_pattern =
-                    gaps.iter().all(|it| *it >= 0.0) && gaps.iter().any(|it| *it > 0.0);
+                    gaps.iter().all(|gap| *gap >= 0.0) && gaps.iter().any(|gap| *gap > 0.0);
                 patterns[pattern] = match gaps {
                     [] => PATTERNS[pattern].to_vec(),
-                    _ if is_pattern && gaps.len() <= MOST_GAPS => gaps.to_vec(),
+                    _ if is_pattern && gaps.len() <= MAX_GAPS => gaps.to_vec(),
                     _ => {
-                        return Err(self.refused(it, "up to 20 dashes and gaps, not all of them 0"));
+                        return Err(
+                            self.refused(command, "up to 20 dashes and gaps, not all of them 0")
+                        );
                     }
                 };
             }
@@ -113,14 +116,14 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// All is solid again, as in the beginning.
+    /// Resets to solid lines.
     pub(super) fn reset_line_types(&mut self) -> Result<(), SourceError> {
         self.end_dashes()?;
         self.line_types = LineTypes::default();
         Ok(())
     }
 
-    /// A line is about to be drawn: those from here on have the type in use.
+    /// Starts a line: lines from here on have the current type.
     pub(super) fn begin_dashes(&mut self) {
         if self.line_types.current.is_some() && self.line_types.since.is_none() {
             self.sketch.lift();
@@ -128,7 +131,8 @@ impl Plotter<'_> {
         }
     }
 
-    /// The lines up to here had it: before it changes, and before letters, which are never dashed.
+    /// Dashes the lines up to here: before the type changes, and before letters, which are never
+    /// dashed.
     pub(super) fn end_dashes(&mut self) -> Result<(), SourceError> {
         let types = &mut self.line_types;
         let (Some(mark), Some(line_type)) = (types.since.take(), types.current) else {
@@ -136,7 +140,7 @@ impl Plotter<'_> {
         };
         let shares = &types.patterns[line_type.pattern];
         let factor = types.length.mm(&self.transform) / shares.iter().sum::<f64>();
-        let lengths: Vec<f64> = shares.iter().map(|it| it * factor).collect();
+        let lengths: Vec<f64> = shares.iter().map(|share| share * factor).collect();
         if line_type.is_adaptive {
             return self.sketch.fit_dashes_since(&mark, &lengths);
         }
@@ -144,7 +148,7 @@ impl Plotter<'_> {
     }
 }
 
-/// The type of a number; `None` for what is no pattern.
+/// The type of a number; `None` if it has no pattern.
 fn line_type(number: f64) -> Option<LineType> {
     #[expect(
         clippy::cast_possible_truncation,
@@ -159,7 +163,7 @@ fn line_type(number: f64) -> Option<LineType> {
 }
 
 const COUNT: usize = 8;
-/// What a plotter begins with: dots, dashes, dashes and dots.
+/// The initial patterns of a plotter: dots, dashes, dashes and dots.
 const PATTERNS: [&[f64]; COUNT] = [
     &[0.0, 100.0],
     &[50.0, 50.0],
@@ -172,4 +176,4 @@ const PATTERNS: [&[f64]; COUNT] = [
 ];
 /// The type before this one.
 const PREVIOUS: f64 = 99.0;
-const MOST_GAPS: usize = 20;
+const MAX_GAPS: usize = 20;

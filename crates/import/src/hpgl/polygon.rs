@@ -1,22 +1,22 @@
-//! The polygon buffer: between PM0 and PM2 moves are remembered instead of drawn.
+//! The polygon buffer: between PM0 and PM2 moves are stored instead of drawn.
 
 use dobot_geometry::Point;
 
 /// The rings that EP draws and FP fills, in millimetres.
 #[derive(Debug, Default)]
 pub(super) struct Polygon {
-    /// Between PM0 and PM2.
+    /// Whether the plotter is between PM0 and PM2.
     pub(super) is_open: bool,
     rings: Vec<Ring>,
-    /// The next point begins a ring.
+    /// Whether the next point starts a ring.
     starts: bool,
 }
 
-/// One of its rings: closed by PM1 and PM2.
+/// A ring, closed by PM1 and PM2.
 #[derive(Clone, Debug, Default)]
 struct Ring {
     points: Vec<Point>,
-    /// The points to which the pen went lifted, in their order.
+    /// The points that the pen reached while lifted, in order.
     hidden: Vec<usize>,
 }
 
@@ -28,12 +28,12 @@ impl Ring {
             *begin = end;
             Some(line)
         });
-        lines.filter(|it| it.len() > 1)
+        lines.filter(|line| line.len() > 1)
     }
 }
 
 impl Polygon {
-    /// The lines that EP draws: where the pen was on the paper, or all where it never was.
+    /// The lines that EP draws: those with the pen down, or all if it never was.
     pub(super) fn lines(&self) -> Vec<Vec<Point>> {
         let lines = self.rings.iter().flat_map(Ring::lines);
         let lines: Vec<_> = lines.map(<[Point]>::to_vec).collect();
@@ -46,10 +46,10 @@ impl Polygon {
 
     /// The rings that FP fills.
     pub(super) fn filled(&self) -> Vec<Vec<Point>> {
-        self.rings.iter().map(|it| it.points.clone()).collect()
+        self.rings.iter().map(|ring| ring.points.clone()).collect()
     }
 
-    /// PM0: what was there is forgotten.
+    /// PM0: clears the buffer.
     pub(super) fn begin(&mut self, at: Point) {
         *self = Self {
             is_open: true,
@@ -59,7 +59,7 @@ impl Polygon {
         self.starts = false;
     }
 
-    /// PM1: the ring is closed, the next point begins another.
+    /// PM1: closes the ring, the next point starts another.
     pub(super) fn close_ring(&mut self, is_down: bool) {
         if let Some(ring) = self.rings.last()
             && ring.points.first() != ring.points.last()
@@ -70,13 +70,13 @@ impl Polygon {
         self.starts = true;
     }
 
-    /// PM2.
+    /// PM2: ends the polygon.
     pub(super) fn end(&mut self, is_down: bool) {
         self.close_ring(is_down);
         self.is_open = false;
     }
 
-    /// The pen goes there, on the paper or lifted.
+    /// Moves the pen there, on the paper or lifted.
     pub(super) fn point(&mut self, p: Point, is_down: bool) {
         match self.rings.last_mut().filter(|_| !self.starts) {
             Some(ring) => {
@@ -90,7 +90,7 @@ impl Polygon {
         self.starts = false;
     }
 
-    /// A ring for itself (CI).
+    /// Adds a separate ring (CI).
     pub(super) fn ring(&mut self, points: Vec<Point>) {
         self.rings.push(Ring {
             points,

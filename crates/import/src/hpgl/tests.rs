@@ -19,12 +19,18 @@ fn draw(text: &str) -> (Artwork, Vec<String>) {
 
 fn strokes(text: &str) -> Vec<Stroke> {
     let layers = draw(text).0.layers;
-    layers.into_iter().flat_map(|it| it.strokes).collect()
+    layers.into_iter().flat_map(|layer| layer.strokes).collect()
 }
 
 fn corners(text: &str) -> Vec<Vec<(f64, f64)>> {
     let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
-    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+    let corners = |stroke: &Stroke| {
+        stroke
+            .points
+            .iter()
+            .map(|p| (round(p.x), round(p.y)))
+            .collect()
+    };
     strokes(text).iter().map(corners).collect()
 }
 
@@ -47,7 +53,7 @@ fn forty_units_are_a_millimetre_and_y_points_up() {
 fn corners_in_percent_need_a_sheet_unless_they_only_shift_the_scale() {
     let text = "PS11056,7977;RO90;IP0,0,1016,-1016;IR0,100;SC0,300,0,300;SP1;PA0,0;PD300,150;";
     let round = |mm: f64| (mm * 1e6).round() / 1e6;
-    let size = |it: &Artwork| [round(it.width_mm), round(it.height_mm)];
+    let size = |artwork: &Artwork| [round(artwork.width_mm), round(artwork.height_mm)];
     let (artwork, warnings) = draw(text);
     assert_eq!(size(&artwork), [12.7, 25.4]);
     assert!(warnings.is_empty(), "{warnings:?}");
@@ -142,7 +148,7 @@ fn each_pen_is_a_layer_with_its_speed() {
     let found: Vec<_> = artwork
         .layers
         .iter()
-        .map(|it| (it.name.as_str(), it.speed_mm_s))
+        .map(|layer| (layer.name.as_str(), layer.speed_mm_s))
         .collect();
     assert_eq!(found, [("pen 1", Some(200.0)), ("pen 2", Some(50.0))]);
     assert_eq!(artwork.layers[0].strokes.len(), 2);
@@ -157,7 +163,7 @@ fn pens_have_the_colours_that_they_are_given_and_pen_0_draws_with_one() {
     let found: Vec<_> = artwork
         .layers
         .iter()
-        .map(|it| (it.name.as_str(), it.color))
+        .map(|layer| (layer.name.as_str(), layer.color))
         .collect();
     assert_eq!(
         found,
@@ -178,7 +184,7 @@ fn a_pen_that_only_touches_leaves_a_dot() {
 fn on_circle(strokes: &[Stroke], center: Point, radius: f64) -> (f64, f64) {
     let middles = strokes
         .iter()
-        .flat_map(|it| it.segments().map(|(a, b)| a.lerp(b, 0.5)));
+        .flat_map(|stroke| stroke.segments().map(|(a, b)| a.lerp(b, 0.5)));
     let off = middles
         .map(|p| (p.distance(center) - radius).abs())
         .fold(0.0, f64::max);
@@ -214,7 +220,7 @@ fn circles_arcs_and_wedges_stay_within_the_tolerance() {
 
 /// The polygons that old programs draw as circles of few chords.
 #[test]
-fn arcs_have_the_chords_that_they_tell() {
+fn arcs_have_the_chords_that_they_state() {
     let corners = |text: &str| -> Vec<[f64; 2]> {
         let points = strokes(text)[0].points.clone();
         points.iter().map(|p| [p.x, p.y]).collect()
@@ -269,7 +275,7 @@ fn a_chord_angle_that_no_plotter_has_is_taken_for_the_nearest_that_it_has() {
 }
 
 #[test]
-fn chords_that_are_told_by_how_far_they_leave_the_arc_leave_it_as_far() {
+fn chords_that_are_reported_by_how_far_they_leave_the_arc_leave_it_as_far() {
     let corners = |text: &str| strokes(text)[0].points.len();
     // A chord over the angle a leaves a circle by r (1 - cos(a / 2)): by half of r over 120 degrees.
     assert_eq!(corners("CT1;CI400,200"), 4);
@@ -303,7 +309,7 @@ fn curves_follow_their_control_points() {
 fn filled_shapes_are_areas() {
     let areas = |text: &str| -> Vec<_> {
         let layers: Vec<Layer> = draw(text).0.layers;
-        layers.into_iter().flat_map(|it| it.areas).collect()
+        layers.into_iter().flat_map(|layer| layer.areas).collect()
     };
     assert_eq!(areas("RR40,40")[0].rings[0].len(), 5);
     assert_eq!(areas("PA40,0RA0,80WG400,0,90").len(), 2);
@@ -330,7 +336,7 @@ fn edges_along_which_the_pen_went_lifted_are_not_drawn() {
     let lengths_mm = |text: &str| {
         let (artwork, warnings) = draw(text);
         assert_eq!(warnings, [""; 0]);
-        let layers = artwork.layers.iter().flat_map(|it| &it.strokes);
+        let layers = artwork.layers.iter().flat_map(|layer| &layer.strokes);
         layers
             .map(Stroke::length_mm)
             .map(f64::round)
@@ -351,14 +357,14 @@ fn edges_along_which_the_pen_went_lifted_are_not_drawn() {
     );
 }
 
-/// The length of all lines that show, in mm.
+/// The length of all visible lines, in mm.
 fn shown_mm(text: &str) -> f64 {
     let hides = ReadOptions {
         hides: true,
         ..ReadOptions::default()
     };
     let (artwork, _) = super::read(text.as_bytes(), &hides).unwrap();
-    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     strokes.map(Stroke::length_mm).sum()
 }
 
@@ -366,7 +372,7 @@ fn shown_mm(text: &str) -> f64 {
 fn filled_shapes_hide_what_lies_under_them() {
     // 60 mm long, and a square of 20 mm over its middle.
     let line = "SP1;PU0,400;PD2400,400;PU";
-    let [square, edge] = ["RA", "EA"].map(|it| format!("SP2;PU800,0;{it}1600,800"));
+    let [square, edge] = ["RA", "EA"].map(|name| format!("SP2;PU800,0;{name}1600,800"));
     let polygon = "SP2;PU800,0;PM0;PD1600,0,1600,800,800,800;PM2;FP";
     let cake = "SP2;PU1200,400;WG400,0,360";
     for (text, expected_mm) in [
@@ -389,7 +395,7 @@ fn filled_shapes_hide_what_lies_under_them() {
         );
     }
     let (artwork, _) = draw(&format!("{line};{square}"));
-    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     let drawn_mm: f64 = strokes.map(Stroke::length_mm).sum();
     assert!((drawn_mm - 140.0).abs() < 1e-6, "{drawn_mm}");
 }
@@ -434,11 +440,14 @@ fn packed_lines_are_read() {
     );
 }
 
-/// From where to where the lines of a plot go along X, in hundredths of a millimetre.
+/// The extents of the lines of a plot along X, in hundredths of a millimetre.
 fn spans(text: &str) -> Vec<[f64; 2]> {
-    let ends = |it: &Stroke| [it.points[0].x, it.points[it.points.len() - 1].x];
+    let ends = |stroke: &Stroke| [stroke.points[0].x, stroke.points[stroke.points.len() - 1].x];
     let round = |x: f64| (x * 100.0).round();
-    strokes(text).iter().map(|it| ends(it).map(round)).collect()
+    strokes(text)
+        .iter()
+        .map(|stroke| ends(stroke).map(round))
+        .collect()
 }
 
 #[test]
@@ -702,12 +711,14 @@ fn lines() -> impl Strategy<Value = Vec<Vec<(i32, i32)>>> {
 /// The segments of a plot, as they come onto the page, in mm.
 fn wanted(lines: &[Vec<(i32, i32)>]) -> Vec<(Point, Point)> {
     let all = || lines.iter().flatten();
-    let left = all().map(|it| it.0).min().unwrap();
-    let top = all().map(|it| it.1).max().unwrap();
+    let left = all().map(|item| item.0).min().unwrap();
+    let top = all().map(|item| item.1).max().unwrap();
     let place =
         |&(x, y): &(i32, i32)| Point::new(0.025 * f64::from(x - left), 0.025 * f64::from(top - y));
     let pairs = lines.iter().flat_map(|line| line.windows(2));
-    pairs.map(|it| (place(&it[0]), place(&it[1]))).collect()
+    pairs
+        .map(|pair| (place(&pair[0]), place(&pair[1])))
+        .collect()
 }
 
 proptest! {
@@ -734,7 +745,7 @@ proptest! {
         let (artwork, _) = super::read(&text, &ReadOptions::default()).unwrap();
         let found: Vec<_> = artwork.layers[0].strokes.iter().flat_map(Stroke::segments).collect();
         let mut wanted = wanted(&lines);
-        wanted.retain(|it| it.0 != it.1);
+        wanted.retain(|wanted| wanted.0 != wanted.1);
         prop_assert_eq!(found.len(), wanted.len());
         for (found, wanted) in found.iter().zip(&wanted) {
             prop_assert!(found.0.distance(wanted.0) < 1e-6 && found.1.distance(wanted.1) < 1e-6);

@@ -1,4 +1,4 @@
-//! From the units of a plot to millimetres: IP, SC, RO.
+//! The transform from plot units to millimetres: IP, SC, RO.
 //!
 //! ```text
 //!   the user's units   SC says which of them    P1 and P2, in plotter units (IP),
@@ -7,38 +7,38 @@
 
 use dobot_geometry::{Point, Vec2};
 
-/// How points come onto the paper.
+/// The transform of points to the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PlotTransform {
     /// P1 and P2, in plotter units.
     pub(super) corners: [Point; 2],
     pub(super) scale: Option<Scale>,
-    /// In quarter turns counterclockwise.
+    /// The rotation in quarter turns counterclockwise.
     pub(super) quarters: u8,
 }
 
-/// What SC says.
+/// The scale of SC.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
-    /// The user's coordinates of P1.
+    /// The user coordinates of P1.
     pub(super) from: Point,
-    /// And of P2, or how many plotter units one of the user's is.
+    /// The user coordinates of P2, or the number of plotter units per user unit.
     pub(super) to: Point,
     pub(super) kind: ScaleKind,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ScaleKind {
-    /// X and Y fill the corners, each for itself.
+    /// X and Y fill the corners separately.
     Stretched,
-    /// X and Y are scaled alike; what is left over is shared in these parts, from 0 to 1.
+    /// X and Y have the same scale; the remaining space is divided in these fractions, from 0 to 1.
     Even { left: f64, bottom: f64 },
     /// By a factor.
     Factor,
 }
 
 impl PlotTransform {
-    /// That of an HP 7475A with a sheet of A4.
+    /// The default of an HP 7475A with a sheet of A4.
     pub(super) const DEFAULT: Self = Self {
         corners: [Point::new(603.0, 521.0), Point::new(10_603.0, 7721.0)],
         scale: None,
@@ -50,19 +50,19 @@ impl PlotTransform {
         (self.turned(self.plotter_units(p)) * UNIT_MM).to_point()
     }
 
-    /// A point in plotter units, before RO turns it.
+    /// A point in plotter units, before the rotation of RO.
     pub(super) fn plotter_units(&self, p: Point) -> Vec2 {
         let (factor, shift) = self.factor_and_shift();
         Vec2::new(p.x * factor.x, p.y * factor.y) + shift
     }
 
-    /// The way from one point to another.
+    /// The vector from one point to another.
     pub(super) fn way(&self, way: Vec2) -> Vec2 {
         let (factor, _) = self.factor_and_shift();
         self.turned(Vec2::new(way.x * factor.x, way.y * factor.y)) * UNIT_MM
     }
 
-    /// The point that is there on the paper.
+    /// The user coordinates of a point on the paper.
     pub(super) fn point_at(&self, place_mm: Point) -> Point {
         let back = Self {
             quarters: (4 - self.quarters) % 4,
@@ -95,7 +95,7 @@ impl PlotTransform {
         (factor, p1.to_vec2() + gap - from)
     }
 
-    /// As RO turns everything.
+    /// Applies the rotation of RO.
     pub(super) const fn turned(&self, way: Vec2) -> Vec2 {
         match self.quarters {
             0 => way,

@@ -1,4 +1,4 @@
-//! What the numbers of a plot mean: IP, IR, SC, RO.
+//! The units of a plot: IP, IR, SC, RO.
 
 use dobot_geometry::Point;
 
@@ -8,9 +8,9 @@ use super::transform::{PlotTransform, Scale, ScaleKind};
 use crate::error::SourceError;
 
 impl Plotter<'_> {
-    pub(super) fn set_corners(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+    pub(super) fn set_corners(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
         let [p1, p2] = PlotTransform::DEFAULT.corners;
-        let corners = match it.numbers.as_slice() {
+        let corners = match command.numbers.as_slice() {
             [] => [p1, p2],
             &[x, y] => {
                 let [old1, old2] = self.transform.corners;
@@ -18,10 +18,10 @@ impl Plotter<'_> {
                 [p1, p1 + (old2 - old1)]
             }
             &[x1, y1, x2, y2] if x1 != x2 && y1 != y2 => [Point::new(x1, y1), Point::new(x2, y2)],
-            _ => return Err(self.refused(it, "x,y of P1 and of P2, different in both")),
+            _ => return Err(self.refused(command, "x,y of P1 and of P2, different in both")),
         };
-        self.knows_corners = !it.numbers.is_empty();
-        // Patterns are as long as their share of the way between the corners.
+        self.knows_corners = !command.numbers.is_empty();
+        // Pattern lengths are fractions of the distance between the corners.
         self.end_dashes()?;
         self.use_transform(PlotTransform {
             corners,
@@ -30,28 +30,28 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// PS, the length and the width of the sheet.
-    pub(super) fn set_sheet(&mut self, it: &Command<'_>) {
-        if let &[length, width, ..] = it.numbers.as_slice() {
+    /// PS: the length and the width of the sheet.
+    pub(super) fn set_sheet(&mut self, command: &Command<'_>) {
+        if let &[length, width, ..] = command.numbers.as_slice() {
             self.sheet = Some([length, width]);
         }
     }
 
-    /// IR: P1 and P2, in percent of the sheet. P1 alone takes P2 along, and so does not change how large anything is.
-    pub(super) fn relative_corners(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        if it.numbers.is_empty() {
-            return self.set_corners(it);
+    /// IR: P1 and P2, in percent of the sheet. P1 alone moves P2 along, and so keeps all sizes.
+    pub(super) fn relative_corners(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        if command.numbers.is_empty() {
+            return self.set_corners(command);
         }
         let Some([length, width]) = self.sheet else {
-            if self.knows_corners && it.numbers.len() == 2 {
+            if self.knows_corners && command.numbers.len() == 2 {
                 let instead = "left out, because the size of the sheet is unknown (IR without PS)";
-                self.warn(it, "shift of the scale", instead);
+                self.warn(command, "shift of the scale", instead);
                 return Ok(());
             }
-            return Err(self.refused(it, "IP, because the size of the sheet is unknown"));
+            return Err(self.refused(command, "IP, because the size of the sheet is unknown"));
         };
-        if ![2, 4].contains(&it.numbers.len()) {
-            return Err(self.refused(it, "x,y of P1, or of P1 and of P2, in percent"));
+        if ![2, 4].contains(&command.numbers.len()) {
+            return Err(self.refused(command, "x,y of P1, or of P1 and of P2, in percent"));
         }
         let is_turned = self.transform.quarters % 2 == 1;
         let sheet = if is_turned {
@@ -59,22 +59,22 @@ impl Plotter<'_> {
         } else {
             [length, width]
         };
-        let shares = it.numbers.iter().zip(sheet.iter().cycle());
+        let shares = command.numbers.iter().zip(sheet.iter().cycle());
         let numbers = shares.map(|(percent, side)| percent / 100.0 * side);
-        let knew_corners = self.knows_corners || it.numbers.len() > 2;
+        let knew_corners = self.knows_corners || command.numbers.len() > 2;
         self.set_corners(&Command {
             numbers: numbers.collect(),
-            ..*it
+            ..*command
         })?;
         self.knows_corners = knew_corners;
         Ok(())
     }
 
-    pub(super) fn set_scale(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let scale = scale(&it.numbers).map_err(|expected| self.refused(it, expected))?;
+    pub(super) fn set_scale(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let scale = scale(&command.numbers).map_err(|expected| self.refused(command, expected))?;
         if scale.is_some() && !self.knows_corners {
             let instead = "read as that of an A4 sheet (SC without IP)";
-            self.warn(it, "cornerless scale", instead);
+            self.warn(command, "cornerless scale", instead);
         }
         self.use_transform(PlotTransform {
             scale,
@@ -83,17 +83,17 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    pub(super) fn turn(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let quarters = match it.number(0) {
+    pub(super) fn turn(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let quarters = match command.number(0) {
             None | Some(0.0) => 0,
             Some(90.0) => 1,
             Some(180.0) => 2,
             Some(270.0) => 3,
-            _ => return Err(self.refused(it, "a rotation of 0, 90, 180 or 270 degrees")),
+            _ => return Err(self.refused(command, "a rotation of 0, 90, 180 or 270 degrees")),
         };
         if self.has_drawn && quarters != self.transform.quarters {
             let instead = "rotated about the origin instead of the sheet, because the size of the sheet is unknown (RO)";
-            self.warn(it, "late rotation", instead);
+            self.warn(command, "late rotation", instead);
         }
         self.labels.margin_mm = None;
         self.renew_window()?;
@@ -105,7 +105,7 @@ impl Plotter<'_> {
     }
 }
 
-/// What SC says; nothing ends the scale.
+/// The scale of SC; without numbers the scale ends.
 fn scale(numbers: &[f64]) -> Result<Option<Scale>, &'static str> {
     let share = |percent: f64| (percent / 100.0).clamp(0.0, 1.0);
     let (ends, kind) = match numbers {

@@ -1,4 +1,4 @@
-//! The window in which a plot shows: IW.
+//! The clip window of a plot: IW.
 
 use dobot_geometry::Point;
 
@@ -8,38 +8,38 @@ use super::transform::UNIT_MM;
 use crate::error::SourceError;
 use crate::sketch::SketchMark;
 
-/// What is drawn from its first line on shows in it alone.
+/// A window that clips what is drawn from its start on.
 #[derive(Debug)]
 pub(super) struct Window {
-    /// Opposite corners, in plotter units; RO turns them.
+    /// Opposite corners, in plotter units; RO rotates them.
     corners: [Point; 2],
     since: Option<SketchMark>,
 }
 
 impl Plotter<'_> {
-    /// IW: opposite corners in the units in force. Without them all shows again.
-    pub(super) fn set_window(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let corners = match it.numbers.as_slice() {
+    /// IW: opposite corners in the current units. Without them the window is removed.
+    pub(super) fn set_window(&mut self, command: &Command<'_>) -> Result<(), SourceError> {
+        let corners = match command.numbers.as_slice() {
             [] => None,
             &[x1, y1, x2, y2] => Some([Point::new(x1, y1), Point::new(x2, y2)]),
-            _ => return Err(self.refused(it, "x,y of two opposite corners")),
+            _ => return Err(self.refused(command, "x,y of two opposite corners")),
         };
         self.end_window()?;
         let Some([a, b]) = corners else {
             return Ok(());
         };
         if a.x == b.x || a.y == b.y {
-            self.warn(it, "flat window", "nothing is clipped (IW)");
+            self.warn(command, "flat window", "nothing is clipped (IW)");
             return Ok(());
         }
         if self.transform.scale.is_some() {
             let instead = "read as one in the units of SC, as in HP-GL/2 (IW)";
-            self.warn(it, "window in a scale", instead);
+            self.warn(command, "window in a scale", instead);
         }
         let corners = [a, b].map(|p| self.transform.plotter_units(p).to_point());
         for p in corners {
             self.sketch
-                .check(it.at, (p.to_vec2() * UNIT_MM).to_point())?;
+                .check(command.at, (p.to_vec2() * UNIT_MM).to_point())?;
         }
         self.sketch.lift();
         self.window = Some(Window {
@@ -49,14 +49,14 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// Something is about to be drawn: all from here on lies in the window.
+    /// Starts drawing: everything from here on is in the window.
     pub(super) fn begin_window(&mut self) {
-        if let Some(window) = self.window.as_mut().filter(|it| it.since.is_none()) {
+        if let Some(window) = self.window.as_mut().filter(|window| window.since.is_none()) {
             window.since = Some(self.sketch.mark());
         }
     }
 
-    /// Cuts what was drawn up to here: before the window changes, and before all is turned.
+    /// Clips what was drawn up to here: before the window changes, and before a rotation.
     pub(super) fn end_window(&mut self) -> Result<(), SourceError> {
         self.end_dashes()?;
         let Some(Window {
@@ -72,9 +72,9 @@ impl Plotter<'_> {
         self.sketch.cut_since(&since, ring.map(on_paper).to_vec())
     }
 
-    /// Cuts what was drawn up to here, and goes on with the same window.
+    /// Clips what was drawn up to here, and continues with the same window.
     pub(super) fn renew_window(&mut self) -> Result<(), SourceError> {
-        let corners = self.window.as_ref().map(|it| it.corners);
+        let corners = self.window.as_ref().map(|window| window.corners);
         self.end_window()?;
         self.window = corners.map(|corners| Window {
             corners,

@@ -1,4 +1,4 @@
-//! Texts and numbers of the file, with their places.
+//! Texts and numbers of the file, with positions.
 
 use usvg::roxmltree::Node;
 
@@ -6,11 +6,11 @@ use crate::error::SourceError;
 use crate::limits::MAX_NUMBER;
 use crate::place::shortened;
 
-/// A text that stands in the file: the value of an attribute, or what an element holds.
+/// A text of the file: the value of an attribute, or the content of an element.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Field<'d> {
     pub(super) text: &'d str,
-    /// Where it begins in the file, in bytes.
+    /// The position in the file, in bytes.
     pub(super) at: usize,
 }
 
@@ -18,7 +18,7 @@ impl<'d> Field<'d> {
     pub(super) fn attribute(node: Node<'d, '_>, name: &str) -> Option<Self> {
         let it = node.attribute_node(name)?;
         Some(Self {
-            // Of the document, not of the node at hand.
+            // Of the document, not of the current node.
             text: node.attribute(name)?,
             at: it.range_value().start,
         })
@@ -26,34 +26,34 @@ impl<'d> Field<'d> {
 
     /// The value of a child such as `<index Value="0"/>`.
     pub(super) fn value(node: Node<'d, '_>, name: &str) -> Option<Self> {
-        let child = node.children().find(|it| it.has_tag_name(name))?;
+        let child = node.children().find(|child| child.has_tag_name(name))?;
         Self::attribute(child, "Value")
     }
 
-    /// What a child such as `<XForm>1 0 0 1 0 0</XForm>` holds; empty where that is nothing.
+    /// The content of a child such as `<XForm>1 0 0 1 0 0</XForm>`; empty if it has none.
     pub(super) fn content(node: Node<'d, '_>, name: &str) -> Option<Self> {
-        let child = node.children().find(|it| it.has_tag_name(name))?;
+        let child = node.children().find(|child| child.has_tag_name(name))?;
         let text = child.first_child().filter(Node::is_text);
         Some(Self {
-            text: text.and_then(|it| it.text()).unwrap_or_default(),
-            at: text.map_or(child.range().start, |it| it.range().start),
+            text: text.and_then(|text| text.text()).unwrap_or_default(),
+            at: text.map_or(child.range().start, |text| text.range().start),
         })
     }
 
     /// A number of at most 1e9.
     pub(super) fn number(self, file: &str) -> Result<f64, SourceError> {
         let number = self.text.trim().parse().ok();
-        let number = number.filter(|it: &f64| it.abs() <= MAX_NUMBER);
+        let number = number.filter(|x: &f64| x.abs() <= MAX_NUMBER);
         number.ok_or_else(|| self.refused(file, "a number of at most 1e9"))
     }
 
-    /// A whole number from 0 up.
+    /// A whole number of 0 or more.
     pub(super) fn count(self, file: &str) -> Result<u32, SourceError> {
         let number = self.text.trim().parse().ok();
         number.ok_or_else(|| self.refused(file, "a whole number of 0 or more"))
     }
 
-    /// Whether it says yes: 1 or 0, as `LightBurn` writes it.
+    /// Whether it is true: 1 or 0, as `LightBurn` writes it.
     pub(super) fn flag(self, file: &str) -> Result<bool, SourceError> {
         match self.text.trim() {
             "0" => Ok(false),
@@ -68,12 +68,12 @@ impl<'d> Field<'d> {
     }
 }
 
-/// A number of an attribute, 0 where it has none.
+/// The number of an attribute, 0 if missing.
 pub(super) fn number(file: &str, node: Node<'_, '_>, name: &str) -> Result<f64, SourceError> {
-    Field::attribute(node, name).map_or(Ok(0.0), |it| it.number(file))
+    Field::attribute(node, name).map_or(Ok(0.0), |field| field.number(file))
 }
 
-/// A length of an attribute, from 0 up; 0 where it has none.
+/// The length of an attribute, 0 or more; 0 if missing.
 pub(super) fn length(file: &str, node: Node<'_, '_>, name: &str) -> Result<f64, SourceError> {
     let Some(field) = Field::attribute(node, name) else {
         return Ok(0.0);

@@ -1,4 +1,4 @@
-//! What the shapes of a layer fill together: one inside another is a hole.
+//! The fill of a layer's shapes: a shape inside another one is a hole.
 
 use std::collections::BTreeMap;
 
@@ -8,12 +8,12 @@ use super::cut::{Cuts, Filling};
 use crate::error::SourceError;
 use crate::sketch::Sketch;
 
-/// The rings that are still to be filled: by their layer, and by what is filled together.
+/// The rings to fill, by layer and by the shapes filled together.
 #[derive(Debug, Default)]
 pub(super) struct Fills(BTreeMap<(u32, usize), Vec<Vec<Point>>>);
 
 impl Fills {
-    /// Keeps a ring of a shape, which is in an outermost group; both are counted from 0.
+    /// Adds a ring of a shape in an outermost group; both count from 0.
     pub(super) fn keep(
         &mut self,
         cut: u32,

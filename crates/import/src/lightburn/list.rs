@@ -1,4 +1,4 @@
-//! The points and lines of paths, as both formats write them.
+//! The points and primitives of paths, in both formats.
 //!
 //! ```text
 //!   <V vx="1" vy="2" c0x="3" c0y="4"/>      V1 2c0x3c0y4     a point; c0 pulls the curve that leaves it,
@@ -15,7 +15,7 @@ use crate::limits::Budget;
 use crate::number::real;
 use crate::place::excerpt;
 
-/// A point of a path, with those that pull its curves.
+/// A point of a path, with its control points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Vertex {
     pub(super) at: Point,
@@ -23,26 +23,26 @@ pub(super) struct Vertex {
     pub(super) arriving: Point,
 }
 
-/// How points of a path are joined.
+/// The primitives between points of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Joints {
-    /// All, one after the other, with straight lines.
+    /// Straight lines through all points.
     InOrder {
-        /// And the last with the first.
+        /// Straight lines through all points, closed.
         closed: bool,
     },
-    /// As the list says.
+    /// A list of lines and curves.
     Listed(Vec<Joint>),
 }
 
-/// A line or a curve from one point to another.
+/// A line or a curve between two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Joint {
     pub(super) is_curve: bool,
-    /// Numbers of the points, from 0 up.
+    /// Point numbers, from 0.
     pub(super) from: usize,
     pub(super) to: usize,
-    /// Where it is told, in bytes.
+    /// The position in the file, in bytes.
     pub(super) at: usize,
 }
 
@@ -67,7 +67,7 @@ pub(super) fn vertices(
     Ok(vertices)
 }
 
-/// The joints of `<PrimList>`.
+/// The primitives of `<PrimList>`.
 pub(super) fn joints(
     file: &str,
     field: Field<'_>,
@@ -108,16 +108,16 @@ pub(super) fn old_vertices(
         let at = Point::new(number(file, node, "vx")?, number(file, node, "vy")?);
         let pull = |name| {
             let field = Field::attribute(node, name);
-            field.map(|it| it.number(file)).transpose()
+            field.map(|field| field.number(file)).transpose()
         };
         let pulls = [pull("c0x")?, pull("c0y")?, pull("c1x")?, pull("c1y")?];
         Ok(vertex(at, pulls))
     };
-    let nodes = shape.children().filter(|it| it.has_tag_name("V"));
+    let nodes = shape.children().filter(|child| child.has_tag_name("V"));
     nodes.map(read).collect()
 }
 
-/// The joints of a path of the older format.
+/// The primitives of a path of the older format.
 pub(super) fn old_joints(
     file: &str,
     shape: Node<'_, '_>,
@@ -144,14 +144,14 @@ pub(super) fn old_joints(
             at,
         })
     };
-    let nodes = shape.children().filter(|it| it.has_tag_name("P"));
+    let nodes = shape.children().filter(|child| child.has_tag_name("P"));
     nodes
         .map(read)
         .collect::<Result<_, _>>()
         .map(Joints::Listed)
 }
 
-/// A point pulls only where both of its numbers are told: a lone `c0x1` says that there is none.
+/// A control point exists only if both of its numbers are given: a single `c0x1` means none.
 const fn vertex(at: Point, pulls: [Option<f64>; 4]) -> Vertex {
     const fn pull(at: Point, x: Option<f64>, y: Option<f64>) -> Point {
         match (x, y) {
@@ -167,11 +167,11 @@ const fn vertex(at: Point, pulls: [Option<f64>; 4]) -> Vertex {
     }
 }
 
-/// A list of letters and numbers without anything between them.
+/// A reader of a list of letters and numbers without separators.
 struct List<'d> {
     file: &'d str,
     field: Field<'d>,
-    /// How many bytes of it are read.
+    /// The number of bytes read.
     offset: usize,
     expected: &'static str,
 }
@@ -195,7 +195,11 @@ impl<'d> List<'d> {
     }
 
     fn skip(&mut self, is_skipped: impl Fn(&u8) -> bool) {
-        self.offset += self.rest().iter().take_while(|it| is_skipped(it)).count();
+        self.offset += self
+            .rest()
+            .iter()
+            .take_while(|rest| is_skipped(rest))
+            .count();
     }
 
     fn goes_on(&mut self) -> bool {
@@ -203,25 +207,25 @@ impl<'d> List<'d> {
         !self.rest().is_empty()
     }
 
-    /// Where it goes on, in bytes.
+    /// The position in the file, in bytes.
     const fn at(&self) -> usize {
         self.field.at + self.offset
     }
 
-    /// Takes one of these words; the number of the one that stands there.
+    /// Reads one of these words; returns its index.
     fn word(&mut self, words: &[&str]) -> Option<usize> {
         self.skip_spaces();
         let rest = self.rest();
         let which = words
             .iter()
-            .position(|it| rest.starts_with(it.as_bytes()))?;
+            .position(|word| rest.starts_with(word.as_bytes()))?;
         self.offset += words[which].len();
         Some(which)
     }
 
-    /// Which of the numbers comes next that tell how a point pulls, if one does.
+    /// The index of the next control point number, if there is one.
     fn pull(&mut self) -> Option<usize> {
-        // Behind a point may stand that it stays smooth while a person edits it.
+        // A point may be followed by a flag for smooth editing.
         if self.word(&["S"]).is_some() {
             self.skip(u8::is_ascii_digit);
         }
@@ -239,21 +243,21 @@ impl<'d> List<'d> {
         self.skip_spaces();
         let start = self.offset;
         let rest = self.rest();
-        let length = rest.iter().take_while(|it| it.is_ascii_digit()).count();
+        let length = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
         let count = self.field.text[start..start + length].parse();
         let count = count.map_err(|_| self.refused())?;
         self.offset += length;
         Ok(count)
     }
 
-    /// Tells what stands where it goes on.
+    /// An error about the text at the position.
     fn refused(&self) -> SourceError {
         let found = excerpt(self.field.text.as_bytes(), self.offset);
         SourceError::found(self.file.as_bytes(), self.at(), found, self.expected)
     }
 }
 
-/// A point of a list, or a line, takes as much as that many that are drawn.
+/// The cost of a list point or a primitive, in drawn points.
 const SHARE: usize = 2;
 const VERTICES: &str = "points such as V1 2 or V1 2c0x3c0y4c1x5c1y6, with numbers of at most 1e9";
 const JOINTS: &str = "lines and curves such as L0 1B1 2, LineClosed or LineOpen";

@@ -1,4 +1,4 @@
-//! The points and joints of paths, some of which several paths share.
+//! The points and primitives of paths, which paths may share.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -10,14 +10,14 @@ use super::list::{self, Joints, Vertex};
 use crate::error::SourceError;
 use crate::limits::{Budget, MAX_SEGMENTS};
 
-/// Reads the lists of paths. Of those with the same list only the first has it; the others tell its number (`VertID`,
-/// `PrimID`).
+/// A reader of path lists. Of the paths that share a list only the first contains it; the others
+/// refer to its number (`VertID`, `PrimID`).
 #[derive(Debug)]
 pub(super) struct Lists<'d> {
     file: &'d str,
     vertices: ListsOf<'d, Vec<Vertex>>,
     joints: ListsOf<'d, Joints>,
-    /// How many points and joints may still be read.
+    /// The number of points and primitives that may still be read.
     budget: Budget,
 }
 
@@ -48,7 +48,7 @@ impl<'d> Lists<'d> {
         lists
     }
 
-    /// The points of a path, and how they are joined.
+    /// The points and the primitives of a path.
     pub(super) fn of(
         &mut self,
         path: Node<'d, '_>,
@@ -62,17 +62,17 @@ impl<'d> Lists<'d> {
 /// The lists of one kind.
 #[derive(Debug)]
 struct ListsOf<'d, T> {
-    /// What a list is called, and the attribute that has its number.
+    /// The element name of the list, and the attribute with its number.
     element: &'static str,
     number: &'static str,
     read: fn(&str, Field<'_>, &mut Budget) -> Result<T, SourceError>,
-    /// Reads it from a path of the older format.
+    /// The reader of the list in the older format.
     read_old: fn(&str, Node<'_, '_>, &mut Budget) -> Result<T, SourceError>,
-    /// Those with a number.
+    /// The numbered lists.
     shared: HashMap<&'d str, Shared<'d, T>>,
 }
 
-/// A list with a number, which is read when it is first needed.
+/// A numbered list, read on demand.
 #[derive(Debug)]
 struct Shared<'d, T> {
     field: Field<'d>,
@@ -80,7 +80,7 @@ struct Shared<'d, T> {
 }
 
 impl<'d, T> ListsOf<'d, T> {
-    /// Keeps the place of a list that has a number.
+    /// Registers a numbered list.
     fn note(&mut self, node: Node<'d, '_>) {
         let Some(number) = node.attribute(self.number) else {
             return;
@@ -91,7 +91,7 @@ impl<'d, T> ListsOf<'d, T> {
         }
     }
 
-    /// The list of a path: its own, the one that its number tells, or where it has neither, one of the older format.
+    /// The list of a path: its own one, a shared one, or without either, one of the older format.
     fn of(
         &mut self,
         file: &str,
@@ -109,8 +109,8 @@ impl<'d, T> ListsOf<'d, T> {
             let expected = format!("the number of a <{}> of the file", self.element);
             return Err(number.refused(file, &expected));
         };
-        // Another list of the same number is its own.
-        if let Some(own) = own.filter(|it| it.at != of_number.field.at) {
+        // It has its own list with the same number.
+        if let Some(own) = own.filter(|value| value.at != of_number.field.at) {
             return (self.read)(file, own, budget).map(Rc::new);
         }
         if let Some(list) = &of_number.list {

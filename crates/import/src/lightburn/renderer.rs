@@ -1,4 +1,4 @@
-//! Draws all shapes of a project.
+//! The renderer of the shapes of a project.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +15,7 @@ use crate::limits::MAX_NUMBER;
 use crate::place::{printable, shortened};
 use crate::sketch::Sketch;
 
-/// Draws shapes into a sketch.
+/// A renderer of shapes into a sketch.
 #[derive(Debug)]
 pub(super) struct ShapeRenderer<'s, 'a, 'd> {
     pub(super) file: &'d str,
@@ -23,28 +23,28 @@ pub(super) struct ShapeRenderer<'s, 'a, 'd> {
     pub(super) lists: Lists<'d>,
     cuts: Cuts,
     fills: Fills,
-    /// That of the whole project: x may be mirrored.
+    /// The transform of the project: x may be mirrored.
     frame: Affine,
-    /// How many outermost shapes and how many shapes at all there were so far.
+    /// The numbers of outermost shapes and of all shapes up to now.
     counts: [usize; 2],
-    /// Shapes of layers whose output is off, and of tool layers.
+    /// Shapes of layers with output off, and of tool layers.
     off: LeftOut,
     tools: LeftOut,
-    /// The layers that are drawn.
+    /// The drawn layers.
     drawn: BTreeSet<u32>,
 }
 
-/// Where a shape is drawn.
+/// The context of a shape.
 #[derive(Clone, Copy, Debug)]
 struct Pose {
     frame: Affine,
-    /// Its layer, unless it tells one itself.
+    /// The layer, unless the shape has its own.
     cut: u32,
-    /// How many groups it is in.
+    /// The nesting depth of groups.
     depth: u32,
 }
 
-/// A line of a shape, and whether it ends where it began.
+/// A line of a shape, and whether it is closed.
 #[derive(Debug)]
 pub(super) struct Contour {
     pub(super) points: Vec<Point>,
@@ -74,7 +74,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         }
     }
 
-    /// Draws all shapes; layers come in the order in which a laser runs them.
+    /// Draws all shapes; layers are in the order in which a laser runs them.
     pub(super) fn all(&mut self, root: Node<'d, '_>) -> Result<(), SourceError> {
         for cut in self.cuts.in_order() {
             self.sketch.use_layer(cut.layer())?;
@@ -91,13 +91,13 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         Ok(())
     }
 
-    /// Fills what is to be filled, and tells of what was left out.
+    /// Fills areas and adds the warnings about what was left out.
     pub(super) fn finish(mut self) -> Result<(), SourceError> {
         self.fills.draw(self.sketch, &mut self.cuts)?;
         let off = "left out, because the output of its layer is off in LightBurn";
-        self.off.tell(self.sketch, "switched-off shape", off);
+        self.off.warn(self.sketch, "switched-off shape", off);
         let tools = "left out, because LightBurn does not output tool layers";
-        self.tools.tell(self.sketch, "tool-layer shape", tools);
+        self.tools.warn(self.sketch, "tool-layer shape", tools);
         for cut in self.drawn {
             if let Some(at) = self.cuts.of(cut).at {
                 let instead = "drawn without its speed, power, passes and kerf, which are for another laser; \
@@ -109,7 +109,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
     }
 
     fn shape(&mut self, shape: Node<'d, '_>, pose: Pose) -> Result<(), SourceError> {
-        let cut = Field::attribute(shape, "CutIndex").map(|it| it.count(self.file));
+        let cut = Field::attribute(shape, "CutIndex").map(|field| field.count(self.file));
         let pose = Pose {
             cut: cut.transpose()?.unwrap_or(pose.cut),
             ..pose
@@ -155,20 +155,25 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
             depth: pose.depth + 1,
             ..pose
         };
-        let lists = group.children().filter(|it| it.has_tag_name("Children"));
+        let lists = group
+            .children()
+            .filter(|child| child.has_tag_name("Children"));
         for shape in lists.flat_map(shapes_in) {
             self.shape(shape, pose)?;
         }
         Ok(())
     }
 
-    /// A text by the outlines that the file keeps of it, whose places are those of the whole project, whatever group
-    /// the text is in.
+    /// Draws a text by the outlines stored in the file, in project coordinates whatever group the
+    /// text is in.
     fn text(&mut self, text: Node<'d, '_>, pose: Pose) -> Result<(), SourceError> {
-        if let Some(outlines) = text.children().find(|it| it.has_tag_name("BackupPath")) {
+        if let Some(outlines) = text
+            .children()
+            .find(|child| child.has_tag_name("BackupPath"))
+        {
             let pose = Pose {
                 frame: self.frame,
-                // A text in the outlines of a text would go on for ever.
+                // A text in the outlines of a text would recurse forever.
                 depth: pose.depth + 1,
                 ..pose
             };
@@ -181,7 +186,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         Ok(())
     }
 
-    /// Draws the lines of a shape, or keeps them until all that is filled with them is there.
+    /// Draws the lines of a shape, or keeps them until everything filled with them is known.
     fn draw(
         &mut self,
         shape: Node<'_, '_>,
@@ -218,7 +223,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         Ok(())
     }
 
-    /// Whether a laser burns what is on a layer; otherwise it is noted.
+    /// Whether a laser burns a layer; otherwise counts it.
     fn is_burned(&mut self, shape: Node<'_, '_>, cut: u32) -> bool {
         let cut = self.cuts.of(cut);
         let left_out = match cut.output {
@@ -230,16 +235,16 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         false
     }
 
-    /// From the coordinates of a shape to those of the project.
+    /// The transform from a shape to the project.
     fn frame_of(&self, shape: Node<'d, '_>, outer: Affine) -> Result<Affine, SourceError> {
         let Some(field) = Field::content(shape, "XForm") else {
             return Ok(outer);
         };
-        let numbers = field.text.split_whitespace().map(|it| it.parse().ok());
-        let numbers = numbers.map(|it| it.filter(|it: &f64| it.abs() <= MAX_NUMBER));
-        // One more than there may be.
+        let numbers = field.text.split_whitespace().map(|word| word.parse().ok());
+        let numbers = numbers.map(|number| number.filter(|x: &f64| x.abs() <= MAX_NUMBER));
+        // One more than allowed.
         let numbers: Option<Vec<f64>> = numbers.take(7).collect();
-        let numbers = numbers.and_then(|it| <[f64; 6]>::try_from(it).ok());
+        let numbers = numbers.and_then(|number| <[f64; 6]>::try_from(number).ok());
         let numbers =
             numbers.ok_or_else(|| field.refused(self.file, "six numbers of at most 1e9"))?;
         Ok(outer * Affine::new(numbers))
@@ -250,13 +255,13 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
     }
 }
 
-/// Shapes that are not drawn, as their layers want it.
+/// Shapes left out because of their layers.
 #[derive(Debug, Default)]
 struct LeftOut {
     count: usize,
-    /// Where the first stands, in bytes.
+    /// The position of the first one, in bytes.
     first: usize,
-    /// What the first few layers are called.
+    /// The names of the first few layers.
     layers: BTreeSet<String>,
 }
 
@@ -271,7 +276,7 @@ impl LeftOut {
         }
     }
 
-    fn tell(&self, sketch: &mut Sketch<'_>, what: &str, instead: &str) {
+    fn warn(&self, sketch: &mut Sketch<'_>, what: &str, instead: &str) {
         let names: Vec<&str> = self.layers.iter().map(String::as_str).collect();
         let instead = format!("{instead} ({})", names.join(", "));
         for _ in 0..self.count {
@@ -281,10 +286,12 @@ impl LeftOut {
 }
 
 fn shapes_in<'d, 'i>(parent: Node<'d, 'i>) -> impl Iterator<Item = Node<'d, 'i>> {
-    parent.children().filter(|it| it.has_tag_name("Shape"))
+    parent
+        .children()
+        .filter(|child| child.has_tag_name("Shape"))
 }
 
-/// How deep groups may be nested: nobody goes deeper.
+/// The largest nesting depth of groups.
 const MAX_DEPTH: u32 = 100;
-/// How many layers a warning names.
+/// The number of layers that a warning names.
 const MOST_NAMES: usize = 6;

@@ -13,20 +13,21 @@ use crate::error::SourceError;
 use crate::frame::way;
 
 impl<'d> ShapeRenderer<'_, '_, 'd> {
-    /// A rectangle about its middle, which may have round corners.
+    /// A rectangle about its center, optionally with round corners.
     pub(super) fn rectangle(
         &mut self,
-        it: Node<'d, '_>,
+        node: Node<'d, '_>,
         frame: Affine,
     ) -> Result<Vec<Contour>, SourceError> {
-        let half = [length(self.file, it, "W")?, length(self.file, it, "H")?].map(|mm| mm / 2.0);
+        let half =
+            [length(self.file, node, "W")?, length(self.file, node, "H")?].map(|mm| mm / 2.0);
         let [x, y] = half;
         let corners = [(x, -y), (x, y), (-x, y), (-x, -y)].map(|(x, y)| Point::new(x, y));
-        let radius = self.corner_radius(it, half)?;
+        let radius = self.corner_radius(node, half)?;
         if radius == 0.0 {
-            return self.ring(it, frame, &corners);
+            return self.ring(node, frame, &corners);
         }
-        let at = it.range().start;
+        let at = node.range().start;
         let mut points = Vec::new();
         for (corner, from_rad) in corners
             .into_iter()
@@ -42,19 +43,19 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
         Ok(closed(points))
     }
 
-    /// How round the corners of a rectangle are.
-    fn corner_radius(&mut self, it: Node<'d, '_>, [x, y]: [f64; 2]) -> Result<f64, SourceError> {
-        let radius = super::field::number(self.file, it, "Cr")?;
+    /// The corner radius of a rectangle.
+    fn corner_radius(&mut self, node: Node<'d, '_>, [x, y]: [f64; 2]) -> Result<f64, SourceError> {
+        let radius = super::field::number(self.file, node, "Cr")?;
         if radius < 0.0 {
             let instead =
                 "drawn with sharp corners; convert it to a path in LightBurn and save the project";
-            self.left_out(it, "negatively rounded rectangle", instead);
+            self.left_out(node, "negatively rounded rectangle", instead);
             return Ok(0.0);
         }
         let most = x.min(y);
         if radius > most {
             let instead = "drawn with the largest radius that its shorter side allows";
-            self.left_out(it, "too-round rectangle", instead);
+            self.left_out(node, "too-round rectangle", instead);
             return Ok(most);
         }
         Ok(radius)
@@ -62,68 +63,76 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
 
     pub(super) fn ellipse(
         &mut self,
-        it: Node<'d, '_>,
+        node: Node<'d, '_>,
         frame: Affine,
     ) -> Result<Vec<Contour>, SourceError> {
-        let at = it.range().start;
-        let [x, y] = [length(self.file, it, "Rx")?, length(self.file, it, "Ry")?];
+        let at = node.range().start;
+        let [x, y] = [
+            length(self.file, node, "Rx")?,
+            length(self.file, node, "Ry")?,
+        ];
         let middle = self.sketch.check(at, frame * Point::ORIGIN)?;
-        let [across, along] = [Vec2::new(x, 0.0), Vec2::new(0.0, y)].map(|it| way(frame, it));
+        let [across, along] = [Vec2::new(x, 0.0), Vec2::new(0.0, y)].map(|value| way(frame, value));
         let arc = Arc::ellipse(middle, across, along, 0.0, TAU);
         let points = self.sketch.arc_points(at, &arc)?;
         Ok(closed(points))
     }
 
-    /// A polygon of equal sides, stretched, whose first corner is to the right of its middle.
+    /// A stretched regular polygon, whose first corner is to the right of its center.
     pub(super) fn polygon(
         &mut self,
-        it: Node<'d, '_>,
+        node: Node<'d, '_>,
         frame: Affine,
     ) -> Result<Vec<Contour>, SourceError> {
         let expected = "the number of its sides, from 3 to 10000";
-        let Some(field) = Field::attribute(it, "N") else {
-            let at = it.range().start;
+        let Some(field) = Field::attribute(node, "N") else {
+            let at = node.range().start;
             return Err(self.sketch.found(at, "a polygon without N", expected));
         };
         let sides = field.count(self.file)?;
         if !SIDES.contains(&sides) {
             return Err(field.refused(self.file, expected));
         }
-        let [x, y] = [length(self.file, it, "Rx")?, length(self.file, it, "Ry")?];
+        let [x, y] = [
+            length(self.file, node, "Rx")?,
+            length(self.file, node, "Ry")?,
+        ];
         let corner = |i: u32| {
             let (sin, cos) = (TAU * f64::from(i) / f64::from(sides)).sin_cos();
             Point::new(x * cos, y * sin)
         };
         let corners: Vec<Point> = (0..sides).map(corner).collect();
-        self.ring(it, frame, &corners)
+        self.ring(node, frame, &corners)
     }
 
     /// A path of lines and curves, in one or several pieces.
     pub(super) fn path(
         &mut self,
-        it: Node<'d, '_>,
+        node: Node<'d, '_>,
         frame: Affine,
     ) -> Result<Vec<Contour>, SourceError> {
-        let (vertices, joints) = self.lists.of(it)?;
+        let (vertices, joints) = self.lists.of(node)?;
         let in_order;
         let joints = match &*joints {
             Joints::Listed(joints) => joints,
             Joints::InOrder { closed } => {
                 // Counted before anything is stored.
                 self.sketch.spend(vertices.len())?;
-                in_order = joined_in_order(vertices.len(), *closed, it.range().start);
+                in_order = joined_in_order(vertices.len(), *closed, node.range().start);
                 &in_order
             }
         };
         if joints.is_empty() {
-            self.left_out(it, "empty path", "left out");
+            self.left_out(node, "empty path", "left out");
         }
         let mut contours: Vec<Contour> = Vec::new();
         let mut last: Option<Joint> = None;
         for &joint in joints {
             let points = self.joint_points(frame, &vertices, joint)?;
             match contours.last_mut() {
-                Some(contour) if !contour.closed && last.is_some_and(|it| it.to == joint.from) => {
+                Some(contour)
+                    if !contour.closed && last.is_some_and(|last| last.to == joint.from) =>
+                {
                     contour.points.extend(&points[1..]);
                     contour.closed = is_closed(&contour.points);
                 }
@@ -173,11 +182,11 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
 
     fn ring(
         &self,
-        it: Node<'_, '_>,
+        node: Node<'_, '_>,
         frame: Affine,
         corners: &[Point],
     ) -> Result<Vec<Contour>, SourceError> {
-        let at = it.range().start;
+        let at = node.range().start;
         let places = corners.iter().map(|&p| self.sketch.check(at, frame * p));
         Ok(closed(places.collect::<Result<_, _>>()?))
     }
@@ -212,5 +221,5 @@ fn joined_in_order(count: usize, closed: bool, at: usize) -> Vec<Joint> {
     joints
 }
 
-/// How many sides a polygon has.
+/// The allowed numbers of polygon sides.
 const SIDES: std::ops::RangeInclusive<u32> = 3..=10_000;

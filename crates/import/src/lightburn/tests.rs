@@ -23,7 +23,7 @@ fn mirrored(x: &str, y: &str, inside: &str) -> String {
     format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{root}\n{inside}\n</LightBurnProject>\n")
 }
 
-/// A layer that `LightBurn` calls so, of a mode, with more settings.
+/// A layer with this name in `LightBurn`, a mode and more settings.
 fn cut(index: u32, mode: &str, more: &str) -> String {
     format!(
         "<CutSetting type=\"{mode}\"><index Value=\"{index}\"/><name Value=\"C{index:02}\"/>{more}</CutSetting>"
@@ -41,12 +41,12 @@ fn read_text(text: &str) -> (Artwork, Vec<String>) {
     (artwork, warnings.iter().map(Warning::to_string).collect())
 }
 
-/// What becomes of these shapes, on layer 0 for lines.
+/// The result of these shapes on layer 0, a line layer.
 fn draw(inside: &str) -> Artwork {
     let (artwork, warnings) = read_text(&project(&(cut(0, "Cut", "") + inside)));
     let others = warnings
         .into_iter()
-        .filter(|it| !it.contains("laser layer"));
+        .filter(|warning| !warning.contains("laser layer"));
     assert_eq!(others.collect::<Vec<_>>(), [""; 0]);
     artwork
 }
@@ -57,17 +57,30 @@ fn error(text: &str) -> String {
 }
 
 fn strokes(artwork: &Artwork) -> Vec<&Stroke> {
-    artwork.layers.iter().flat_map(|it| &it.strokes).collect()
+    artwork
+        .layers
+        .iter()
+        .flat_map(|layer| &layer.strokes)
+        .collect()
 }
 
 fn corners(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
     let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
-    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+    let corners = |stroke: &Stroke| {
+        stroke
+            .points
+            .iter()
+            .map(|p| (round(p.x), round(p.y)))
+            .collect()
+    };
     strokes(artwork).into_iter().map(corners).collect()
 }
 
 fn length_mm(artwork: &Artwork) -> f64 {
-    strokes(artwork).iter().map(|it| it.length_mm()).sum()
+    strokes(artwork)
+        .iter()
+        .map(|stroke| stroke.length_mm())
+        .sum()
 }
 
 #[track_caller]
@@ -95,8 +108,8 @@ fn a_rectangle_lies_about_its_middle_and_y_points_up() {
     assert_eq!([artwork.width_mm, artwork.height_mm], [10.0, 10.0]);
     let boxes: Vec<_> = strokes(&artwork)
         .into_iter()
-        .map(|it| bounds_of_strokes(std::slice::from_ref(it)))
-        .map(|it| (it.x0, it.y0, it.x1, it.y1))
+        .map(|stroke| bounds_of_strokes(std::slice::from_ref(stroke)))
+        .map(|stroke| (stroke.x0, stroke.y0, stroke.x1, stroke.y1))
         .collect();
     assert_eq!(boxes, [(0.0, 6.0, 2.0, 10.0), (8.0, 0.0, 10.0, 2.0)]);
 }
@@ -140,7 +153,7 @@ fn round_corners_are_quarters_of_circles() {
 }
 
 #[test]
-fn corners_that_are_too_round_or_turned_inwards_are_told() {
+fn corners_that_are_too_round_or_turned_inwards_are_reported() {
     let with = |radius: &str| {
         let it = format!("Type=\"Rect\" CutIndex=\"0\" W=\"30\" H=\"20\" Cr=\"{radius}\"");
         read_text(&project(&shape(&it, HERE, "")))
@@ -235,7 +248,7 @@ fn a_text_lies_where_its_outlines_are_whatever_group_it_is_in() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_told_with_what_to_do() {
+fn what_cannot_be_drawn_is_reported_with_what_to_do() {
     let line = shape(
         "Type=\"Path\"",
         HERE,
@@ -252,14 +265,14 @@ fn what_cannot_be_drawn_is_told_with_what_to_do() {
         &(cut(0, "Cut", "") + &line + &text + &code + &picture),
     ));
     assert_eq!(strokes(&artwork).len(), 1);
-    let told = warnings.join("\n");
+    let message = warnings.join("\n");
     for part in [
         "1 plain text: left out, because the project has no outlines of it; convert it to a path in LightBurn",
         "1 unsupported shape: left out (the first is a \"QrCode\")",
         "1 picture: left out; save it from LightBurn and draw it separately: dobot draw picture.png",
         "1 laser layer: drawn without its speed, power, passes and kerf",
     ] {
-        assert!(told.contains(part), "{told}");
+        assert!(message.contains(part), "{message}");
     }
 }
 

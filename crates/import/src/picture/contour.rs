@@ -4,11 +4,12 @@ use dobot_geometry::{Point, Stroke};
 
 use super::tone::Tone;
 
-/// The lines along which the tone is `threshold`, with the darker side on the same hand all along.
+/// Returns the lines along which the tone is `threshold`, with the darker side always on the same
+/// hand.
 ///
-/// The middles of four neighbouring cells make a square. Where its corners are on different sides
-/// of the threshold, the line crosses the square from edge to edge, at the places where the tone
-/// between two corners is the threshold.
+/// The centers of four neighbouring cells form a square. If its corners are on different sides of
+/// the threshold, the line crosses the square from edge to edge, at the interpolated places of the
+/// threshold.
 ///
 /// ```text
 ///   dark ----x---- light      each crossed edge is the exit of one square
@@ -29,13 +30,13 @@ pub(super) fn contours(tone: &Tone, threshold: f64) -> Vec<Stroke> {
     map.strokes()
 }
 
-/// Which edge follows which. Edge `2 * i` leads from the middle of cell `i` to the right, edge
-/// `2 * i + 1` down.
+/// The successor of each edge. Edge `2 * i` leads from the center of cell `i` to the right, edge `2
+/// * i + 1` down.
 struct EdgeMap<'a> {
     tone: &'a Tone,
     threshold: f64,
     next: Vec<usize>,
-    /// Whether a line comes to the edge from a square.
+    /// Whether an edge has a predecessor.
     entered: Vec<bool>,
 }
 
@@ -49,17 +50,17 @@ impl EdgeMap<'_> {
         }
     }
 
-    /// Joins the crossed edges of the square right of and below a cell.
+    /// Joins the crossed edges of the square to the right of and below a cell.
     fn cross(&mut self, cell: usize) {
         let width = self.tone.width;
         let corners = [cell, cell + 1, cell + width + 1, cell + width];
-        // Going around: top, right, bottom, left; each edge starts at the corner of its number.
+        // Clockwise: top, right, bottom, left; each edge starts at the corner with its number.
         let edges = [2 * cell, 2 * cell + 3, 2 * (cell + width), 2 * cell + 1];
         let dark = corners.map(|corner| self.is_dark(corner));
         let exits = |i: usize| dark[i] && !dark[(i + 1) % 4];
         let enters = |i: usize| !dark[i] && dark[(i + 1) % 4];
         let saddle = dark[0] == dark[2] && dark[1] == dark[3] && dark[0] != dark[1];
-        // In a saddle the middle decides which corners belong together.
+        // In a saddle the center decides which corners are connected.
         let turn = if saddle && !self.middle_is_dark(corners) {
             3
         } else {
@@ -80,13 +81,16 @@ impl EdgeMap<'_> {
     }
 
     fn middle_is_dark(&self, corners: [usize; 4]) -> bool {
-        let sum: f64 = corners.map(|it| f64::from(self.tone.ink[it])).iter().sum();
+        let sum: f64 = corners
+            .map(|corner| f64::from(self.tone.ink[corner]))
+            .iter()
+            .sum();
         sum / 4.0 >= self.threshold
     }
 
     fn strokes(mut self) -> Vec<Stroke> {
         let mut strokes = Vec::new();
-        // Those that begin at the page's border first: what is left then are rings.
+        // First those that start at the page's border: only rings remain.
         for ends in [true, false] {
             for edge in 0..self.next.len() {
                 if self.next[edge] != NONE && !(ends && self.entered[edge]) {
@@ -108,7 +112,7 @@ impl EdgeMap<'_> {
         Stroke { points, closed }
     }
 
-    /// Where the tone is the threshold.
+    /// The place of the threshold on an edge.
     fn place(&self, edge: usize) -> Point {
         let width = self.tone.width;
         let from = edge / 2;
@@ -117,7 +121,7 @@ impl EdgeMap<'_> {
         } else {
             from + width
         };
-        let [a, b] = [from, to].map(|it| f64::from(self.tone.ink[it]));
+        let [a, b] = [from, to].map(|value| f64::from(self.tone.ink[value]));
         let middle = |cell: usize| self.tone.middle(cell % width, cell / width);
         middle(from).lerp(middle(to), ((self.threshold - a) / (b - a)).clamp(0.0, 1.0))
     }
@@ -184,7 +188,7 @@ mod tests {
         fn every_line_ends_at_the_border_or_in_itself(
             ink in prop::collection::vec(0..4_u8, 64), threshold in 0.05..0.95,
         ) {
-            let ink: Vec<f32> = ink.into_iter().map(|it| f32::from(it) / 3.0).collect();
+            let ink: Vec<f32> = ink.into_iter().map(|item| f32::from(item) / 3.0).collect();
             let tone = tone(8, ink);
             let at_border = |p: Point| p.x == 0.5 || p.y == 0.5 || p.x == 7.5 || p.y == 7.5;
             let mut crossings = 0;
@@ -194,7 +198,7 @@ mod tests {
                 prop_assert!(first == last || at_border(first) && at_border(last), "{:?}", line);
             }
             // Each edge between a darker and a lighter cell is crossed exactly once.
-            let dark: Vec<bool> = tone.ink.iter().map(|&it| f64::from(it) >= threshold).collect();
+            let dark: Vec<bool> = tone.ink.iter().map(|&item| f64::from(item) >= threshold).collect();
             let right = (0..64).filter(|i| i % 8 < 7 && dark[*i] != dark[i + 1]).count();
             let down = (0..56).filter(|i| dark[*i] != dark[i + 8]).count();
             prop_assert!(crossings >= right + down, "{} of {}", crossings, right + down);

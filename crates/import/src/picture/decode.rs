@@ -1,4 +1,4 @@
-//! Pictures to grey pixels: PNG and JPEG here, the rest in `others`.
+//! Pictures to grey pixels: PNG and JPEG here, others in `others`.
 
 use std::io::Cursor;
 
@@ -23,18 +23,18 @@ pub(super) struct Header {
     /// A pixel's width and height, in millimetres.
     pub(super) pixel: Point,
     pub(super) orientation: Orientation,
-    /// What it is where there are further pictures in the file; the first one counts.
+    /// The kind of a file with further pictures; the first one is used.
     pub(super) series: Option<&'static str>,
 }
 
 impl Header {
-    /// The pixels' rows and columns as they are stored, in millimetres.
+    /// The stored rows and columns, in millimetres.
     pub(super) fn stored_page(&self) -> Point {
         let [width, height] = [self.width, self.height].map(super::tone::count);
         Point::new(width * self.pixel.x, height * self.pixel.y)
     }
 
-    /// The page as a person sees it.
+    /// The page as displayed.
     pub(super) fn page(&self) -> Point {
         let stored = self.stored_page();
         if self.orientation.transpose {
@@ -43,7 +43,7 @@ impl Header {
         stored
     }
 
-    /// Refuses pictures without pixels and those with more than that: not every decoder does.
+    /// Refuses pictures without pixels and those with too many: not every decoder does.
     pub(super) fn check(self, most: usize) -> Result<Self, ImageError> {
         let (width, height) = (self.width, self.height);
         if width == 0 || height == 0 {
@@ -60,7 +60,7 @@ impl Header {
     }
 }
 
-/// The format of a file that begins so, whatever its name says.
+/// The format of a file with this start, whatever its name is.
 pub(crate) fn format(bytes: &[u8]) -> Option<ImageFormat> {
     let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
     let formats = [
@@ -77,7 +77,7 @@ pub(crate) fn format(bytes: &[u8]) -> Option<ImageFormat> {
             bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*"),
         ),
     ];
-    formats.into_iter().find(|it| it.1).map(|it| it.0)
+    formats.into_iter().find(|format| format.1).map(|at| at.0)
 }
 
 fn known_format(bytes: &[u8]) -> Result<ImageFormat, ImageError> {
@@ -87,16 +87,16 @@ fn known_format(bytes: &[u8]) -> Result<ImageFormat, ImageError> {
     format(bytes).ok_or(ImageError::UnknownFormat)
 }
 
-/// Reads the header alone.
+/// Reads the header only.
 pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
     match known_format(bytes)? {
-        ImageFormat::Png => png(bytes).map(|it| it.header),
-        ImageFormat::Jpeg => jpeg(bytes).map(|it| it.header),
+        ImageFormat::Png => png(bytes).map(|png| png.header),
+        ImageFormat::Jpeg => jpeg(bytes).map(|jpeg| jpeg.header),
         format => others::header(bytes, format),
     }
 }
 
-/// Reads header and pixels, 0 for black and 255 for white, what is transparent as `paper`.
+/// Reads header and pixels, 0 for black and 255 for white; transparent pixels become `paper`.
 pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
     match known_format(bytes)? {
         ImageFormat::Png => png_pixels(bytes, paper),
@@ -105,7 +105,7 @@ pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), Image
     }
 }
 
-/// A PNG file whose header is read.
+/// A PNG file after its header.
 struct PngFile<'a> {
     reader: png::Reader<Cursor<&'a [u8]>>,
     header: Header,
@@ -116,7 +116,7 @@ fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
     decoder.set_transformations(Transformations::normalize_to_color8());
     let info = decoder.read_header_info().map_err(bad_png)?;
-    let [width, height] = [info.width, info.height].map(|it| it as usize);
+    let [width, height] = [info.width, info.height].map(|value| value as usize);
     let mut header = Header {
         width,
         height,
@@ -124,7 +124,7 @@ fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
         orientation: Orientation::default(),
         series: None,
     }
-    .check(MOST_PIXELS)?;
+    .check(MAX_PIXELS)?;
     let reader = decoder.read_info().map_err(bad_png)?;
     let info = reader.info();
     header.series = info.is_animated().then_some(ANIMATION);
@@ -161,7 +161,7 @@ fn png_pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> 
     Err(bad_png("some pixels are missing"))
 }
 
-/// A pixel that lets some of the paper through.
+/// Blends a transparent pixel with the paper.
 pub(super) fn on_paper(grey: u8, alpha: u8, paper: u8) -> u8 {
     let [grey, alpha, paper] = [grey, alpha, paper].map(u32::from);
     byte((grey * alpha + paper * (255 - alpha) + 127) / 255)
@@ -172,16 +172,22 @@ fn add_grey(grey: &mut Vec<u8>, row: &[u8], color: ColorType, paper: u8) {
     match color {
         ColorType::Grayscale | ColorType::Indexed => grey.extend_from_slice(row),
         ColorType::GrayscaleAlpha => {
-            grey.extend(row.chunks_exact(2).map(|it| on_paper(it[0], it[1])));
+            grey.extend(
+                row.chunks_exact(2)
+                    .map(|chunk| on_paper(chunk[0], chunk[1])),
+            );
         }
         ColorType::Rgb => grey.extend(row.chunks_exact(3).map(luma)),
         ColorType::Rgba => {
-            grey.extend(row.chunks_exact(4).map(|it| on_paper(luma(it), it[3])));
+            grey.extend(
+                row.chunks_exact(4)
+                    .map(|chunk| on_paper(luma(chunk), chunk[3])),
+            );
         }
     }
 }
 
-/// A JPEG file whose header is read.
+/// A JPEG file after its header.
 struct JpegFile<'a> {
     decoder: JpegDecoder<ZCursor<&'a [u8]>>,
     header: Header,
@@ -205,7 +211,7 @@ fn jpeg(bytes: &[u8]) -> Result<JpegFile<'_>, ImageError> {
         orientation: Orientation::of_exif(exif),
         series: None,
     };
-    let header = header.check(MOST_PIXELS)?;
+    let header = header.check(MAX_PIXELS)?;
     Ok(JpegFile { decoder, header })
 }
 
@@ -214,7 +220,7 @@ fn jpeg_pixels(bytes: &[u8]) -> Result<(Header, Vec<u8>), ImageError> {
         mut decoder,
         header,
     } = jpeg(bytes)?;
-    // Of the usual colours the first is the grey; others are converted.
+    // The first component of the usual colour spaces is grey; others are converted.
     let grey = matches!(
         decoder.input_colorspace(),
         Some(ColorSpace::Luma | ColorSpace::YCbCr)
@@ -235,7 +241,7 @@ fn jpeg_pixels(bytes: &[u8]) -> Result<(Header, Vec<u8>), ImageError> {
     Err(bad_jpeg("some pixels are missing"))
 }
 
-/// How light a colour looks: red, green and blue weighted as in JPEG files.
+/// The luma of a colour: red, green and blue weighted as in JPEG files.
 fn luma(rgb: &[u8]) -> u8 {
     let [red, green, blue] = [rgb[0], rgb[1], rgb[2]].map(u32::from);
     byte((299 * red + 587 * green + 114 * blue + 500) / 1000)
@@ -277,8 +283,8 @@ const CUT_OFF: [&str; 4] = [
     "exhausted",
 ];
 
-/// 96 to the inch, as browsers take pixels.
+/// 96 per inch, as in browsers.
 pub(super) const PIXEL_MM: f64 = 25.4 / 96.0;
-const MOST_PIXELS: usize = 100_000_000;
-/// The PNG decoder may allocate so much beside the pixels: a few rows, colour profiles, texts.
+const MAX_PIXELS: usize = 100_000_000;
+/// The memory limit of the PNG decoder beside the pixels: a few rows, colour profiles, texts.
 const PNG_BYTES: usize = 1 << 26;

@@ -1,6 +1,6 @@
-//! Which way a camera was held, from the Exif block of a picture.
+//! The orientation of the camera, from the Exif block of a picture.
 
-/// Changes to the pixels, in this order.
+/// The changes to the pixels, in this order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Orientation {
     /// Rows become columns.
@@ -12,13 +12,14 @@ pub(super) struct Orientation {
 }
 
 impl Orientation {
-    /// Reads tag 0x0112 of the first directory; upright where there is none.
+    /// Reads tag 0x0112 of the first directory; upright if missing.
     pub(super) fn of_exif(exif: &[u8]) -> Self {
         let tiff = exif.strip_prefix(b"Exif\0\0").unwrap_or(exif);
         Self::numbered(orientation(tiff).unwrap_or(1))
     }
 
-    /// The eight ways of the Exif standard: where the picture's upper left corner is stored.
+    /// The eight orientations of the Exif standard: the stored position of the picture's upper left
+    /// corner.
     pub(super) const fn numbered(number: u16) -> Self {
         let (transpose, mirror_x, mirror_y) = match number {
             2 => (false, true, false),

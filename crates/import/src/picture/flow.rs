@@ -1,15 +1,15 @@
-//! Lines that run along the edges of what is seen, the denser the darker it is.
+//! Lines along the edges of a picture, denser in darker areas.
 
 use dobot_geometry::{CubicBez, ParamCurve, Point, Random, Stroke, Vec2};
 
 use super::shading::Shading;
 use super::tone::{Tone, as_ink, cell, count};
 
-/// Draws a page with lines along its edges: across the way in which the tone changes most. Where it is
-/// black they lie `spacing_mm` (on the page) apart, elsewhere farther in proportion; white stays empty.
+/// Draws a page with lines along its edges: across the gradient of the tone. In black areas they
+/// are `spacing_mm` (on the page) apart, in lighter ones farther in proportion; white stays empty.
 ///
-/// Each line begins at a place that has room, and goes on to both sides until it comes too near to
-/// another one or to itself (evenly spaced streamlines). One that comes back to its begin is closed.
+/// Each line starts at a free place, and continues in both directions until it comes too near to
+/// another line or to itself (evenly spaced streamlines). One that returns to its start is closed.
 pub(super) fn flowing(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
     let mut flow = Flow {
         ways: Ways::new(tone, shading.angle_deg, spacing_mm),
@@ -28,12 +28,12 @@ struct Flow<'a> {
     tone: &'a Tone,
     spacing_mm: f64,
     drawn: Drawn,
-    /// How many lines have begun.
+    /// The number of started lines.
     lines: usize,
 }
 
 impl Flow<'_> {
-    /// The line through a place; none where it has no room, or becomes too short.
+    /// The line through a place; none if there is no room, or it becomes too short.
     fn stroke(&mut self, start: Point) -> Option<Stroke> {
         let begin = Mark {
             at: start,
@@ -62,12 +62,12 @@ impl Flow<'_> {
         None
     }
 
-    /// The corners of a line from its begin on, and whether the last is the begin again. `side` is 1 for
-    /// the line's way and -1 against it.
+    /// The corners of a line from its start, and whether it returns to the start. `side` is 1 for
+    /// the line's direction and -1 against it.
     fn half(&mut self, begin: Mark, begin_way: Vec2, side: f64) -> (Vec<Point>, bool) {
         let step_mm = STEP * self.spacing_mm;
         let (mut here, mut way, mut line) = (begin, begin_way, Vec::new());
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             if let Some(home) = self.home(here.at, way, begin.at, begin_way) {
                 for &at in &home {
                     self.drawn.put(Mark { at, ..here });
@@ -75,7 +75,7 @@ impl Flow<'_> {
                 line.extend(home);
                 return (line, true);
             }
-            // Half a step, to see which way it goes there.
+            // Half a step, to find the direction there.
             let middle = along(self.ways.at(here.at + way * (0.5 * step_mm)), way);
             here.at += middle * step_mm;
             here.along_mm += side * step_mm;
@@ -89,7 +89,7 @@ impl Flow<'_> {
         (line, false)
     }
 
-    /// The rest of a line that comes back to its begin: none where that is far, or not ahead, or an arc
+    /// The rest of a line that returns to its start: none if that is far, or not ahead, or an arc
     /// to it would not arrive along the line.
     fn home(&self, here: Point, way: Vec2, begin: Point, begin_way: Vec2) -> Option<Vec<Point>> {
         let step_mm = STEP * self.spacing_mm;
@@ -110,15 +110,15 @@ impl Flow<'_> {
             begin - begin_way * third_mm,
             begin,
         );
-        let pieces = cell((length_mm / step_mm).ceil(), MOST_STEPS).max(1);
+        let pieces = cell((length_mm / step_mm).ceil(), MAX_STEPS).max(1);
         let corner = |i| curve.eval(count(i) / count(pieces));
         let mut line: Vec<Point> = (1..pieces).map(corner).collect();
         line.push(begin);
         line.iter().all(|&p| self.is_inked(p)).then_some(line)
     }
 
-    /// Whether a line may lie there: it is not white, and neither another nor a farther part of its own
-    /// is nearer than a share of what its tone asks for.
+    /// Whether a line may pass there: it is not white, and neither another line nor a distant part
+    /// of its own is nearer than a fraction of the spacing of its tone.
     fn has_room(&self, mark: &Mark, share: f64) -> bool {
         let within_mm = share * self.apart_mm(mark.at);
         self.is_inked(mark.at) && !self.drawn.is_near(mark, within_mm)
@@ -131,22 +131,23 @@ impl Flow<'_> {
         is_on_page && self.tone.at(p) >= WHITE
     }
 
-    /// How far apart the tone of a place wants lines.
+    /// The line spacing at the tone of a place.
     fn apart_mm(&self, p: Point) -> f64 {
         self.spacing_mm * (1.0 / self.tone.at(p).max(1e-9)).min(WIDEST)
     }
 }
 
-/// The way that is less of a turn.
+/// The direction or its opposite, whichever needs the smaller turn.
 fn along(way: Vec2, before: Vec2) -> Vec2 {
     if way.dot(before) < 0.0 { -way } else { way }
 }
 
-/// Which way lines run, as the doubled angle's cosine and sine: one way and its opposite are the same.
+/// The directions of lines, as cosine and sine of the doubled angle: a direction and its opposite
+/// are equal.
 struct Ways {
     cos: Tone,
     sin: Tone,
-    /// Where nothing tells a way.
+    /// The direction where the tone has no gradient.
     otherwise: Vec2,
 }
 
@@ -157,7 +158,7 @@ impl Ways {
         for y in 0..tone.height {
             for x in 0..tone.width {
                 let slope = slope(&soft, x, y);
-                // Twice the angle of the slope, and a quarter turn from there.
+                // Twice the angle of the gradient, plus a quarter turn.
                 cos.ink[y * tone.width + x] = as_ink(slope.y * slope.y - slope.x * slope.x);
                 sin.ink[y * tone.width + x] = as_ink(-2.0 * slope.x * slope.y);
             }
@@ -179,7 +180,7 @@ impl Ways {
     }
 }
 
-/// How the tone changes at a cell, for each millimetre.
+/// The gradient of the tone at a cell, per millimetre.
 fn slope(tone: &Tone, x: usize, y: usize) -> Vec2 {
     let ink = |x: usize, y: usize| f64::from(tone.ink[y * tone.width + x]);
     let (right, below) = ((x + 1).min(tone.width - 1), (y + 1).min(tone.height - 1));
@@ -196,19 +197,19 @@ struct Mark {
     at: Point,
     /// The number of its line.
     line: usize,
-    /// From where the line began, below 0 against its way.
+    /// The distance from the line's start, below 0 against its direction.
     along_mm: f64,
 }
 
 impl Mark {
-    /// Whether the other lies on the same line, so short a way along it that the two must be near.
+    /// Whether the other place is on the same line, so near along it that the two must be close.
     fn is_beside(&self, other: &Self, within_mm: f64) -> bool {
         let along_mm = (self.along_mm - other.along_mm).abs();
         self.line == other.line && along_mm <= BESIDE * within_mm
     }
 }
 
-/// The places of all lines so far, in squares.
+/// The places of all lines, in squares.
 struct Drawn {
     columns: usize,
     rows: usize,
@@ -218,7 +219,7 @@ struct Drawn {
 
 impl Drawn {
     fn new(page: Point, side_mm: f64) -> Self {
-        let squares = |mm: f64| cell((mm / side_mm).ceil(), MOST_SQUARES) + 1;
+        let squares = |mm: f64| cell((mm / side_mm).ceil(), MAX_SQUARES) + 1;
         let (columns, rows) = (squares(page.x), squares(page.y));
         Self {
             columns,
@@ -233,11 +234,11 @@ impl Drawn {
         self.squares[y * self.columns + x].push(mark);
     }
 
-    /// Forgets a line with these points.
+    /// Removes a line with these points.
     fn take_back(&mut self, points: &[Point], line: usize) {
         for &p in points {
             let [x, y] = self.square(p);
-            self.squares[y * self.columns + x].retain(|it| it.line != line);
+            self.squares[y * self.columns + x].retain(|square| square.line != line);
         }
     }
 
@@ -248,7 +249,7 @@ impl Drawn {
             let row = &self.squares[y * self.columns + x0..=y * self.columns + x1];
             row.iter()
                 .flatten()
-                .any(|it| it.at.distance(mark.at) < within_mm && !it.is_beside(mark, within_mm))
+                .any(|row| row.at.distance(mark.at) < within_mm && !row.is_beside(mark, within_mm))
         })
     }
 
@@ -260,10 +261,10 @@ impl Drawn {
     }
 }
 
-/// Where lines may begin: one place in each square of the page, in an order like chance.
+/// The start candidates: one place in each square of the page, in pseudorandom order.
 fn starts(page: Point, spacing_mm: f64, seed: u64) -> Vec<Point> {
     let side_mm = START * spacing_mm;
-    let squares = |mm: f64| cell((mm / side_mm).ceil(), MOST_SQUARES);
+    let squares = |mm: f64| cell((mm / side_mm).ceil(), MAX_SQUARES);
     let mut random = Random::new(seed);
     let mut starts: Vec<(f64, Point)> = Vec::new();
     for y in 0..squares(page.y) {
@@ -274,31 +275,32 @@ fn starts(page: Point, spacing_mm: f64, seed: u64) -> Vec<Point> {
         }
     }
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    starts.into_iter().map(|it| it.1).collect()
+    starts.into_iter().map(|start| start.1).collect()
 }
 
-/// From corner to corner, in spacings.
+/// The distance between corners, in spacings.
 const STEP: f64 = 0.5;
-/// A line that goes on may come so much nearer to others than one that begins.
+/// The minimum distance to others while a line continues, relative to that of a new one.
 const GO_ON: f64 = 0.6;
-/// How long a line is at least, in spacings.
+/// The shortest line, in spacings.
 const SHORTEST: f64 = 3.0;
-/// The farthest apart, in spacings.
+/// The largest spacing, in spacings.
 const WIDEST: f64 = 7.0;
-/// Less ink than that is white.
+/// Less ink counts as white.
 const WHITE: f64 = 0.05;
-/// Parts of a line may be near to each other up to so far along it, in the distance that others keep.
+/// Parts of a line may be close to each other within this distance along it, in minimum distances
+/// to others.
 const BESIDE: f64 = 2.0;
-/// The cosine of the greatest turn to where a line began, and of the greatest bend where it arrives.
+/// The cosine of the largest turn towards a line's start, and of the largest bend on arrival.
 const AHEAD: f64 = 0.7;
-const MOST_STEPS: usize = 2000;
-/// How far ways are mixed, in spacings.
+const MAX_STEPS: usize = 2000;
+/// The smoothing radius of directions, in spacings.
 const REGION: f64 = 3.0;
-/// What changes less, squared and for each millimetre, tells no way.
+/// A smaller squared gradient per millimetre gives no direction.
 const FLAT: f64 = 1e-7;
-/// A line may begin in each square so wide, in spacings.
+/// The width of the squares of start candidates, in spacings.
 const START: f64 = 0.7;
-const MOST_SQUARES: usize = 4000;
+const MAX_SQUARES: usize = 4000;
 
 #[cfg(test)]
 mod tests;

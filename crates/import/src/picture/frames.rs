@@ -1,8 +1,8 @@
-//! Files of several pictures: whether there are more than the first.
+//! Detection of files with several pictures.
 
 use image::ImageFormat;
 
-/// What a file is that has more than one picture; `None` where it has one, or is damaged behind it.
+/// The kind of a file with more than one picture; `None` for one picture, or for damage after it.
 pub(super) fn series(bytes: &[u8], format: ImageFormat) -> Option<&'static str> {
     match format {
         ImageFormat::Gif => has_further_gif(bytes)?.then_some(ANIMATION),
@@ -12,7 +12,7 @@ pub(super) fn series(bytes: &[u8], format: ImageFormat) -> Option<&'static str> 
     }
 }
 
-/// A second image descriptor follows the first.
+/// Whether a second image descriptor follows the first.
 ///
 /// ```text
 ///   GIF89a  size, flags, colours   21 label, blocks   2C place, flags, colours, 1 byte, blocks   2C ...   3B
@@ -42,7 +42,7 @@ fn has_further_gif(bytes: &[u8]) -> Option<bool> {
     }
 }
 
-/// How many bytes a table of colours has.
+/// The length of a colour table, in bytes.
 fn colors(flags: u8) -> usize {
     if flags & 0x80 == 0 {
         return 0;
@@ -50,13 +50,13 @@ fn colors(flags: u8) -> usize {
     3 << ((flags & 7) + 1)
 }
 
-/// Its flags say so.
+/// Whether the flags declare one.
 fn is_moving_webp(bytes: &[u8]) -> Option<bool> {
     let is_extended = bytes.get(12..16)? == b"VP8X";
     Some(is_extended && bytes.get(20)? & 2 != 0)
 }
 
-/// A second directory follows the first, and is none of a smaller copy or a mask.
+/// Whether a second directory follows the first that is not a thumbnail or a mask.
 fn has_further_page(bytes: &[u8]) -> Option<bool> {
     let is_little = bytes.starts_with(b"II");
     let number = |at: usize, length: usize| {
@@ -81,7 +81,7 @@ fn has_further_page(bytes: &[u8]) -> Option<bool> {
 }
 
 pub(super) const ANIMATION: &str = "animation";
-/// The tag of TIFF that says what a picture is.
+/// The TIFF tag of the kind of a picture.
 const NEW_SUBFILE_TYPE: usize = 254;
 const SMALLER: usize = 1;
 const MASK: usize = 4;
@@ -90,14 +90,14 @@ const MASK: usize = 4;
 mod tests {
     use super::*;
 
-    /// A GIF of so many pictures of one pixel.
+    /// A GIF of this number of one-pixel pictures.
     fn gif(images: usize) -> Vec<u8> {
         let header = b"GIF89a\x01\0\x01\0\x80\0\0\0\0\0\xff\xff\xff";
         let image = b"\x21\xf9\x04\0\0\0\0\0\x2c\0\0\0\0\x01\0\x01\0\0\x02\x02\x44\x01\0";
         [&header[..], &image.repeat(images), b"\x3b"].concat()
     }
 
-    /// A TIFF of two directories, the second with an entry of that tag and value.
+    /// A TIFF of two directories, the second with an entry of this tag and value.
     fn tiff(tag: u8, value: u8) -> Vec<u8> {
         let second = [&[1, 0, tag, 0, 4, 0, 1, 0, 0, 0, value][..], &[0; 7]].concat();
         [&b"II*\0\x08\0\0\0\0\0\x0e\0\0\0"[..], &second].concat()
@@ -113,7 +113,7 @@ mod tests {
         let of_tiff = |tag, value| series(&tiff(tag, value), ImageFormat::Tiff);
         let pages = Some("file of several pages");
         assert_eq!([of_tiff(254, 2), of_tiff(255, 1)], [pages, pages]);
-        // A small copy, and a mask.
+        // A thumbnail and a mask.
         assert_eq!([of_tiff(254, 1), of_tiff(254, 4)], [None, None]);
     }
 

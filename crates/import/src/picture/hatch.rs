@@ -1,4 +1,4 @@
-//! Straight lines, in the more directions the darker it is.
+//! Straight hatch lines, in more directions in darker areas.
 
 use dobot_geometry::{Point, Stroke, steps};
 
@@ -7,10 +7,10 @@ use super::shading::Shading;
 use super::smooth::smoothed;
 use super::tone::{Tone, count};
 
-/// Hatches a page. Each level adds a direction; at first only every other line of it is drawn.
+/// Hatches a page. Each level adds a direction, at first with every other line only.
 ///
-/// The lines of a direction lie on one grid for the whole page, so that levels fit to each other.
-/// `spacing_mm` is on the page. Pieces and gaps shorter than about a spacing are not drawn.
+/// The lines of a direction are on one grid for the whole page, so that levels match. `spacing_mm`
+/// is on the page. Pieces and gaps shorter than about a spacing are omitted.
 pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
     let tone = smoothed(tone).blurred(SOFTNESS * spacing_mm);
     let set = |level: u8| {
@@ -20,7 +20,7 @@ pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<St
             spacing_mm,
             angle_deg: shading.angle_deg + turn_deg(level),
         };
-        let steps = [2 * level, 2 * level + 1].map(|it| threshold(it, 2 * shading.levels));
+        let steps = [2 * level, 2 * level + 1].map(|value| threshold(value, 2 * shading.levels));
         let lines = rows.lines().into_iter().zip(steps.into_iter().cycle());
         let pieces = |(line, threshold)| pieces(&tone, &rows, line, threshold);
         strokes(
@@ -32,12 +32,13 @@ pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<St
     (0..shading.levels).flat_map(set).collect()
 }
 
-/// The darkness from which on a step of the hatching is drawn.
+/// The darkness at which a step of the hatching starts.
 fn threshold(step: u8, steps: u8) -> f64 {
     (f64::from(step) + 0.7) / f64::from(steps)
 }
 
-/// Each direction halves the widest gap between those before: 0, 90, 45, 135, then those between.
+/// Each direction halves the widest gap between the earlier ones: 0, 90, 45, 135, then those
+/// between.
 fn turn_deg(level: u8) -> f64 {
     const TURNS_DEG: [f64; 8] = [0.0, 90.0, 45.0, 135.0, 22.5, 112.5, 67.5, 157.5];
     TURNS_DEG[usize::from(level) % TURNS_DEG.len()]
@@ -52,7 +53,7 @@ fn pieces(tone: &Tone, rows: &Rows, [a, b]: [Point; 2], threshold: f64) -> Vec<V
     ends.collect()
 }
 
-/// Where a line is darker than the threshold: from and to, in millimetres from its start.
+/// The ranges in which a line is darker than the threshold, in millimetres from its start.
 fn runs(tone: &Tone, [a, b]: [Point; 2], threshold: f64) -> Vec<(f64, f64)> {
     let length_mm = a.distance(b);
     let cell_mm = tone.cell.x.min(tone.cell.y);
@@ -93,9 +94,9 @@ fn cleaned(runs: Vec<(f64, f64)>, spacing_mm: f64) -> Vec<(f64, f64)> {
     whole
 }
 
-/// How far tones are mixed before they are compared, in spacings.
+/// The smoothing radius of tones before comparison, in spacings.
 const SOFTNESS: f64 = 0.2;
-/// How far it may be from one piece to the next for the pen to stay down, in spacings.
+/// The largest gap between pieces over which the pen stays down, in spacings.
 const REACH: f64 = 1.6;
-/// Of a gap, in spacings.
+/// The shortest gap, in spacings.
 const SHORTEST_GAP: f64 = 0.75;

@@ -1,13 +1,13 @@
-//! Tones as a drawing needs them: from white to black, with all between.
+//! The tone adjustment of drawings: full range from white to black.
 
 use super::shading::{Shading, ShadingStyle};
 use super::tone::{Tone, as_ink, count};
 
-/// Stretches the tones to the full range, sets things off from what is around them, balances the
-/// middle, and turns all over if asked to.
+/// Stretches the tones to the full range, sharpens local contrast, balances the middle tones, and
+/// inverts on request.
 ///
-/// Dull photos become rich, dark and light ones are drawn half the way to the middle; black and
-/// white stay what they are. `spacing_mm` is on the page.
+/// Dull photos become rich; dark and light ones move half the way to a medium tone; black and white
+/// stay. `spacing_mm` is on the page.
 pub(super) fn levelled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Tone {
     let turned = if shading.invert {
         tone.map(|ink| 1.0 - ink)
@@ -19,7 +19,7 @@ pub(super) fn levelled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Tone 
     clear.map(|ink| adjusted(ink.powf(exponent), shading))
 }
 
-/// A tone as a person wants it: first its contrast, then its brightness, then black or white.
+/// Adjusts a tone: first contrast, then brightness, then black or white.
 fn adjusted(ink: f32, shading: &Shading) -> f32 {
     let (contrast, brightness) = (shading.contrast, shading.brightness);
     let slope = if contrast > 0.0 {
@@ -34,7 +34,7 @@ fn adjusted(ink: f32, shading: &Shading) -> f32 {
     }
 }
 
-/// Makes darker what is darker than its surroundings, and lighter what is lighter.
+/// Increases the contrast to the surroundings.
 fn set_off(tone: &Tone, radius_mm: f64) -> Tone {
     let around = tone.blurred(radius_mm);
     let pairs = tone.ink.iter().zip(&around.ink);
@@ -48,22 +48,22 @@ fn set_off(tone: &Tone, radius_mm: f64) -> Tone {
 fn stretched(tone: &Tone) -> Tone {
     let histogram = Histogram::of(tone);
     let [mut low, mut high] = [EXTREMES, 1.0 - EXTREMES].map(|share| histogram.below(share));
-    if high - low < 1.0 / MOST_GAIN {
-        // A few thin lines on a page of one tone: they are all there is.
+    if high - low < 1.0 / MAX_GAIN {
+        // A few thin lines on a page of one tone: they are the whole content.
         [low, high] = [histogram.below(0.0), histogram.below(1.0)];
     }
     let range = high - low;
-    if range < LEAST_RANGE {
+    if range < MIN_RANGE {
         return tone.clone();
     }
-    let gain = (1.0 / range).min(MOST_GAIN);
-    // What cannot be stretched over the whole range keeps its own place in it.
+    let gain = (1.0 / range).min(MAX_GAIN);
+    // A range that cannot be fully stretched keeps its position.
     let zero = low - low * (1.0 - gain * range) / (1.0 - range).max(1e-9) / gain;
     let [gain, zero] = [gain, zero].map(as_ink);
     tone.map(|ink| ((ink - zero) * gain).clamp(0.0, 1.0))
 }
 
-/// The exponent that brings the mean half the way to [`MIDDLE`].
+/// The exponent that moves the mean half the way to [`MIDDLE`].
 fn balance(tone: &Tone) -> f64 {
     let between = || tone.ink.iter().filter(|&&ink| ink > 0.03 && ink < 0.97);
     let number = between().count();
@@ -74,7 +74,7 @@ fn balance(tone: &Tone) -> f64 {
     (MIDDLE.ln() / mean.ln()).sqrt().clamp(0.6, 1.7)
 }
 
-/// How many cells have which tone.
+/// The histogram of tones.
 pub(super) struct Histogram {
     pub(super) bins: [usize; BINS],
     total: usize,
@@ -93,7 +93,7 @@ impl Histogram {
         }
     }
 
-    /// The tone that a share of all cells does not exceed.
+    /// The tone that this fraction of all cells does not exceed.
     fn below(&self, share: f64) -> f64 {
         let wanted = share * count(self.total);
         let mut sum = 0;
@@ -109,19 +109,19 @@ impl Histogram {
         count(bin) / count(BINS - 1)
     }
 
-    /// The borders between at most `levels` + 1 tones that stand for all of the picture (the
-    /// k-means of its cells). A tone between others that hardly any cell has is none.
+    /// The borders between at most `levels` + 1 representative tones of the picture (k-means of its
+    /// cells). A tone between others that hardly any cell has does not count.
     pub(super) fn thresholds(&self, levels: u8) -> Vec<f64> {
         let tones = usize::from(levels) + 1;
         let mut means: Vec<f64> = (0..tones)
             .map(|i| self.below((count(i) + 0.5) / count(tones)))
             .collect();
         let (low, high) = (self.below(0.0), self.below(1.0));
-        if high - low < LEAST_RANGE {
+        if high - low < MIN_RANGE {
             return Vec::new();
         }
         for (i, mean) in means.iter_mut().enumerate() {
-            // Between the median way and the even way: both ends are sure to be met.
+            // Between the median and the uniform division: both extremes are met.
             *mean = (*mean + low + (high - low) * count(i) / count(tones - 1)) / 2.0;
         }
         for _ in 0..ROUNDS {
@@ -131,7 +131,7 @@ impl Histogram {
                 .map(|(mean, _)| mean)
                 .collect();
         }
-        let least = LEAST_SHARE * count(self.total);
+        let least = MIN_SHARE * count(self.total);
         let means = self.means(&means).into_iter().enumerate();
         let kept =
             means.filter(|&(i, (_, cells))| i == 0 || i + 1 == tones || count(cells) >= least);
@@ -139,7 +139,7 @@ impl Histogram {
         borders(&kept)
     }
 
-    /// The mean and the number of the cells nearest to each of these tones, which ascend.
+    /// The mean and the number of the cells nearest to each of these ascending tones.
     fn means(&self, tones: &[f64]) -> Vec<(f64, usize)> {
         let borders = borders(tones);
         let mut sums = vec![(0.0, 0); tones.len()];
@@ -160,24 +160,24 @@ impl Histogram {
 fn borders(tones: &[f64]) -> Vec<f64> {
     tones
         .windows(2)
-        .map(|it| f64::midpoint(it[0], it[1]))
+        .map(|pair| f64::midpoint(pair[0], pair[1]))
         .collect()
 }
 
 const BINS: usize = 256;
-/// The slope of full contrast.
+/// The slope at full contrast.
 const STEEPEST: f64 = 100.0;
-/// The share of the cells that may become plain white, and plain black.
+/// The fraction of cells that may become plain white, and plain black.
 const EXTREMES: f64 = 0.005;
-/// Noise is not made a picture.
-const MOST_GAIN: f64 = 5.0;
-/// Less than that is a page of one tone.
-const LEAST_RANGE: f64 = 0.02;
-/// How far the surroundings reach, in spacings.
+/// Noise is not amplified.
+const MAX_GAIN: f64 = 5.0;
+/// A smaller range is a page of one tone.
+const MIN_RANGE: f64 = 0.02;
+/// The radius of the surroundings, in spacings.
 const SURROUNDINGS: f64 = 5.0;
 const CLARITY: f32 = 0.5;
-/// How much ink the middle of a drawing wants.
+/// The medium tone of a drawing.
 const MIDDLE: f64 = 0.36;
 const ROUNDS: usize = 30;
-/// The share of cells that makes a tone of its own.
-const LEAST_SHARE: f64 = 0.03;
+/// The smallest fraction of cells of a separate tone.
+const MIN_SHARE: f64 = 0.03;

@@ -10,13 +10,13 @@ use super::exif::Orientation;
 use super::frames::series;
 use crate::error::ImageError;
 
-/// Reads the header alone.
+/// Reads the header only.
 pub(super) fn header(bytes: &[u8], format: ImageFormat) -> Result<Header, ImageError> {
-    decoder(bytes, format).map(|it| it.1)
+    decoder(bytes, format).map(|decoder| decoder.1)
 }
 
-/// Reads header and pixels, 0 for black and 255 for white, what is transparent as `paper`. Of an
-/// animation the first picture counts.
+/// Reads header and pixels, 0 for black and 255 for white; transparent pixels become `paper`. Of an
+/// animation the first picture is used.
 pub(super) fn pixels(
     bytes: &[u8],
     format: ImageFormat,
@@ -25,7 +25,9 @@ pub(super) fn pixels(
     let (decoder, header) = decoder(bytes, format)?;
     let image = DynamicImage::from_decoder(decoder).map_err(|error| damaged(format, &error))?;
     let image = image.into_luma_alpha8();
-    let grey = image.pixels().map(|it| on_paper(it.0[0], it.0[1], paper));
+    let grey = image
+        .pixels()
+        .map(|pixel| on_paper(pixel.0[0], pixel.0[1], paper));
     Ok((header, grey.collect()))
 }
 
@@ -35,7 +37,7 @@ fn decoder(
 ) -> Result<(impl ImageDecoder + '_, Header), ImageError> {
     let bad = |error| damaged(format, &error);
     let mut limits = Limits::default();
-    limits.max_alloc = Some(MOST_BYTES);
+    limits.max_alloc = Some(MAX_BYTES);
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(bad)?;
@@ -48,7 +50,7 @@ fn decoder(
         orientation: Orientation::numbered(turned.to_exif().into()),
         series: series(bytes, format),
     };
-    Ok((decoder, header.check(MOST_PIXELS)?))
+    Ok((decoder, header.check(MAX_PIXELS)?))
 }
 
 fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
@@ -61,6 +63,6 @@ fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
     decode::damaged(format, error)
 }
 
-/// The pixels of these come all at once, with their colours.
-const MOST_PIXELS: usize = 25_000_000;
-const MOST_BYTES: u64 = 128_000_000;
+/// The largest number of pixels; these decoders return all pixels at once, in colour.
+const MAX_PIXELS: usize = 25_000_000;
+const MAX_BYTES: u64 = 128_000_000;

@@ -8,12 +8,11 @@ use super::shading::Shading;
 use super::smooth::smoothed;
 use super::tone::{Tone, count};
 
-/// Draws the borders between the tones of a page as smooth lines, closed where they do not end at
-/// the page's border.
+/// Draws the borders between the tones of a page as smooth lines, closed unless they end at the
+/// page's border.
 ///
-/// Grain finer than `spacing_mm` (on the page) is smoothed, and what is smaller than about that is
-/// left out. So is what only runs along a gentle slope, a sky that grows dark, unless a threshold
-/// asks for it.
+/// Grain finer than `spacing_mm` (on the page) is smoothed, and smaller areas are left out. So are
+/// borders along a gentle gradient, such as a darkening sky, unless a threshold is set.
 pub(super) fn outlines(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
     let tone = smoothed(tone);
     let (thresholds, least) = match shading.threshold {
@@ -21,13 +20,15 @@ pub(super) fn outlines(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<S
         None => (Histogram::of(&tone).thresholds(shading.levels), GENTLE),
     };
     let tone = tone.blurred(SOFTNESS * spacing_mm);
-    let lines = thresholds.iter().flat_map(|&it| contours(&tone, it));
-    let seen = lines.filter(|it| is_seen(it, spacing_mm));
-    seen.filter(|it| steepness(&tone, it, spacing_mm) >= least)
+    let lines = thresholds
+        .iter()
+        .flat_map(|&threshold| contours(&tone, threshold));
+    let seen = lines.filter(|line| is_seen(line, spacing_mm));
+    seen.filter(|item| steepness(&tone, item, spacing_mm) >= least)
         .collect()
 }
 
-/// Whether it is more than a speck.
+/// Whether it is larger than a speck.
 fn is_seen(stroke: &Stroke, spacing_mm: f64) -> bool {
     if stroke.closed {
         return area_mm2(&stroke.points) >= SPECK * spacing_mm * spacing_mm;
@@ -35,7 +36,7 @@ fn is_seen(stroke: &Stroke, spacing_mm: f64) -> bool {
     stroke.length_mm() >= spacing_mm
 }
 
-/// How much the tone changes within a spacing across a line, on the average.
+/// The mean change of tone within a spacing across a line.
 fn steepness(tone: &Tone, stroke: &Stroke, spacing_mm: f64) -> f64 {
     let change = |p: Point, way: Vec2| tone.at(p + way) - tone.at(p - way);
     let half = spacing_mm / 2.0;
@@ -46,14 +47,14 @@ fn steepness(tone: &Tone, stroke: &Stroke, spacing_mm: f64) -> f64 {
 fn area_mm2(ring: &[Point]) -> f64 {
     let twice: f64 = ring
         .windows(2)
-        .map(|it| it[0].to_vec2().cross(it[1].to_vec2()))
+        .map(|pair| pair[0].to_vec2().cross(pair[1].to_vec2()))
         .sum();
     twice.abs() / 2.0
 }
 
-/// How far tones are mixed, in spacings.
+/// The smoothing radius of tones, in spacings.
 const SOFTNESS: f64 = 0.3;
-/// The smallest area that is drawn, in square spacings: a disc 0.8 spacings wide.
+/// The smallest area drawn, in square spacings: a disc 0.8 spacings wide.
 const SPECK: f64 = 0.5;
-/// The change of tone within a spacing below which there is no border.
+/// The smallest change of tone within a spacing that counts as a border.
 const GENTLE: f64 = 0.025;

@@ -1,12 +1,12 @@
-//! Pixels to a grid of tones: coarse enough for a pen.
+//! The resampling of pixels to a grid of tones suitable for a pen.
 
 use dobot_geometry::Point;
 
 use super::tone::{Tone, as_ink, cell, count};
 
-/// Grey pixels (255 is white) as a grid of `width` by `height` tones over a page.
+/// Resamples grey pixels (255 is white) to a grid of `width` by `height` tones over a page.
 ///
-/// Where a cell covers several pixels it takes their mean, where it is smaller than a pixel it lies
+/// A cell that covers several pixels gets their mean; a cell smaller than a pixel is interpolated
 /// between the nearest two.
 pub(super) fn resample(grey: &[u8], stored: [usize; 2], grid: [usize; 2], page: Point) -> Tone {
     let [width, height] = grid;
@@ -27,7 +27,7 @@ pub(super) fn resample(grey: &[u8], stored: [usize; 2], grid: [usize; 2], page: 
     }
 }
 
-/// How much each pixel of a row counts for a cell.
+/// The weights of the pixels of a row for each cell.
 struct CellWeights {
     first: usize,
     parts: Vec<f32>,
@@ -63,7 +63,7 @@ fn shares(pixels: usize, cells: usize) -> Vec<CellWeights> {
     (0..cells).map(of_cell).collect()
 }
 
-/// The pixels between two places, by how much of each is covered.
+/// The pixels between two places, weighted by coverage.
 fn covered(from: f64, to: f64, pixels: usize) -> CellWeights {
     let (first, last) = (cell(from, pixels), cell(to, pixels));
     let part = |i: usize| (to.min(count(i + 1)) - from.max(count(i))).max(0.0);
@@ -73,7 +73,7 @@ fn covered(from: f64, to: f64, pixels: usize) -> CellWeights {
     CellWeights { first, parts }
 }
 
-/// The two pixels around a place, by how near they are.
+/// The two pixels around a place, weighted by distance.
 fn between(place: f64, pixels: usize) -> CellWeights {
     let place = place.clamp(0.0, count(pixels - 1));
     let first = cell(place, pixels);

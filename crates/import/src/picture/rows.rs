@@ -1,16 +1,16 @@
-//! Parallel lines over a page, and how their pieces are joined.
+//! Parallel lines over a page, and the joining of their pieces.
 
 use dobot_geometry::{Point, Stroke, Vec2};
 
-/// Parallel lines over a page, from one border to another, all in the same direction.
+/// Parallel lines over a page, from one border to another.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rows {
     /// The page's width and height.
     pub(super) page: Point,
-    /// How much of the page stays empty along its borders.
+    /// The empty margin along the borders.
     pub(super) margin_mm: f64,
     pub(super) spacing_mm: f64,
-    /// Counterclockwise from the horizontal, as a person sees it.
+    /// The angle, counterclockwise from the horizontal, as displayed.
     pub(super) angle_deg: f64,
 }
 
@@ -26,7 +26,7 @@ impl Rows {
         self.along().turn_90()
     }
 
-    /// Both ends of each line; the lines are even about the middle of the page.
+    /// Both ends of each line; the lines are centered on the page.
     pub(super) fn lines(&self) -> Vec<[Point; 2]> {
         let middle = self.page.to_vec2() * 0.5;
         let half = middle.length();
@@ -45,7 +45,7 @@ impl Rows {
         starts.filter_map(|at| self.clipped(at, half)).collect()
     }
 
-    /// The part of the line through a point that lies on the page.
+    /// The part of the line through a point that is on the page.
     fn clipped(&self, at: Point, half_mm: f64) -> Option<[Point; 2]> {
         let along = self.along();
         let (mut from, mut to) = (-half_mm, half_mm);
@@ -65,7 +65,7 @@ impl Rows {
     }
 }
 
-/// Pieces of lines as strokes: each for itself, or woven.
+/// The pieces of lines as strokes: separate, or joined back and forth.
 pub(super) fn strokes(lines: Vec<Vec<Vec<Point>>>, reach_mm: f64, apart: bool) -> Vec<Stroke> {
     if apart {
         lines.into_iter().flatten().map(Stroke::open).collect()
@@ -74,8 +74,8 @@ pub(super) fn strokes(lines: Vec<Vec<Vec<Point>>>, reach_mm: f64, apart: bool) -
     }
 }
 
-/// Joins pieces of neighbouring lines to strokes that go to and fro, where the way from one to the
-/// next is at most `reach_mm`. Each piece goes on where the one before it ends.
+/// Joins pieces of neighbouring lines to strokes that go back and forth, if the distance from one
+/// to the next is at most `reach_mm`. Each piece continues at the end of the previous one.
 fn woven(lines: Vec<Vec<Vec<Point>>>, reach_mm: f64) -> Vec<Stroke> {
     let mut done = Vec::new();
     let mut open: Vec<Vec<Point>> = Vec::new();
@@ -155,7 +155,7 @@ mod tests {
             vec![vec![p(0.0, 2.0), p(4.0, 2.0)]],
         ];
         let strokes = woven(lines, 1.5);
-        let points: Vec<usize> = strokes.iter().map(|it| it.points.len()).collect();
+        let points: Vec<usize> = strokes.iter().map(|stroke| stroke.points.len()).collect();
         assert_eq!(points, [4, 4]);
         assert_eq!(strokes[0].last(), Some(p(5.0, 1.0)));
         assert_eq!(strokes[1].last(), Some(p(0.0, 2.0)));

@@ -1,4 +1,4 @@
-//! How tone becomes ink.
+//! The conversion of tone to ink.
 
 use std::str::FromStr;
 
@@ -7,45 +7,46 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::ImageError;
 
-/// How the tones of a picture become lines or dots.
+/// The conversion of the tones of a picture to lines or dots.
 ///
-/// [`Shading::new`] gives each style the values that make a good drawing of most photos.
+/// [`Shading::new`] gives each style values that suit most photos.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shading {
-    /// Lines of which kind, or dots.
+    /// The style of lines or dots.
     pub style: ShadingStyle,
-    /// How near lines or dots come to each other, in millimetres on the paper; what is smaller
-    /// than half of it is not drawn. About twice the width of the pen, or more.
+    /// The smallest distance of lines or dots, in millimetres on the paper; details smaller than
+    /// half of it are not drawn. About twice the width of the pen, or more.
     pub spacing_mm: f64,
-    /// How many tones beside white are distinguished by [`ShadingStyle::Outline`] and [`ShadingStyle::Hatch`], from
-    /// 1 to 8. Outlines are drawn of as many as the picture really has.
+    /// The number of tones beside white that [`ShadingStyle::Outline`] and [`ShadingStyle::Hatch`]
+    /// distinguish, 1 to 8. Outlines use at most the tones that the picture has.
     pub levels: u8,
-    /// What is darker is black and all else white: a darkness between 0 (white) and 1 (black), where
-    /// [`ShadingStyle::Outline`] draws its only line. Without it all tones count.
+    /// The threshold darkness, between 0 (white) and 1 (black): darker tones become black and all
+    /// others white, and [`ShadingStyle::Outline`] draws a single border. Without it all tones
+    /// count.
     pub threshold: Option<f64>,
-    /// Which way lines run, in degrees, counterclockwise from the page's horizontal.
+    /// The angle of lines, in degrees, counterclockwise from the page's horizontal.
     pub angle_deg: f64,
-    /// Lighter above 0, darker below; from -1 (all black) to 1 (all white).
+    /// The brightness: above 0 lighter, below 0 darker; from -1 (all black) to 1 (all white).
     pub brightness: f64,
-    /// Tones farther apart above 0, nearer to each other below; from -1 (all the same) to 1 (black and
-    /// white).
+    /// The contrast: above 0 more, below 0 less; from -1 (all tones equal) to 1 (black and white).
     pub contrast: f64,
-    /// More ink in the middle tones above 1, less below; from 0.1 to 10.
+    /// The ink in the middle tones: above 1 more, below 1 less; from 0.1 to 10.
     pub darkness: f64,
-    /// Each line of [`ShadingStyle::Hatch`] and [`ShadingStyle::Lines`] is a stroke of its own: a tool is slow where it turns from one into
-    /// the next, and a laser burns more there.
+    /// Whether each line of [`ShadingStyle::Hatch`] and [`ShadingStyle::Lines`] is a separate
+    /// stroke: a tool is slow at the turn from one line into the next, and a laser burns more
+    /// there.
     pub apart: bool,
-    /// Draws what is light: for a white pen on black paper.
+    /// Whether light tones are drawn instead of dark ones: for a white pen on black paper.
     pub invert: bool,
-    /// Another number scatters the dots of [`ShadingStyle::Stipple`] and [`ShadingStyle::Tsp`] anew.
+    /// The random seed of the dots of [`ShadingStyle::Stipple`] and [`ShadingStyle::Tsp`].
     pub seed: u64,
 }
 
 impl Shading {
-    /// How many tones beside white there may be.
+    /// The allowed numbers of tones beside white.
     pub const LEVELS: [f64; 2] = [1.0, 8.0];
 
-    /// The best values for a style.
+    /// The default values of a style.
     #[must_use]
     pub const fn new(style: ShadingStyle) -> Self {
         let (spacing_mm, angle_deg, levels) = match style {
@@ -102,29 +103,29 @@ impl Shading {
 }
 
 impl Default for Shading {
-    /// [`ShadingStyle::Hatch`]: of all it asks for the fewest vectors.
+    /// [`ShadingStyle::Hatch`], which needs the fewest vectors.
     fn default() -> Self {
         Self::new(ShadingStyle::Hatch)
     }
 }
 
-/// What is drawn of a picture.
+/// The style of a shaded picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ShadingStyle {
-    /// The borders between its tones, as closed lines.
+    /// The borders between tones, as closed lines.
     Outline,
-    /// Parallel lines that swing the wider and the faster the darker it is.
+    /// Parallel waves, wider and faster in darker areas.
     Lines,
-    /// One line around the middle that swings the wider and the faster the darker it is.
+    /// A spiral wave from the center, wider and faster in darker areas.
     Spiral,
-    /// Lines that run along the edges of what is seen, the denser the darker it is.
+    /// Lines along the edges of the picture, denser in darker areas.
     Flow,
-    /// Dots, the denser the darker it is.
+    /// Dots, denser in darker areas.
     Stipple,
-    /// Such dots, which the drawing joins to one line: the shortest that is found.
+    /// Dots joined to one line, as short as possible (travelling salesman).
     Tsp,
-    /// Straight lines, in the more directions the darker it is.
+    /// Straight lines, in more directions in darker areas.
     Hatch,
 }
 

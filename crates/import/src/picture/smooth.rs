@@ -1,9 +1,9 @@
-//! Grain away, edges kept.
+//! Smoothing that keeps edges.
 
 use super::tone::Tone;
 
-/// Evens out each tone with its neighbours', the less the more they differ (Perona and Malik's
-/// diffusion): grain and gentle slopes become smooth while edges stay where they are.
+/// Smooths each tone with its neighbours, less the more they differ (Perona-Malik diffusion): grain
+/// and gentle gradients become smooth while edges stay.
 pub(super) fn smoothed(tone: &Tone) -> Tone {
     let mut smooth = tone.clone();
     let mut before = Vec::with_capacity(tone.ink.len());
@@ -41,9 +41,9 @@ fn flow(difference: f32) -> f32 {
 }
 
 const ROUNDS: usize = 40;
-/// At most a quarter, or it would swing.
+/// At most a quarter for stability.
 const SPEED: f32 = 0.22;
-/// From about this difference between neighbours on there is an edge.
+/// The difference between neighbours that counts as an edge.
 const EDGE: f32 = 0.06;
 
 #[cfg(test)]

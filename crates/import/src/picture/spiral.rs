@@ -1,4 +1,4 @@
-//! One line around the middle of a page that swings the wider and the faster the darker it is.
+//! A spiral wave over a page, wider and faster in darker areas.
 
 use std::f64::consts::TAU;
 
@@ -7,10 +7,10 @@ use dobot_geometry::{Point, Stroke, Vec2};
 use super::tone::Tone;
 use super::waves::{FAINT, FASTEST, GO_ON, SHORTEST, SLOWEST, SOFTNESS, WIDEST, strength};
 
-/// Draws a page with a spiral whose turns lie `spacing_mm` (on the page) apart, from the middle out to
-/// the corners. Where it is white or beyond the page, the pen is lifted.
+/// Draws a page with a spiral whose turns are `spacing_mm` (on the page) apart, from the center to
+/// the corners. In white areas and beyond the page, the pen is lifted.
 ///
-/// Each swing is one vector, as the arm's link has few: the wave is a zigzag.
+/// Each swing is one vector, because the arm's link is slow: the wave is a zigzag.
 pub(super) fn spiral(tone: &Tone, spacing_mm: f64) -> Vec<Stroke> {
     let tone = tone.blurred(SOFTNESS * spacing_mm);
     let page = tone.page();
@@ -32,7 +32,7 @@ pub(super) fn spiral(tone: &Tone, spacing_mm: f64) -> Vec<Stroke> {
         let out = Vec2::from_angle(angle);
         let place = middle.to_point() + out * radius_mm;
         let ink = if on_page(place) { tone.at(place) } else { 0.0 };
-        // A line that is drawn goes on a little longer than it would begin: no dashes.
+        // Hysteresis: a started line continues a little longer, which avoids dashes.
         let least = FAINT * if piece.is_empty() { 1.0 } else { GO_ON };
         if ink >= least {
             piece.push(place + out * (side * spacing_mm * WIDEST * strength(ink)));
@@ -40,7 +40,7 @@ pub(super) fn spiral(tone: &Tone, spacing_mm: f64) -> Vec<Stroke> {
             finish(&mut strokes, &mut piece, spacing_mm);
         }
         let step_mm = spacing_mm * (SLOWEST + (FASTEST - SLOWEST) * strength(ink));
-        // Near the middle a step is no more than an eighth of a turn.
+        // Near the center a step is at most an eighth of a turn.
         angle += step_mm / radius_mm.max(step_mm / (TAU / 8.0));
         side = -side;
     }

@@ -1,16 +1,16 @@
-//! Dots, the denser the darker it is.
+//! Dots, denser in darker areas.
 
 use dobot_geometry::{Point, Random, Stroke, Vec2};
 
 use super::shading::Shading;
 use super::tone::Tone;
 
-/// Scatters dots over a page: where it is black about `spacing_mm` (on the page) apart, elsewhere
-/// fewer in proportion, nowhere in clumps or rows.
+/// Scatters dots over a page: in black areas about `spacing_mm` (on the page) apart, in lighter
+/// ones fewer in proportion, without clumps or rows.
 ///
-/// Error diffusion sets as many dots as the tone asks for everywhere; then each moves to the middle
-/// of the ink that is nearest to it, a few times over (Lloyd's method). The ink counts squared
-/// there, as otherwise the dots would in time spread to a density that goes with its root.
+/// Error diffusion sets as many dots as the tone needs; then each dot moves to the centroid of its
+/// nearest ink, a few times (Lloyd's method). The ink is squared there, because otherwise the
+/// density would converge to the root of the ink.
 pub(super) fn stippled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
     let mut dots = scattered(tone, shading.seed, spacing_mm);
     if !dots.is_empty() {
@@ -20,12 +20,12 @@ pub(super) fn stippled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<S
     strokes.collect()
 }
 
-/// Dots in the middles of cells, as many as each tone asks for.
+/// Dots at the centers of cells, as many as each tone needs.
 fn scattered(tone: &Tone, seed: u64, spacing_mm: f64) -> Vec<Point> {
     let per_cell = tone.cell.x * tone.cell.y / (HEXAGON * spacing_mm * spacing_mm);
     let mut random = Random::new(seed);
     let mut dots = Vec::new();
-    // What is still owed to the cells of this row and of the next; one more on both sides.
+    // The error of the cells of this row and of the next; one more on both sides.
     let mut here = vec![0.0; tone.width + 2];
     for y in 0..tone.height {
         let mut below = vec![0.0; tone.width + 2];
@@ -34,7 +34,7 @@ fn scattered(tone: &Tone, seed: u64, spacing_mm: f64) -> Vec<Point> {
             let x = if forward { step } else { tone.width - 1 - step };
             let ink = f64::from(tone.ink[y * tone.width + x]);
             if ink < WHITE {
-                // What white owes is not its neighbours' business.
+                // White passes no error to its neighbours.
                 continue;
             }
             let owed = here[x + 1] + ink * per_cell;
@@ -54,14 +54,14 @@ fn scattered(tone: &Tone, seed: u64, spacing_mm: f64) -> Vec<Point> {
     dots
 }
 
-/// Moves each dot to the middle of the ink nearest to it, again and again.
+/// Moves each dot to the centroid of its nearest ink, repeatedly.
 fn relax(tone: &Tone, dots: &mut [Point]) {
     let mut nearest = Nearest::new(tone, dots);
     for _ in 0..ROUNDS {
         nearest.update(dots);
         let middles = middles(tone, &nearest, dots.len());
         for (dot, middle) in dots.iter_mut().zip(middles) {
-            // Around a white hole the middle may lie in it.
+            // Around a white hole the centroid may be in it.
             if let Some(middle) = middle
                 && inked(tone, middle)
             {
@@ -75,7 +75,7 @@ fn inked(tone: &Tone, p: Point) -> bool {
     f64::from(tone.ink[tone.index(p)]) >= WHITE
 }
 
-/// For each dot the middle of its ink.
+/// For each dot the centroid of its ink.
 fn middles(tone: &Tone, nearest: &Nearest<'_>, dots: usize) -> Vec<Option<Point>> {
     let mut sums = vec![(Vec2::ZERO, 0.0); dots];
     for (i, (&ink, &dot)) in tone.ink.iter().zip(&nearest.dot).enumerate() {
@@ -90,11 +90,11 @@ fn middles(tone: &Tone, nearest: &Nearest<'_>, dots: usize) -> Vec<Option<Point>
     sums.into_iter().map(middle).collect()
 }
 
-/// For each cell the dot nearest to it.
+/// For each cell the nearest dot.
 ///
-/// A cell asks its neighbours for theirs, in two sweeps over the page, down and up. Dots move little
-/// from round to round, so that the answer of the round before is a good start. Where a wrong one
-/// of two is taken now and then, both are nearly as near.
+/// A cell takes over the dots of its neighbours, in two sweeps over the page, down and up. Dots
+/// move little between rounds, so that the previous result is a good start. An occasional wrong
+/// choice between two dots does no harm, because both are nearly as near.
 struct Nearest<'a> {
     tone: &'a Tone,
     dot: Vec<u32>,
@@ -119,7 +119,7 @@ impl<'a> Nearest<'a> {
         }
     }
 
-    /// Takes over what is nearer, from the row before and within the row, to the right and back.
+    /// Takes over nearer dots, from the row before and within the row, to the right and back.
     fn sweep(&mut self, dots: &[Point], y: usize, before: Option<usize>) {
         let width = self.tone.width;
         let mut held = NOBODY;
@@ -132,8 +132,8 @@ impl<'a> Nearest<'a> {
             };
             let own = y * width + x;
             let mut best = far(held);
-            for other in [Some(own), before.map(|it| it * width + x)] {
-                let other = other.map_or(NOBODY, |it| self.dot[it]);
+            for other in [Some(own), before.map(|before| before * width + x)] {
+                let other = other.map_or(NOBODY, |other| self.dot[other]);
                 if other != held && far(other) < best {
                     (best, held) = (far(other), other);
                 }
@@ -144,10 +144,10 @@ impl<'a> Nearest<'a> {
 }
 
 const NOBODY: u32 = u32::MAX;
-/// What a dot takes of the plane in the densest packing, in square spacings.
+/// The area of a dot in the densest packing, in square spacings.
 const HEXAGON: f64 = 0.866;
-/// Less ink than that is white.
+/// Less ink counts as white.
 const WHITE: f64 = 0.02;
 const ROUNDS: usize = 30;
-/// How much chance there is in where the first dots lie; without it they make patterns.
+/// The randomness of the initial dots; without it they form patterns.
 const SHAKE: f64 = 0.6;

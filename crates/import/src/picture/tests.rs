@@ -110,7 +110,7 @@ fn an_outline_leaves_specks_out_and_a_threshold_says_where_it_runs() {
     wide.shading.threshold = Some(0.2);
     let mut narrow = options(ShadingStyle::Outline);
     narrow.shading.threshold = Some(0.8);
-    let [wide, narrow] = [wide, narrow].map(|it| drawn(&cone, &it));
+    let [wide, narrow] = [wide, narrow].map(|value| drawn(&cone, &value));
     assert_eq!([wide.len(), narrow.len()], [1, 1]);
     assert!(wide[0].length_mm() > 2.0 * narrow[0].length_mm());
 }
@@ -135,7 +135,7 @@ fn dots_are_shared_out_as_the_tone_is() {
             cell: Point::new(0.25, 0.25),
             ink: ink.collect(),
         };
-        // What the edge swallows is a matter of chance: five drawings tell.
+        // The loss at the edge is random: five drawings average it out.
         let drawings = (1..=5).map(|seed| {
             let shading = Shading {
                 seed,
@@ -144,7 +144,7 @@ fn dots_are_shared_out_as_the_tone_is() {
             stipple::stippled(&tone, &shading, 1.0)
         });
         let dots: Vec<Stroke> = drawings.flatten().collect();
-        let on_the_left = dots.iter().filter(|it| it.points[0].x < 20.0).count();
+        let on_the_left = dots.iter().filter(|dot| dot.points[0].x < 20.0).count();
         let share = count(on_the_left) / count(dots.len());
         let wanted = left / (left + right);
         assert!((share / wanted - 1.0).abs() < 0.1, "{share}, not {wanted}");
@@ -161,7 +161,7 @@ fn dots_are_shared_out_as_the_tone_is() {
 #[test]
 fn dots_keep_apart_and_leave_white_alone() {
     let checker = |x: f64, y: f64| {
-        let [column, row] = [x, y].map(|it| (it / 40.0).floor());
+        let [column, row] = [x, y].map(|value| (value / 40.0).floor());
         (column + row) % 2.0
     };
     let file = grey(160, 160, checker);
@@ -200,7 +200,7 @@ fn bands() -> Vec<u8> {
     grey(300, 200, |x, _| 1.0 - (x / 60.0).floor() / 4.0)
 }
 
-/// In which band a place is, unless it is near a border.
+/// The band of a place, unless it is near a border.
 fn band(p: Point) -> Option<usize> {
     let place = p.x / PIXEL_MM / 60.0;
     (0..5).find(|&band| (place - count(band) - 0.5).abs() < 0.25)
@@ -226,7 +226,7 @@ fn each_darker_tone_is_hatched_in_one_more_direction() {
             }
         }
     }
-    assert_eq!(directions.map(|it| it.len()), [0, 1, 2, 3, 4]);
+    assert_eq!(directions.map(|direction| direction.len()), [0, 1, 2, 3, 4]);
 }
 
 #[test]
@@ -246,7 +246,7 @@ fn lines_leave_the_more_ink_the_darker_it_is() {
         }
         assert_eq!(ink_mm[0], 0.0, "{style:?}");
         assert!(
-            ink_mm.windows(2).all(|it| it[1] > 1.05 * it[0]),
+            ink_mm.windows(2).all(|pair| pair[1] > 1.05 * pair[0]),
             "{style:?} {ink_mm:?}"
         );
     }
@@ -373,10 +373,10 @@ fn every_kind_of_png_is_read() {
     let eight = [0, 128, 255, 64];
     let plain = encoded(2, 2, ColorType::Grayscale, BitDepth::Eight, &eight);
     assert_eq!(seen(&plain), eight);
-    let sixteen: Vec<u8> = eight.iter().flat_map(|&it| [it, it]).collect();
+    let sixteen: Vec<u8> = eight.iter().flat_map(|&item| [item, item]).collect();
     let file = encoded(2, 2, ColorType::Grayscale, BitDepth::Sixteen, &sixteen);
     assert_eq!(seen(&file), eight);
-    let colors = eight.map(|it| [it; 3]).concat();
+    let colors = eight.map(|item| [item; 3]).concat();
     let file = encoded(2, 2, ColorType::Rgb, BitDepth::Eight, &colors);
     assert_eq!(seen(&file), eight);
     let bits = encoded(2, 2, ColorType::Grayscale, BitDepth::One, &[0x40, 0x80]);
@@ -393,7 +393,7 @@ fn every_kind_of_jpeg_is_read() {
         let seen = seen(file);
         assert_eq!(seen.len(), 256);
         assert!(
-            seen.iter().all(|it| it.abs_diff(wanted) < 4),
+            seen.iter().all(|item| item.abs_diff(wanted) < 4),
             "{seen:?}, not {wanted}"
         );
     };
@@ -516,21 +516,21 @@ fn pictures_of_other_formats_are_drawn_as_the_same_png() {
 }
 
 #[test]
-fn a_file_that_is_no_picture_is_told_from_a_damaged_one() {
+fn a_file_that_is_no_picture_is_distinguished_from_a_damaged_one() {
     for name in ["a.jpg", "a.png"] {
-        let told = |bytes: &[u8]| {
+        let message = |bytes: &[u8]| {
             let source = crate::Source::of_file(name, bytes.to_vec()).unwrap();
             source.picture_page().unwrap_err().to_string()
         };
         assert_eq!(
-            told(b""),
+            message(b""),
             "the file is empty; a picture is a PNG, JPEG, GIF, WebP, BMP or TIFF file"
         );
         assert_eq!(
-            told(b"FORM89a"),
+            message(b"FORM89a"),
             "the file is not a PNG, JPEG, GIF, WebP, BMP or TIFF file; save the picture as PNG or JPEG"
         );
-        assert!(told(b"\xff\xd8\xff").starts_with("cannot read the JPEG picture: "));
+        assert!(message(b"\xff\xd8\xff").starts_with("cannot read the JPEG picture: "));
     }
 }
 
@@ -551,34 +551,37 @@ fn gigapixels_are_refused_before_they_are_read() {
 
 #[test]
 fn a_picture_without_pixels_is_refused_with_its_size() {
-    let told = |file: &[u8]| read(file, &ReadOptions::default()).unwrap_err().to_string();
+    let message = |file: &[u8]| read(file, &ReadOptions::default()).unwrap_err().to_string();
     let needed = "allowed are 1 x 1 or more; save it again as PNG or JPEG";
     for size in [[0, 16], [16, 0], [0, 0]] {
         let [width, height] = size;
         assert_eq!(
-            told(&sized(Gif, size)),
+            message(&sized(Gif, size)),
             format!("the picture has {width} x {height} pixels; {needed}")
         );
         for format in [Bmp, Tiff] {
-            let told = told(&sized(format, size));
-            assert!(told.starts_with("the "), "{format:?} {size:?}: {told}");
+            let message = message(&sized(format, size));
+            assert!(
+                message.starts_with("the "),
+                "{format:?} {size:?}: {message}"
+            );
         }
     }
 }
 
 #[test]
 fn pictures_whose_header_says_that_they_are_huge_are_refused() {
-    let told = |format| {
+    let message = |format| {
         let file = sized(format, [u16::MAX, u16::MAX]);
         let error = read(&file, &ReadOptions::default()).unwrap_err();
         error.to_string()
     };
     let wanted = "the picture has 65535 x 65535 pixels; allowed are 25 million";
     for format in [Gif, Bmp] {
-        assert!(told(format).starts_with(wanted), "{format:?}");
+        assert!(message(format).starts_with(wanted), "{format:?}");
     }
-    // Its parts have sizes too, and these do not fit.
-    assert!(told(Tiff).starts_with("cannot read the TIFF picture: "));
+    // Its parts have sizes too, which do not match.
+    assert!(message(Tiff).starts_with("cannot read the TIFF picture: "));
 }
 
 /// A picture of 16 x 16 pixels whose header says that it has another size.
@@ -592,7 +595,7 @@ fn sized(format: image::ImageFormat, [width, height]: [u16; 2]) -> Vec<u8> {
         Bmp => [18, 22],
         // The tags of TIFF for width and height, each with one number.
         _ => [0_u8, 1].map(|tag| {
-            let is_entry = |it: &[u8]| it[..2] == [tag, 1] && it[4..8] == [1, 0, 0, 0];
+            let is_entry = |byte: &[u8]| byte[..2] == [tag, 1] && byte[4..8] == [1, 0, 0, 0];
             8 + file.windows(8).position(is_entry).unwrap()
         }),
     };
@@ -618,25 +621,25 @@ fn a_spacing_that_would_take_days_is_refused_with_the_least() {
 #[test]
 fn settings_out_of_range_are_named() {
     let file = grey(10, 10, |_, _| 0.0);
-    let told = |change: fn(&mut Shading)| {
+    let message = |change: fn(&mut Shading)| {
         let mut options = ReadOptions::default();
         change(&mut options.shading);
         read(&file, &options).unwrap_err().to_string()
     };
     assert_eq!(
-        told(|it| it.spacing_mm = f64::NAN),
+        message(|it| it.spacing_mm = f64::NAN),
         "the spacing of the shading is NaN; allowed is a number above 0, in mm"
     );
     assert_eq!(
-        told(|it| it.levels = 9),
+        message(|it| it.levels = 9),
         "the levels of the shading is 9; allowed is from 1 to 8"
     );
     assert_eq!(
-        told(|it| it.threshold = Some(1.0)),
+        message(|it| it.threshold = Some(1.0)),
         "the threshold of the shading is 1; allowed is between 0 and 1"
     );
-    assert!(told(|it| it.darkness = 0.0).starts_with("the darkness"));
-    assert!(told(|it| it.angle_deg = f64::INFINITY).starts_with("the angle"));
+    assert!(message(|it| it.darkness = 0.0).starts_with("the darkness"));
+    assert!(message(|it| it.angle_deg = f64::INFINITY).starts_with("the angle"));
 }
 
 #[test]
@@ -676,7 +679,7 @@ fn the_bundled_photo_is_drawn_in_every_style() {
                 ..options(style)
             },
         );
-        let points: usize = strokes.iter().map(|it| it.points.len()).sum();
+        let points: usize = strokes.iter().map(|stroke| stroke.points.len()).sum();
         assert!(
             (500..20_000).contains(&points),
             "{style:?}: {points} points"

@@ -1,22 +1,22 @@
-//! How dark a page is, on a grid.
+//! The darkness of a page, on a grid.
 
 use dobot_geometry::Point;
 
 use super::exif::Orientation;
 
-/// How much ink a page wants, from 0 (white) to 1 (black), on a grid of cells.
+/// The ink of a page, from 0 (white) to 1 (black), on a grid of cells.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tone {
     pub(super) width: usize,
     pub(super) height: usize,
     /// A cell's width and height, in millimetres.
     pub(super) cell: Point,
-    /// Row by row, from the upper left corner.
+    /// The cells row by row, from the upper left corner.
     pub(super) ink: Vec<f32>,
 }
 
 impl Tone {
-    /// Size of the page in millimetres.
+    /// The size of the page in millimetres.
     pub(super) fn page(&self) -> Point {
         Point::new(
             count(self.width) * self.cell.x,
@@ -24,7 +24,7 @@ impl Tone {
         )
     }
 
-    /// The ink at a place on the page, between the middles of the cells around it.
+    /// The ink at a place on the page, interpolated between cell centers.
     pub(super) fn at(&self, p: Point) -> f64 {
         let (x0, x1, tx) = around(p.x / self.cell.x, self.width);
         let (y0, y1, ty) = around(p.y / self.cell.y, self.height);
@@ -37,7 +37,7 @@ impl Tone {
         )
     }
 
-    /// The middle of a cell.
+    /// The center of a cell.
     pub(super) fn middle(&self, x: usize, y: usize) -> Point {
         Point::new(
             (count(x) + 0.5) * self.cell.x,
@@ -45,13 +45,13 @@ impl Tone {
         )
     }
 
-    /// The number of the cell that holds a place.
+    /// The number of the cell at a place.
     pub(super) fn index(&self, p: Point) -> usize {
         let x = cell(p.x / self.cell.x, self.width);
         cell(p.y / self.cell.y, self.height) * self.width + x
     }
 
-    /// Mixes each cell with those around it, as far as `radius_mm` (one standard deviation).
+    /// Blurs the tones with the standard deviation `radius_mm`.
     pub(super) fn blurred(&self, radius_mm: f64) -> Self {
         let rows = blur_rows(&self.ink, self.width, radius_mm / self.cell.x);
         let columns = transposed(&rows, self.width);
@@ -62,7 +62,7 @@ impl Tone {
         }
     }
 
-    /// Turns and mirrors it as a camera asks for.
+    /// Rotates and mirrors it by the orientation of a camera.
     pub(super) fn oriented(mut self, orientation: Orientation) -> Self {
         if orientation.transpose {
             self.ink = transposed(&self.ink, self.width);
@@ -93,7 +93,7 @@ pub(super) const fn count(n: usize) -> f64 {
     n as f64
 }
 
-/// The number of the cell that holds a place, which is within the grid or a little outside.
+/// The number of the cell at a place within the grid or slightly outside.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -103,7 +103,7 @@ pub(super) fn cell(place: f64, cells: usize) -> usize {
     (place as usize).min(cells - 1)
 }
 
-/// The two cells whose middles are around a place, and how far it is from the first to the second.
+/// The two cells whose centers enclose a place, and the fraction from the first to the second.
 fn around(place: f64, cells: usize) -> (usize, usize, f64) {
     let place = (place - 0.5).clamp(0.0, count(cells - 1));
     let first = cell(place, cells);
@@ -115,7 +115,7 @@ fn transposed(ink: &[f32], width: usize) -> Vec<f32> {
     columns.collect()
 }
 
-/// Gaussian blur along the rows; beyond the edge it goes on as at the edge.
+/// Gaussian blur along the rows; the edge values continue beyond the edge.
 fn blur_rows(ink: &[f32], width: usize, sigma: f64) -> Vec<f32> {
     let bell = bell(sigma);
     let reach = bell.len() / 2;
@@ -135,9 +135,9 @@ fn blur_rows(ink: &[f32], width: usize, sigma: f64) -> Vec<f32> {
     out
 }
 
-/// Shares that add up to 1, as far as three standard deviations on both sides.
+/// The normalized weights up to three standard deviations on both sides.
 fn bell(sigma: f64) -> Vec<f32> {
-    let reach = cell((3.0 * sigma).ceil(), MOST_BLUR);
+    let reach = cell((3.0 * sigma).ceil(), MAX_BLUR);
     let share = |i: usize| {
         let away = count(i) - count(reach);
         (-away * away / (2.0 * sigma * sigma).max(1e-9)).exp()
@@ -152,7 +152,7 @@ pub(super) const fn as_ink(value: f64) -> f32 {
     value as f32
 }
 
-const MOST_BLUR: usize = 100;
+const MAX_BLUR: usize = 100;
 
 #[cfg(test)]
 mod tests {

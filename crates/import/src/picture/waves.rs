@@ -1,4 +1,4 @@
-//! Lines that swing the wider and the faster the darker it is.
+//! Parallel waves, wider and faster in darker areas.
 
 use dobot_geometry::{Point, Stroke};
 
@@ -6,10 +6,10 @@ use super::rows::{Rows, strokes};
 use super::shading::Shading;
 use super::tone::Tone;
 
-/// Draws a page with parallel lines, to and fro, each swinging from side to side.
+/// Draws a page with parallel lines, back and forth, each swinging from side to side.
 ///
-/// Each swing is one vector, as the arm's link has few: the wave is a zigzag. Where it is light the
-/// lines are straight, where it is lighter every other one is left out, where it is white all are.
+/// Each swing is one vector, because the arm's link is slow: the wave is a zigzag. In light areas
+/// the lines are straight, in lighter ones every other line is left out, in white ones all are.
 /// `spacing_mm` is on the page.
 pub(super) fn waves(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
     let tone = tone.blurred(SOFTNESS * spacing_mm);
@@ -29,7 +29,7 @@ struct Wave<'a> {
     tone: &'a Tone,
     rows: &'a Rows,
     start: Point,
-    /// The tone from which on this line is drawn.
+    /// The tone from which this line is drawn.
     from_ink: f64,
 }
 
@@ -50,7 +50,7 @@ impl<'a> Wave<'a> {
         let (mut at_mm, mut side) = (0.0, 1.0);
         while at_mm < length_mm {
             let ink = self.tone.at(self.place(at_mm, 0.0));
-            // A line that is drawn goes on a little longer than it would begin: no dashes.
+            // Hysteresis: a started line continues a little longer, which avoids dashes.
             let least = self.from_ink * if piece.is_empty() { 1.0 } else { GO_ON };
             if ink >= least {
                 piece.push(self.place(at_mm, side * self.swing_mm(ink)));
@@ -85,34 +85,34 @@ impl<'a> Wave<'a> {
         self.rows.spacing_mm * WIDEST * strength(ink)
     }
 
-    /// How far it is from one turn to the next.
+    /// The distance between turns.
     fn step_mm(&self, ink: f64) -> f64 {
         let steps = SLOWEST + (FASTEST - SLOWEST) * strength(ink);
         self.rows.spacing_mm * steps
     }
 }
 
-/// How much of the full swing a tone takes; the straight line alone is as dark as [`PLAIN`].
+/// The fraction of the full swing for a tone; the straight line alone is as dark as [`PLAIN`].
 pub(super) fn strength(ink: f64) -> f64 {
     ((ink - PLAIN) / (1.0 - PLAIN)).clamp(0.0, 1.0)
 }
 
-/// How far tones are mixed, in spacings.
+/// The smoothing radius of tones, in spacings.
 pub(super) const SOFTNESS: f64 = 0.25;
 /// The widest swing to one side, in spacings: neighbours nearly touch.
 pub(super) const WIDEST: f64 = 0.48;
-/// From one turn to the next, in spacings, where it is light.
+/// The distance between turns in light areas, in spacings.
 pub(super) const SLOWEST: f64 = 0.5;
-/// The same where it is black.
+/// The distance between turns in black areas, in spacings.
 pub(super) const FASTEST: f64 = 0.26;
 /// The tone of straight lines.
 const PLAIN: f64 = 0.25;
-/// The tone from which on every other line is drawn.
+/// The tone from which every other line is drawn.
 pub(super) const FAINT: f64 = 0.06;
-/// The tone from which on every line is drawn.
+/// The tone from which every line is drawn.
 const LIGHT: f64 = 0.18;
 pub(super) const GO_ON: f64 = 0.75;
-/// Of a piece, in spacings.
+/// The shortest piece, in spacings.
 pub(super) const SHORTEST: f64 = 1.0;
-/// How far it may be from one line to the next for the pen to stay down, in spacings.
+/// The largest gap between lines over which the pen stays down, in spacings.
 const REACH: f64 = 1.7;

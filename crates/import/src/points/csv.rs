@@ -1,4 +1,4 @@
-//! Points in lines.
+//! Points in CSV.
 //!
 //! ```text
 //!   x,y            a header may name the columns, in any order; without one they are x and y
@@ -22,14 +22,14 @@ pub(crate) fn is_likely(start: &str) -> bool {
     let first = start.lines().next().unwrap_or_default();
     let fields = first
         .split([',', ';', '\t'])
-        .map(|it| it.trim().to_ascii_lowercase());
+        .map(|part| part.trim().to_ascii_lowercase());
     let fields: Vec<String> = fields.collect();
-    let has = |name: &str| fields.iter().any(|it| it == name);
-    let is_number = |it: &String| it.parse::<f64>().is_ok();
+    let has = |name: &str| fields.iter().any(|field| field == name);
+    let is_number = |text: &String| text.parse::<f64>().is_ok();
     (has("x") && has("y")) || (fields.len() >= 2 && fields.iter().all(is_number))
 }
 
-/// Reads points in lines.
+/// Reads points in CSV.
 pub(crate) fn read(
     text: &str,
     options: &ReadOptions,
@@ -54,16 +54,16 @@ struct CsvReader<'a> {
     sketch: Sketch<'a>,
     text: &'a str,
     columns: Option<Columns>,
-    /// Of the stroke in hand.
+    /// The points of the current stroke.
     points: Vec<Point>,
     /// Its values in the columns `stroke` and `pen`.
     key: Key<'a>,
 }
 
-/// The values of a line in the columns `stroke` and `pen`, where there are such.
+/// The values of a line in the columns `stroke` and `pen`, if there are such columns.
 type Key<'a> = [Option<&'a str>; 2];
 
-/// Which column holds what.
+/// The columns.
 struct Columns {
     separator: char,
     count: usize,
@@ -114,16 +114,18 @@ impl<'a> CsvReader<'a> {
         Ok(())
     }
 
-    /// A header, or points already.
+    /// Parses the header, or the first points.
     fn first_line(&mut self, at: usize, line: &'a str) -> Result<(), SourceError> {
         let separators = [';', '\t', ','];
-        let separator = separators.into_iter().find(|&it| line.contains(it));
+        let separator = separators
+            .into_iter()
+            .find(|&separator| line.contains(separator));
         let separator = separator.unwrap_or(',');
         let names: Vec<String> = line
             .split(separator)
-            .map(|it| it.trim().to_ascii_lowercase())
+            .map(|part| part.trim().to_ascii_lowercase())
             .collect();
-        let column = |name: &str| names.iter().position(|it| it == name);
+        let column = |name: &str| names.iter().position(|column| column == name);
         let (Some(x), Some(y)) = (column("x"), column("y")) else {
             let is_header = line.contains(|c: char| c.is_alphabetic() && !"eE".contains(c));
             if is_header || names.len() != 2 {
@@ -142,7 +144,7 @@ impl<'a> CsvReader<'a> {
             return self.line(at, line);
         };
         let known = ["x", "y", "stroke", "pen"];
-        for name in names.iter().filter(|it| !known.contains(&it.as_str())) {
+        for name in names.iter().filter(|name| !known.contains(&name.as_str())) {
             let what = format!("column {:?}", shortened(name));
             self.sketch.warn(at, &what, "left out");
         }
@@ -160,11 +162,11 @@ impl<'a> CsvReader<'a> {
 
     fn number(&self, field: &'a str) -> Result<f64, SourceError> {
         let field = field.trim();
-        let is_plain = field.bytes().all(|it| b"0123456789+-.eE".contains(&it));
+        let is_plain = field.bytes().all(|byte| b"0123456789+-.eE".contains(&byte));
         let number = field
             .parse()
             .ok()
-            .filter(|it: &f64| is_plain && it.is_finite());
+            .filter(|x: &f64| is_plain && x.is_finite());
         number.ok_or_else(|| {
             let at = field.as_ptr() as usize - self.text.as_ptr() as usize;
             let found = format!("{:?}", shortened(field));
@@ -185,7 +187,7 @@ impl<'a> CsvReader<'a> {
 
     fn end_stroke(&mut self) {
         let mut points = std::mem::take(&mut self.points);
-        // There may be millions of strokes, each with room for more.
+        // There may be millions of strokes; spare capacity would add up.
         points.shrink_to_fit();
         self.sketch.counted_stroke(points);
     }

@@ -50,10 +50,10 @@ fn draw(text: &str, sketch: &mut Sketch<'_>) -> Result<(), SourceError> {
     end.map_err(|error| refused(text, ".", &error))
 }
 
-/// Draws each stroke once it is read: all of them at once would fill the memory.
+/// Draws each stroke once it is read, because all of them together would fill the memory.
 struct StrokeReader<'s, 'a> {
     sketch: &'s mut Sketch<'a>,
-    /// Why the last stroke cannot be drawn.
+    /// The error of the last stroke.
     refused: Option<SourceError>,
 }
 
@@ -72,15 +72,15 @@ impl StrokeReader<'_, '_> {
         self.sketch.use_layer(Layer {
             name: stroke
                 .layer
-                .or(stroke.color.as_ref().map(|it| it.name.clone()))
+                .or(stroke.color.as_ref().map(|color| color.name.clone()))
                 .unwrap_or_default(),
-            color: stroke.color.map(|it| it.parts),
+            color: stroke.color.map(|color| color.parts),
             ..Layer::default()
         })?;
-        // As large as they are, for there may be a million of them; the list has room for more.
+        // Without spare capacity, for there may be a million of them.
         let list = stroke.points.0;
         let mut points = Vec::with_capacity(list.len() + usize::from(stroke.closed));
-        points.extend(list.into_iter().map(|it| it.0));
+        points.extend(list.into_iter().map(|entry| entry.0));
         if stroke.closed && points.len() > 2 && points.first() != points.last() {
             points.extend(points.first().copied());
         }
@@ -113,7 +113,7 @@ impl<'de> Visitor<'de> for &mut StrokeReader<'_, '_> {
     }
 }
 
-/// What an object that is a drawing may hold.
+/// The keys of an object that is a drawing.
 #[derive(Deserialize)]
 #[serde(field_identifier, rename_all = "lowercase")]
 enum DocumentField {
@@ -143,7 +143,7 @@ impl<'de> Visitor<'de> for StrokeList<'_, '_, '_> {
     }
 }
 
-/// What the JSON reader says, in the words of the other readers.
+/// The error of the JSON parser, in the form of the other readers.
 fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
     let place = Place::new(error.line().max(1), error.column().max(1));
     let message = error.to_string();
@@ -158,10 +158,6 @@ fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
             "the end of the file".to_owned(),
             "the rest of the JSON text".to_owned(),
         ),
-        Some((_, list)) if list.starts_with("one of ") || list.starts_with('`') => {
-            let problem = problem.split(", ").next().unwrap_or(problem);
-            (plain_problem(problem), SHAPE.to_owned())
-        }
         Some((problem, expected)) => (plain_problem(problem), plain_type(expected).to_owned()),
         None if error.is_data() => (plain_problem(problem), SHAPE.to_owned()),
         None => (
@@ -231,7 +227,7 @@ fn offset(text: &str, error: &serde_json::Error) -> usize {
     before + error.column().saturating_sub(1)
 }
 
-/// A line with what belongs to it.
+/// A stroke with its attributes.
 struct JsonStroke(StrokeFields);
 
 #[derive(Default, Deserialize)]
@@ -276,7 +272,7 @@ impl<'de> Deserialize<'de> for Points {
     }
 }
 
-/// The list of points in a stroke.
+/// The list of points of a stroke.
 struct PointList;
 
 impl<'de> Visitor<'de> for PointList {
@@ -372,13 +368,13 @@ impl<'de> Deserialize<'de> for Color {
 
 fn parts(color: &str) -> Option<[u8; 3]> {
     let digits = color.strip_prefix('#')?;
-    let is_hex = digits.len() == 6 && digits.bytes().all(|it| it.is_ascii_hexdigit());
+    let is_hex = digits.len() == 6 && digits.bytes().all(|byte| byte.is_ascii_hexdigit());
     let number = u32::from_str_radix(digits, 16).ok().filter(|_| is_hex)?;
     let [_, red, green, blue] = number.to_be_bytes();
     Some([red, green, blue])
 }
 
-/// Reads a `T` from a list, which reads as `L`, or from an object, which reads as `M`.
+/// Reads a `T` from a list by `L`, or from an object by `M`.
 struct ListOr<T, L, M> {
     expected: &'static str,
     kinds: PhantomData<(T, L, M)>,

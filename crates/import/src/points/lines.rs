@@ -1,4 +1,4 @@
-//! Points that a program has calculated.
+//! Calculated points.
 
 use dobot_geometry::Point;
 
@@ -9,14 +9,14 @@ use crate::options::ReadOptions;
 use crate::sketch::{Sketch, Y};
 use crate::warning::Warning;
 
-/// Takes lines of points; an error tells the line and the point in it, both counted from 1.
+/// Reads lines of points; an error has the line and the point in it, both counted from 1.
 pub(crate) fn read(
     lines: &[Vec<Point>],
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(b"", options)?;
     for (number, line) in (1..).zip(lines) {
-        if let Some(at) = line.iter().position(|it| !is_allowed(*it)) {
+        if let Some(at) = line.iter().position(|point| !is_allowed(*point)) {
             return Err(SourceError::Point {
                 line: number,
                 point: at + 1,
@@ -28,8 +28,10 @@ pub(crate) fn read(
     sketch.finish(Y::Down, "no points in the lines")
 }
 
-fn is_allowed(it: Point) -> bool {
-    [it.x, it.y].iter().all(|it| it.abs() <= LIMIT_MM)
+fn is_allowed(point: Point) -> bool {
+    [point.x, point.y]
+        .iter()
+        .all(|value| value.abs() <= LIMIT_MM)
 }
 
 #[cfg(test)]
@@ -51,15 +53,15 @@ mod tests {
     }
 
     #[test]
-    fn a_point_that_is_no_place_is_told_with_its_line() {
-        for (x, y, told) in [
+    fn a_point_that_is_no_place_is_reported_with_its_line() {
+        for (x, y, message) in [
             (f64::NAN, 0.0, "point 2 of line 1 is (NaN, 0)"),
             (0.0, f64::INFINITY, "point 2 of line 1 is (0, inf)"),
             (-1_000_001.0, 0.0, "point 2 of line 1 is (-1000001, 0)"),
         ] {
             let line = vec![Point::ZERO, Point::new(x, y)];
             let error = read(&[line], &ReadOptions::default()).unwrap_err();
-            assert!(error.to_string().starts_with(told), "{error}");
+            assert!(error.to_string().starts_with(message), "{error}");
         }
         assert!(read(&[], &ReadOptions::default()).is_err());
     }

@@ -21,9 +21,9 @@ fn json(text: &str) -> Artwork {
 }
 
 fn corners(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
-    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     strokes
-        .map(|it| it.points.iter().map(|p| (p.x, p.y)).collect())
+        .map(|stroke| stroke.points.iter().map(|p| (p.x, p.y)).collect())
         .collect()
 }
 
@@ -46,7 +46,7 @@ fn each_pen_of_a_csv_file_is_a_layer() {
     let found: Vec<_> = artwork
         .layers
         .iter()
-        .map(|it| (it.name.as_str(), it.strokes.len()))
+        .map(|layer| (layer.name.as_str(), layer.strokes.len()))
         .collect();
     assert_eq!(found, [("pen 1", 2), ("pen 2", 1)]);
     assert_eq!(warnings, ["1:1: 1 column \"z\": left out"]);
@@ -221,9 +221,10 @@ fn bad_json_is_refused_with_its_place() {
 }
 
 #[test]
-fn strokes_are_drawn_as_they_are_read_so_that_one_too_many_is_told_before_what_is_wrong_behind() {
+fn strokes_are_drawn_as_they_are_read_so_that_one_too_many_is_reported_before_what_is_wrong_behind()
+{
     let strokes: Vec<String> = (0..1001)
-        .map(|it| format!(r#"{{"layer":"{it}","points":[[0,0]]}}"#))
+        .map(|i| format!(r#"{{"layer":"{i}","points":[[0,0]]}}"#))
         .collect();
     let text = format!("[{},oops", strokes.join(","));
     let error = read_json(&text, &ReadOptions::default()).unwrap_err();
@@ -258,10 +259,10 @@ proptest! {
         }
         let lists = format!("{strokes:?}").replace('(', "[").replace(')', "]");
         for artwork in [csv(&lines).0, json(&lists)] {
-            let found: Vec<usize> = artwork.layers[0].strokes.iter().map(|it| it.points.len()).collect();
+            let found: Vec<usize> = artwork.layers[0].strokes.iter().map(|stroke| stroke.points.len()).collect();
             let wanted: Vec<usize> = strokes.iter().map(Vec::len).collect();
             prop_assert_eq!(found, wanted);
-            let wanted: Vec<Point> = strokes.iter().flatten().map(|it| Point::new(it.0, it.1)).collect();
+            let wanted: Vec<Point> = strokes.iter().flatten().map(|stroke| Point::new(stroke.0, stroke.1)).collect();
             let shift = wanted[0] - artwork.points().next().unwrap();
             for (found, wanted) in artwork.points().zip(wanted) {
                 prop_assert!((found + shift).distance(wanted) < 1e-6);

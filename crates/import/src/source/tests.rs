@@ -46,10 +46,10 @@ fn a_file_of_more_bytes_than_its_kind_has_is_refused_before_it_is_read() {
 
 /// Name, strokes and closed strokes of each layer.
 fn layers(artwork: &Artwork) -> Vec<(&str, usize, usize)> {
-    let closed = |it: &Layer| it.strokes.iter().filter(|it| it.closed).count();
+    let closed = |layer: &Layer| layer.strokes.iter().filter(|stroke| stroke.closed).count();
     let layers = artwork.layers.iter();
     layers
-        .map(|it| (it.name.as_str(), it.strokes.len(), closed(it)))
+        .map(|layer| (layer.name.as_str(), layer.strokes.len(), closed(layer)))
         .collect()
 }
 
@@ -92,7 +92,11 @@ fn the_gear_has_24_teeth_and_its_holes_are_for_another_pen() {
 #[test]
 fn the_dial_has_labels_around_it_and_a_pointer_for_another_pen() {
     let dial = example("dial.plt");
-    let found: Vec<&str> = dial.layers.iter().map(|it| it.name.as_str()).collect();
+    let found: Vec<&str> = dial
+        .layers
+        .iter()
+        .map(|layer| layer.name.as_str())
+        .collect();
     assert_eq!(found, ["pen 1", "pen 2"]);
     assert!((dial.layers[1].strokes[0].length_mm() - 36.75).abs() < 0.1);
     assert!(dial.layers[0].strokes.len() > 60);
@@ -109,8 +113,11 @@ fn the_bracket_has_an_outline_and_holes() {
 #[test]
 fn the_tag_is_filled_drawn_and_cut_in_this_order() {
     let (tag, warnings) = example_with_warnings("tag.lbrn2");
-    let told: Vec<&str> = warnings.iter().map(|it| it.what.as_str()).collect();
-    assert_eq!(told, ["tool-layer shape", "laser layer"]);
+    let message: Vec<&str> = warnings
+        .iter()
+        .map(|warning| warning.what.as_str())
+        .collect();
+    assert_eq!(message, ["tool-layer shape", "laser layer"]);
     has_size(&tag, [90.0, 50.0]);
     assert_eq!(
         layers(&tag),
@@ -138,7 +145,7 @@ fn the_knot_is_one_line_in_two_rings() {
 }
 
 #[test]
-fn a_name_without_a_known_ending_is_told_with_those_that_are() {
+fn a_name_without_a_known_ending_is_reported_with_those_that_are() {
     let error = Source::of_file("letter.txt", b"Dear reader".to_vec()).unwrap_err();
     assert_eq!(
         error.to_string(),
@@ -180,8 +187,8 @@ fn a_drawing_is_known_by_its_contents_where_its_name_is_wrong_or_it_is_packed() 
 }
 
 #[test]
-fn what_other_programs_make_a_drawing_of_is_told_with_the_way() {
-    for (bytes, told) in [
+fn what_other_programs_make_a_drawing_of_is_reported_with_the_way() {
+    for (bytes, message) in [
         (
             &b"%PDF-1.7\n4 0 obj"[..],
             "found a PDF file, which is not supported; Inkscape opens it",
@@ -206,7 +213,7 @@ fn what_other_programs_make_a_drawing_of_is_told_with_the_way() {
         let error = Source::of_file("a.gcode", bytes.to_vec())
             .unwrap_err()
             .to_string();
-        assert!(error.starts_with(told), "{error}");
+        assert!(error.starts_with(message), "{error}");
     }
 }
 

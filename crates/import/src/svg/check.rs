@@ -1,4 +1,4 @@
-//! Values read strictly: what a lenient reader would skip or cut short in silence is an error.
+//! Strict checks of values: what a lenient reader would skip or truncate silently is an error.
 
 use std::str::FromStr;
 
@@ -8,10 +8,10 @@ use usvg::roxmltree::{Attribute, Document, Node};
 use crate::error::SvgError;
 use crate::limits::{Budget, MAX_NUMBER, OverBudget};
 
-/// Reads every path, point list, length, transform and viewBox of the document, and tells as how many
-/// line segments each node counts, by its number in the document.
+/// Checks every path, point list, length, transform and viewBox of the document, and returns the
+/// number of line segments of each node, by its number in the document.
 pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u64>, SvgError> {
-    // As many as there are nodes, each at the place that its number tells.
+    // One for each node, indexed by its number.
     let mut segments = vec![0; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
         for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
@@ -28,10 +28,10 @@ pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u64>,
     Ok(segments)
 }
 
-/// Why a value is not read to its end.
+/// The reason why a value is invalid.
 enum Refused {
     Value(ValueProblem),
-    /// It has more segments than a drawing.
+    /// It has more segments than a drawing may have.
     Over(OverBudget),
 }
 
@@ -48,7 +48,7 @@ impl From<OverBudget> for Refused {
 }
 
 struct ValueProblem {
-    /// Where in the value, in bytes.
+    /// The position in the value, in bytes.
     at: usize,
     expected: &'static str,
 }
@@ -104,7 +104,7 @@ fn check_path(value: &str, budget: &mut Budget) -> Result<usize, Refused> {
     Ok(count)
 }
 
-/// As how many lines a segment counts: a curve becomes several, and takes as much memory before that.
+/// The number of lines of a segment: a curve becomes several, and takes as much memory before that.
 const fn weight(segment: PathSegment) -> usize {
     match segment {
         PathSegment::CurveTo { .. }
@@ -130,7 +130,7 @@ fn check_points(value: &str, budget: &mut Budget) -> Result<usize, Refused> {
         budget.spend(count % 2)?;
         count += 1;
     }
-    // The last point may lack its y: that is told, and drawn as far as it goes.
+    // The last point may lack its y, which is a warning; it is drawn up to the point before.
     Ok(count / 2)
 }
 
@@ -190,7 +190,7 @@ pub(super) fn is_length(element: &str, name: &str) -> bool {
     has_lengths && is_one
 }
 
-/// Where the parser stopped, in bytes of the value. The parser counts characters from 1.
+/// The position of the parser's error, in bytes of the value. The parser counts characters from 1.
 fn position(error: &svgtypes::Error, value: &str) -> usize {
     use svgtypes::Error as E;
     let (E::UnexpectedData(at)
@@ -212,7 +212,7 @@ fn bad_value(
 ) -> SvgError {
     let value = attribute.value();
     let range = attribute.range_value();
-    // Where entities were replaced, the value no longer lines up with the file.
+    // After replaced entities, the value no longer matches the file.
     let offset = if range.len() == value.len() {
         problem.at
     } else {
@@ -227,7 +227,7 @@ fn bad_value(
     }
 }
 
-/// What a value holds at a place, or behind what it ends too soon.
+/// The text of a value at a position, or at whose end it is incomplete.
 fn found(value: &str, at: usize) -> String {
     let (read, rest) = value.split_at(at);
     if !rest.is_empty() || read.is_empty() {

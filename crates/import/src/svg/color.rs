@@ -4,17 +4,18 @@ use std::str::FromStr;
 
 use svgtypes::Color;
 
-/// The name of a colour in CSS, or its hexadecimal digits.
+/// The CSS name of a colour, or its hexadecimal digits.
 pub(crate) fn name(rgb: [u8; 3]) -> String {
-    let is_it =
-        |name: &&str| Color::from_str(name).is_ok_and(|it| [it.red, it.green, it.blue] == rgb);
+    let is_it = |name: &&str| {
+        Color::from_str(name).is_ok_and(|color| [color.red, color.green, color.blue] == rgb)
+    };
     match NAMES.split_whitespace().find(is_it) {
         Some(name) => name.to_owned(),
         None => format!("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]),
     }
 }
 
-/// Of two names for one colour, the first in the alphabet that people use.
+/// The preferred one of two names for a colour.
 const NAMES: &str = "
     aliceblue antiquewhite aquamarine azure beige bisque black blanchedalmond blue blueviolet
     brown burlywood cadetblue chartreuse chocolate coral cornflowerblue cornsilk crimson cyan

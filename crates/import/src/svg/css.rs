@@ -1,4 +1,4 @@
-//! Values of CSS that are newer than what the library reads, in words that it knows.
+//! Rewriting of CSS values that are newer than the library.
 //!
 //! ```text
 //!   stroke: light-dark(black, white)        stroke: black
@@ -12,12 +12,12 @@ use std::cell::Cell;
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// What custom properties stand for, by their names (`--sea`). Of several values the first counts: the others are for a dark screen,
-/// or for another part of the page.
+/// The values of custom properties, by name (`--sea`). Of several values the first counts: the
+/// others are for a dark screen, or for another part of the page.
 #[derive(Debug)]
 pub(super) struct Variables<'a> {
     values: HashMap<&'a str, &'a str>,
-    /// How many bytes may still be looked at in the brackets of functions, and put in their places.
+    /// The number of bytes in function arguments that may still be processed.
     left: Cell<usize>,
 }
 
@@ -25,18 +25,18 @@ impl<'a> Variables<'a> {
     pub(super) fn new() -> Self {
         Self {
             values: HashMap::new(),
-            left: Cell::new(MOST_BYTES),
+            left: Cell::new(MAX_BYTES),
         }
     }
 
-    /// Takes those of a sheet, or of the style of an element.
+    /// Collects those of a sheet, or of the style of an element.
     pub(super) fn read(&mut self, css: &'a str) {
         for Custom { name, value, .. } in custom(css) {
             self.values.entry(name).or_insert(value);
         }
     }
 
-    /// A value, or the declarations of a style, in words that the library knows.
+    /// Rewrites a value, or the declarations of a style, for the library.
     pub(super) fn readable<'t>(&self, css: &'t str) -> Cow<'t, str> {
         let css = if css.contains('(') {
             self.without_functions(css, 0)
@@ -51,10 +51,10 @@ impl<'a> Variables<'a> {
         })
     }
 
-    /// Puts the values of functions in their places.
+    /// Replaces functions by their values.
     fn without_functions<'t>(&self, css: &'t str, depth: u32) -> Cow<'t, str> {
         let (mut whole, mut done, mut at) = (String::new(), 0, 0);
-        while let Some(open) = css[at..].find('(').map(|it| at + it) {
+        while let Some(open) = css[at..].find('(').map(|offset| at + offset) {
             let head = &css[at..open];
             let begin = open - head.len() + head.trim_end_matches(is_of_name).len();
             at = open + 1;
@@ -71,8 +71,8 @@ impl<'a> Variables<'a> {
         Cow::Owned(whole + &css[done..])
     }
 
-    /// What a function gives, where the library does not know it itself, and where its brackets are closed, with which the
-    /// text begins.
+    /// The value of a function unknown to the library, at the start of a text after its name, if
+    /// its brackets are closed.
     fn value(&self, name: &str, text: &str, depth: u32) -> Option<(String, usize)> {
         if depth == MOST_DEPTH || !FUNCTIONS.contains(&name) {
             return None;
@@ -93,9 +93,9 @@ impl<'a> Variables<'a> {
             "color-mix" => {
                 let other = other?;
                 let mixed = deeper(&other[..comma(other)]);
-                // How much of it there is.
+                // The alpha value.
                 let share = mixed.rfind(' ').filter(|_| mixed.ends_with('%'));
-                share.map_or(mixed.clone(), |it| mixed[..it].to_owned())
+                share.map_or(mixed.clone(), |share| mixed[..share].to_owned())
             }
             "color" => {
                 let (_, channels) = arguments.trim().split_once(' ')?;
@@ -109,7 +109,7 @@ impl<'a> Variables<'a> {
     }
 }
 
-/// What declares a custom property.
+/// The declarations of a custom property.
 struct Custom<'a> {
     name: &'a str,
     value: &'a str,
@@ -119,11 +119,11 @@ struct Custom<'a> {
 fn custom(css: &str) -> impl Iterator<Item = Custom<'_>> {
     let mut done = 0;
     std::iter::from_fn(move || {
-        while let Some(at) = css[done..].find("--").map(|it| done + it) {
+        while let Some(at) = css[done..].find("--").map(|at| done + at) {
             let rest = &css[at..];
             let name = &rest[..name_end(rest)];
             let before = css[done..at].trim_end().chars().next_back();
-            let begins = before.is_none_or(|it| ";{}/".contains(it));
+            let begins = before.is_none_or(|before| ";{}/".contains(before));
             done = at + name.len();
             let value = rest[name.len()..].trim_start().strip_prefix(':');
             if let (true, Some(value)) = (begins, value) {
@@ -143,7 +143,7 @@ fn custom(css: &str) -> impl Iterator<Item = Custom<'_>> {
     })
 }
 
-/// Leaves out the custom properties, with which the library would leave out what stands beside them.
+/// Removes the custom properties, which would make the library drop the declarations beside them.
 fn without_custom(css: &str) -> Option<String> {
     let (mut whole, mut done) = (String::new(), 0);
     for Custom { range, .. } in custom(css) {
@@ -153,7 +153,7 @@ fn without_custom(css: &str) -> Option<String> {
     (done > 0).then(|| whole + &css[done..])
 }
 
-/// Where the brackets with which a text begins are closed, behind them.
+/// The end of the bracketed text at the start, after the closing bracket.
 pub(super) fn closed(text: &str, [open, close]: [char; 2]) -> usize {
     let mut depth = 0_usize;
     for (at, sign) in text.char_indices() {
@@ -169,7 +169,7 @@ pub(super) fn closed(text: &str, [open, close]: [char; 2]) -> usize {
     text.len()
 }
 
-/// Where the first argument ends.
+/// The end of the first argument.
 fn comma(arguments: &str) -> usize {
     let mut depth = 0_i32;
     let is_end = |sign: char| {
@@ -179,29 +179,31 @@ fn comma(arguments: &str) -> usize {
     arguments.find(is_end).unwrap_or(arguments.len())
 }
 
-/// Channels from 0 to 1 in percent, as `rgb` has them.
+/// Converts channels from 0 to 1 to percent, as in `rgb`.
 fn percent(channels: &str) -> String {
     let (colors, alpha) = channels.split_once('/').unwrap_or((channels, "1"));
-    let colors = colors.split_whitespace().map(|it| match it.parse::<f64>() {
-        Ok(share) => format!("{}%", 100.0 * share),
-        Err(_) => it.to_owned(),
-    });
+    let colors = colors
+        .split_whitespace()
+        .map(|word| match word.parse::<f64>() {
+            Ok(share) => format!("{}%", 100.0 * share),
+            Err(_) => word.to_owned(),
+        });
     let colors: Vec<String> = colors.collect();
     format!("{} / {alpha}", colors.join(" "))
 }
 
-/// The digits of a colour.
+/// The hexadecimal digits of a colour.
 fn hex(color: &str) -> Option<String> {
     let color = csscolorparser::parse(color).ok()?;
     Some(color.to_css_hex().to_string())
 }
 
-/// Lengths in the font size of the page, which is 16 px.
+/// Converts lengths in the font size of the page, which is 16 px.
 fn rem_to_px(css: &str) -> Option<String> {
     let mut whole = String::new();
     let mut done = 0;
     for (at, unit) in css.match_indices("rem") {
-        let before = css[done..at].trim_end_matches(|it: char| it.is_ascii_digit() || it == '.');
+        let before = css[done..at].trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
         let begin = done + before.len();
         let ends = !css[at + unit.len()..].starts_with(is_of_name);
         if let (true, Ok(number)) = (ends, css[begin..at].parse::<f64>()) {
@@ -214,7 +216,7 @@ fn rem_to_px(css: &str) -> Option<String> {
     (done > 0).then(|| whole + &css[done..])
 }
 
-/// Takes the line heights out of what tells all of a font.
+/// Removes line heights from `font` shorthands.
 fn without_line_heights(css: &str) -> String {
     let mut whole = String::new();
     let mut rest = css;
@@ -228,7 +230,7 @@ fn without_line_heights(css: &str) -> String {
             Some((size, height)) => {
                 whole += size;
                 let height = height.trim_start();
-                whole += height.find(' ').map_or("", |it| &height[it..]);
+                whole += height.find(' ').map_or("", |at| &height[at..]);
             }
             None => whole += value,
         }
@@ -237,7 +239,7 @@ fn without_line_heights(css: &str) -> String {
     whole + rest
 }
 
-/// Puts the names of fonts into quotes that are no names without them.
+/// Quotes font names that are invalid without quotes.
 fn with_quoted_families(css: &str) -> Option<String> {
     let (mut whole, mut done) = (String::new(), 0);
     for (at, property) in css.match_indices("font-family") {
@@ -256,18 +258,19 @@ fn with_quoted_families(css: &str) -> Option<String> {
     (done > 0).then(|| whole + &css[done..])
 }
 
-/// A list of fonts in which names with a word that begins with a digit stand in quotes (`Hershey Sans 1-stroke`): many
-/// programs leave them out. `None` where there is no such name.
+/// Quotes the fonts of a list that have a word starting with a digit (`Hershey Sans 1-stroke`):
+/// many programs omit the quotes. `None` if there is no such name.
 pub(super) fn quoted_families(list: &str) -> Option<String> {
     let is_quote = |sign: char| sign == '"' || sign == '\'';
     let has_number = |name: &str| {
         let mut words = name.split_whitespace();
-        words.any(|it| it.starts_with(|sign: char| sign.is_ascii_digit()))
+        words.any(|word| word.starts_with(|sign: char| sign.is_ascii_digit()))
     };
     let (mut families, mut is_open, mut is_changed) = (Vec::new(), false, false);
     for family in list.split(',') {
-        let is_bare = !is_open && !family.contains(|it| is_quote(it) || "!(\\".contains(it));
-        is_open ^= family.chars().filter(|it| is_quote(*it)).count() % 2 == 1;
+        let is_bare =
+            !is_open && !family.contains(|family| is_quote(family) || "!(\\".contains(family));
+        is_open ^= family.chars().filter(|c| is_quote(*c)).count() % 2 == 1;
         if is_bare && has_number(family) {
             families.push(Cow::Owned(format!("'{}'", family.trim())));
             is_changed = true;
@@ -286,18 +289,18 @@ pub(super) fn replaced(css: Cow<'_, str>, by: impl Fn(&str) -> Option<String>) -
 }
 
 fn name_end(text: &str) -> usize {
-    text.find(|it| !is_of_name(it)).unwrap_or(text.len())
+    text.find(|text| !is_of_name(text)).unwrap_or(text.len())
 }
 
 fn is_of_name(sign: char) -> bool {
     sign.is_alphanumeric() || sign == '-' || sign == '_'
 }
 
-/// What variables stand for may hold others, to that depth.
+/// The largest depth of variables in variables.
 pub(super) const MOST_DEPTH: u32 = 8;
 /// More would fill the memory.
-const MOST_BYTES: usize = 20_000_000;
-/// The functions whose values are put in their places.
+const MAX_BYTES: usize = 20_000_000;
+/// The functions that are replaced by their values.
 const FUNCTIONS: [&str; 13] = [
     "color",
     "color-mix",

@@ -1,11 +1,11 @@
-//! What styles declare of the elements: those of an element itself, and the rules of all sheets.
+//! The styles of elements: their own ones, and the rules of all sheets.
 
 use simplecss::{AttributeOperator, PseudoClass, Selector, StyleSheet};
 use usvg::roxmltree::{Document, Node};
 
 use super::styles::sheets;
 
-/// Tells of which elements a style declares a property.
+/// The elements for which a style declares a property.
 pub(super) struct Declared<'a> {
     /// Whether a name and a value are the property.
     is_it: fn(&str, &str) -> bool,
@@ -16,7 +16,7 @@ pub(super) struct Declared<'a> {
 /// The rules of all sheets of a document.
 pub(super) fn rules<'a>(doc: &'a Document<'_>) -> StyleSheet<'a> {
     let mut all = StyleSheet::new();
-    for text in sheets(doc).filter_map(|it| it.text()) {
+    for text in sheets(doc).filter_map(|sheet| sheet.text()) {
         all.parse_more(text);
     }
     all
@@ -26,40 +26,46 @@ impl<'a> Declared<'a> {
     pub(super) fn of(sheet: &'a StyleSheet<'a>, is_it: fn(&str, &str) -> bool) -> Self {
         let declares = sheet.rules.iter().filter(|rule| {
             let mut declarations = rule.declarations.iter();
-            declarations.any(|it| is_it(it.name, it.value))
+            declarations.any(|declaration| is_it(declaration.name, declaration.value))
         });
         Self {
             is_it,
-            selectors: declares.map(|it| &it.selector).collect(),
+            selectors: declares.map(|rule| &rule.selector).collect(),
         }
     }
 
     pub(super) fn of_element(&self, node: Node<'_, '_>) -> bool {
         let style = node.attribute("style").unwrap_or_default();
-        let mut own = style.split(';').filter_map(|it| it.split_once(':'));
+        let mut own = style.split(';').filter_map(|part| part.split_once(':'));
         own.any(|(name, value)| (self.is_it)(name.trim(), value.trim()))
-            || self.selectors.iter().any(|it| it.matches(&Element(node)))
+            || self
+                .selectors
+                .iter()
+                .any(|selector| selector.matches(&Element(node)))
     }
 }
 
-/// What a property of an element is by the styles; what the element itself has comes before the rules, of which the last one counts.
+/// The value of a property by the styles; the element's own style precedes the rules, of which the
+/// last one counts.
 pub(super) fn value_of<'a>(
     sheet: &'a StyleSheet<'a>,
     node: Node<'a, '_>,
     name: &str,
 ) -> Option<&'a str> {
     let style = node.attribute("style").unwrap_or_default();
-    let own = style.split(';').filter_map(|it| it.split_once(':'));
-    let mut own = own.filter(|it| it.0.trim() == name).map(|it| it.1.trim());
+    let own = style.split(';').filter_map(|part| part.split_once(':'));
+    let mut own = own
+        .filter(|value| value.0.trim() == name)
+        .map(|value| value.1.trim());
     let declared = sheet.rules.iter().rev().filter_map(|rule| {
         let mut declarations = rule.declarations.iter().rev();
-        let it = declarations.find(|it| it.name == name)?;
+        let it = declarations.find(|declaration| declaration.name == name)?;
         rule.selector.matches(&Element(node)).then_some(it.value)
     });
     own.next_back().or_else(|| declared.into_iter().next())
 }
 
-/// What a property of an element is: by the styles, and else by its attribute.
+/// The value of a property by the styles, or else by its attribute.
 pub(super) fn property_of<'a>(
     sheet: &'a StyleSheet<'a>,
     node: Node<'a, '_>,
@@ -69,7 +75,7 @@ pub(super) fn property_of<'a>(
     value.split('!').next().map(str::trim)
 }
 
-/// What a property is on each element, by the number of its node: its own, and else that of what holds it.
+/// The value of a property on each element, by node number: its own, or else the inherited one.
 pub(super) fn inherited<'a>(
     sheet: &'a StyleSheet<'a>,
     doc: &'a Document<'_>,
@@ -77,14 +83,16 @@ pub(super) fn inherited<'a>(
 ) -> Vec<Option<&'a str>> {
     let mut values = vec![None; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
-        let own = property_of(sheet, node, name).filter(|it| *it != "inherit");
-        let outer = node.parent().and_then(|it| values[it.id().get_usize()]);
+        let own = property_of(sheet, node, name).filter(|value| *value != "inherit");
+        let outer = node
+            .parent()
+            .and_then(|parent| values[parent.id().get_usize()]);
         values[node.id().get_usize()] = own.or(outer);
     }
     values
 }
 
-/// An element as the rules of a sheet see it.
+/// An element for matching the selectors of a sheet.
 pub(super) struct Element<'a, 'input>(pub(super) Node<'a, 'input>);
 
 impl simplecss::Element for Element<'_, '_> {
@@ -102,7 +110,7 @@ impl simplecss::Element for Element<'_, '_> {
 
     fn attribute_matches(&self, name: &str, operator: AttributeOperator<'_>) -> bool {
         let value = self.0.attribute(name);
-        value.is_some_and(|it| operator.matches(it))
+        value.is_some_and(|value| operator.matches(value))
     }
 
     fn pseudo_class_matches(&self, class: PseudoClass<'_>) -> bool {

@@ -1,10 +1,10 @@
-//! Changes in the text of a file.
+//! Edits of the text of a file.
 
 use std::ops::Range;
 
 use usvg::roxmltree::Node;
 
-/// Words for a part of a text.
+/// A replacement for a part of a text.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Edit {
     pub(super) range: Range<usize>,
@@ -12,7 +12,7 @@ pub(super) struct Edit {
 }
 
 impl Edit {
-    /// One more attribute of an element of the text.
+    /// Adds an attribute to an element of the text.
     pub(super) fn attribute(text: &str, node: Node<'_, '_>, name: &str, value: &str) -> Self {
         let at = after_tag(text, node.range().start);
         Self {
@@ -22,7 +22,7 @@ impl Edit {
     }
 }
 
-/// What an element is to have besides.
+/// Additions to an element.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Additions {
     attributes: String,
@@ -36,7 +36,7 @@ impl Additions {
         }
     }
 
-    /// One more declaration of its style, which comes before all others.
+    /// Adds a declaration before all others of its style.
     pub(super) fn declaration(&mut self, name: &str, value: &str) {
         for part in [";", name, ":", value] {
             self.declarations += part;
@@ -48,7 +48,7 @@ impl Additions {
         self.declarations += &other.declarations;
     }
 
-    /// The changes that give them to an element of the text: one at each place.
+    /// The edits that apply the additions to an element of the text: one at each position.
     pub(super) fn edits(mut self, text: &str, node: Node<'_, '_>) -> Vec<Edit> {
         let mut edits = Vec::new();
         let declarations = std::mem::take(&mut self.declarations);
@@ -75,10 +75,10 @@ impl Additions {
     }
 }
 
-/// The text with all changes made. What an entity holds stands in the text once, wherever it is used: of several changes of one
-/// part the first is made.
+/// Applies all edits to the text. The content of an entity is in the text once, wherever it is
+/// used: of several edits of a part the first one is made.
 pub(super) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
-    edits.sort_by_key(|it| it.range.start);
+    edits.sort_by_key(|edit| edit.range.start);
     let mut whole = String::with_capacity(text.len() + 32 * edits.len());
     let mut done = 0;
     let mut inserted = None;
@@ -93,7 +93,7 @@ pub(super) fn edited(text: &str, mut edits: Vec<Edit>) -> String {
     whole + &text[done..]
 }
 
-/// A text as it stands in XML, in an element or in the quotes of an attribute.
+/// Escapes a text for XML, in an element or in the quotes of an attribute.
 pub(super) fn escaped(text: &str) -> String {
     let mut whole = String::with_capacity(text.len());
     for sign in text.chars() {
@@ -109,7 +109,7 @@ pub(super) fn escaped(text: &str) -> String {
     whole
 }
 
-/// Where the name of an element ends.
+/// The end of an element's name.
 fn after_tag(text: &str, start: usize) -> usize {
     let is_end = |c: char| c.is_whitespace() || c == '>' || c == '/';
     text[start..]

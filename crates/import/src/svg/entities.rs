@@ -1,10 +1,10 @@
-//! Entities: abbreviations that a hostile file could use to fill the memory.
+//! Limits on entities: abbreviations that a hostile file could use to fill the memory.
 
 use crate::error::SvgError;
 use crate::place::place;
 
-/// Refuses entities that expand to much more than the file holds. Drawing programs declare a few
-/// short ones for their namespaces; nothing needs one inside another, or from another file.
+/// Refuses entities that expand to much more than the file. Drawing programs declare a few short
+/// ones for their namespaces; no drawing needs nested or external ones.
 pub(crate) fn check(text: &str) -> Result<(), SvgError> {
     let Some(first) = text.find("<!ENTITY") else {
         return Ok(());

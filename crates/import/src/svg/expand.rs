@@ -1,4 +1,4 @@
-//! References: a small file can describe a huge drawing, or one inside itself.
+//! Limits on references: a small file can describe a huge drawing, or a recursive one.
 
 use std::collections::HashMap;
 
@@ -9,8 +9,8 @@ use super::declared::Declared;
 use super::styles;
 use crate::error::SvgError;
 
-/// Refuses a document that grows too large or too deep once every reference is replaced by a copy
-/// of what it names, and one in which that never ends.
+/// Refuses a document that becomes too large or too deep when every reference is replaced by a
+/// copy, and one with recursive references.
 pub(crate) fn check(
     doc: &Document<'_>,
     rules: &StyleSheet<'_>,
@@ -49,12 +49,12 @@ pub(crate) fn check(
 #[derive(Clone, Copy, Default)]
 struct Cost {
     elements: u64,
-    /// How many of them become a group, in which what they draw is.
+    /// The number of elements that become a group.
     groups: u64,
     segments: u64,
-    /// How long it takes to read their styles.
+    /// The cost of reading their styles.
     styles: u64,
-    /// How many levels of elements it holds.
+    /// The number of element levels.
     height: u32,
 }
 
@@ -79,23 +79,23 @@ impl Cost {
 struct Counter<'a> {
     doc: &'a Document<'a>,
     segments: &'a [u64],
-    /// By which styles elements become groups.
+    /// The styles by which elements become groups.
     groups: Declared<'a>,
     named: HashMap<&'a str, Node<'a, 'a>>,
-    /// By the number of the element in the document.
+    /// By element number in the document.
     known: Vec<CostState>,
 }
 
 #[derive(Clone, Copy)]
 enum CostState {
     No,
-    /// While it is being counted.
+    /// The cost is being computed.
     Soon,
     Yes(Cost),
 }
 
 impl<'a> Counter<'a> {
-    /// The cost of an element with all that it holds and names. Stops at the largest depth.
+    /// The cost of an element including its content and references. Stops at the largest depth.
     fn cost(&mut self, node: Node<'a, 'a>, depth: u32) -> Result<Cost, SvgError> {
         let cost = match self.known[node.id().get_usize()] {
             CostState::Yes(cost) => cost,
@@ -133,10 +133,10 @@ impl<'a> Counter<'a> {
         Ok(cost)
     }
 
-    /// Whether something of an element holds for all that it draws together.
+    /// Whether an attribute of an element applies to its content as a group.
     fn is_group(&self, node: Node<'_, '_>) -> bool {
         let mut own = node.attributes();
-        own.any(|it| makes_group(it.name(), it.value())) || self.groups.of_element(node)
+        own.any(|value| makes_group(value.name(), value.value())) || self.groups.of_element(node)
     }
 
     fn recursive(&self, node: Node<'_, '_>) -> SvgError {
@@ -162,9 +162,9 @@ fn makes_group(name: &str, value: &str) -> bool {
     }
 }
 
-/// The names that an element refers to, and whether each is of a marker.
+/// The names that an element refers to, and whether each is a marker.
 fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
-    // A link leads somewhere without drawing what is there.
+    // A link does not draw its target.
     let draws = !matches!(node.tag_name().name(), "a" | "animate" | "set" | "mpath");
     node.attributes().flat_map(move |attribute| {
         let (name, value) = (attribute.name(), attribute.value());
@@ -180,7 +180,7 @@ fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
     })
 }
 
-/// Far above any drawing, far below what the stack holds.
+/// Far above any drawing, far below the limit of the stack.
 const MAX_DEPTH: u32 = 100;
 const MAX_ELEMENTS: u64 = 150_000;
 /// A group takes nearly as much memory as a shape.

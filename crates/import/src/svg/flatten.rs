@@ -6,7 +6,7 @@ use usvg::tiny_skia_path::{Path, PathSegment};
 use crate::error::SvgError;
 use crate::limits::Budget;
 
-/// The subpaths of a path as lines that stay within `tolerance` of it, in the path's own units.
+/// The subpaths of a path as lines within `tolerance` of it, in the path's units.
 pub(crate) fn flatten(
     path: &Path,
     tolerance: f64,
@@ -50,7 +50,7 @@ impl PathFlattener<'_> {
     }
 
     fn curve(&mut self, curve: CubicBez) -> Result<(), SvgError> {
-        // The cast saturates, and the budget refuses what is too much.
+        // The cast saturates, and the budget refuses too many.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let count = chords(curve, self.tolerance) as u32;
         self.budget.note_curve(count as usize);
@@ -61,7 +61,7 @@ impl PathFlattener<'_> {
 
     fn close(&mut self) -> Result<(), SvgError> {
         let (start, is_place) = (self.current().points[0], self.current().points.len() == 1);
-        // A place that is closed is a line without length.
+        // A closed point is a line of length 0.
         if is_place || self.here() != start {
             self.line(start)?;
         }
@@ -74,7 +74,7 @@ impl PathFlattener<'_> {
     }
 
     fn current(&mut self) -> &mut Stroke {
-        // A path that goes on after closing begins anew where it closed.
+        // A path that continues after closing starts again at that point.
         if let Some(closed) = self.strokes.last().filter(|stroke| stroke.closed) {
             let start = closed.points[0];
             self.strokes.push(Stroke::open(vec![start]));

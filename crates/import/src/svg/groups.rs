@@ -7,7 +7,7 @@ use usvg::roxmltree::{Document, Node};
 
 use super::edits::{Edit, edited};
 
-/// What people call the outermost groups, by the `id` that they have or get in the text.
+/// The names of the outermost groups, by their existing or added `id`.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Groups<'a> {
     pub(crate) names: HashMap<String, String>,
@@ -46,10 +46,10 @@ pub(crate) fn outermost<'a>(doc: &'a Document<'_>) -> impl Iterator<Item = Node<
     doc.root_element().children().filter(is_group)
 }
 
-/// What people call the group: its label, its `id` or its number from 1.
+/// The name of a group: its label, its `id` or its number from 1.
 pub(crate) fn name(group: Node<'_, '_>, number: usize) -> String {
     let label = group.attribute((INKSCAPE, "label"));
-    match label.filter(|it| !it.trim().is_empty()).or(id(group)) {
+    match label.filter(|label| !label.trim().is_empty()).or(id(group)) {
         Some(name) => name.trim().to_owned(),
         None => format!("group {number}"),
     }
@@ -59,7 +59,7 @@ fn id<'a>(group: Node<'a, '_>) -> Option<&'a str> {
     group.attribute("id").filter(|id| !id.is_empty())
 }
 
-/// The beginning of an `id` that stands nowhere in the file.
+/// A prefix of `id`s that is unused in the file.
 fn unused(text: &str) -> String {
     let mut start = "outermost-".to_owned();
     while text.contains(&start) {

@@ -1,11 +1,12 @@
-//! Handles of curves that lie on an end of them: markers there look along the other handle, which the library does not look for.
+//! Curve handles that coincide with an end: for the direction of markers there, the library ignores
+//! the other handle.
 
 use svgtypes::{SimplePathSegment as Segment, SimplifyingPathParser};
 use usvg::roxmltree::Node;
 
 use super::edits::Edit;
 
-/// A path with each handle that lies on its end moved a little along the curve; `None` where there is none.
+/// A path whose coincident handles are moved a little along the curve; `None` if there are none.
 pub(super) fn freed(node: Node<'_, '_>) -> Option<Edit> {
     let attribute = node.attribute_node("d")?;
     let path: Result<Vec<Segment>, _> = SimplifyingPathParser::from(attribute.value()).collect();
@@ -32,7 +33,7 @@ pub(super) fn freed(node: Node<'_, '_>) -> Option<Edit> {
     })
 }
 
-/// Moves the handles of a curve that lie on its ends, and tells whether there were any.
+/// Moves the coincident handles of a curve, and returns whether there were any.
 fn free(from: [f64; 2], segment: &mut Segment) -> bool {
     let Segment::CurveTo {
         x1,
@@ -58,7 +59,7 @@ fn free(from: [f64; 2], segment: &mut Segment) -> bool {
 }
 
 fn towards(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
-    [0, 1].map(|it| from[it] + SHARE * (to[it] - from[it]))
+    [0, 1].map(|value| from[value] + SHARE * (to[value] - from[value]))
 }
 
 fn words(segment: &Segment) -> String {
@@ -78,5 +79,5 @@ fn words(segment: &Segment) -> String {
     }
 }
 
-/// Enough to tell a direction; the curve moves by less than half of that share of the handle.
+/// The fraction of the handle; enough for a direction, and the curve moves by less than half of it.
 const SHARE: f64 = 0.001;

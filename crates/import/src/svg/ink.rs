@@ -2,11 +2,11 @@
 
 use dobot_geometry::FillRule;
 
-/// Red, green and blue; `None` where a pattern has no one colour.
+/// Red, green and blue; `None` for a pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct InkColor(pub(crate) Option<[u8; 3]>);
 
-/// How a shape is painted, as far as it is opaque at all.
+/// The paint of a shape, as far as it is opaque.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Ink {
     pub(crate) line: Option<LinePaint>,
@@ -14,7 +14,7 @@ pub(crate) struct Ink {
 }
 
 impl Ink {
-    /// The colour of its outline; `None` where it has none: white fills are paper.
+    /// The colour of its outline; `None` without one: white fills count as paper.
     pub(crate) fn outline(&self) -> Option<InkColor> {
         let line = self.line.as_ref().map(|line| line.color);
         line.or_else(|| self.area().map(|fill| fill.color))
@@ -25,12 +25,12 @@ impl Ink {
         self.fill.filter(|fill| fill.color.0 != Some(PAPER))
     }
 
-    /// Whether all of it is white fill.
+    /// Whether it has a white fill only.
     pub(crate) fn is_paper(&self) -> bool {
         self.line.is_none() && self.fill.is_some() && self.area().is_none()
     }
 
-    /// A line without length is a dot where its ends are drawn, and nothing where they are cut off.
+    /// A line of length 0 is a dot if its caps are drawn, else nothing.
     pub(crate) fn has_ends(&self) -> bool {
         self.line.as_ref().is_some_and(|line| line.has_ends)
     }
@@ -40,17 +40,17 @@ impl Ink {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LinePaint {
     pub(crate) color: InkColor,
-    /// Its ends are round or square.
+    /// Whether its caps are round or square.
     pub(crate) has_ends: bool,
     pub(crate) dashes: Option<Dashes>,
 }
 
-/// Pen down and pen up in turn.
+/// Alternating pen down and pen up.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Dashes {
     pub(crate) lengths: Vec<f64>,
     pub(crate) offset: f64,
-    /// They are as long on the page as they are told, in pixels, however the line is scaled.
+    /// Whether their length on the page is as given, in pixels, however the line is scaled.
     pub(crate) on_page: bool,
 }
 
@@ -59,10 +59,11 @@ pub(crate) struct Dashes {
 pub(crate) struct FillPaint {
     pub(crate) color: InkColor,
     pub(crate) rule: FillRule,
-    /// Nothing shows through it.
+    /// Whether it is opaque.
     pub(crate) is_opaque: bool,
 }
 
-/// A limit of mitres, which no pen draws, that marks lines whose strokes do not scale: the library reads nothing else of them.
+/// A miter limit, which no pen draws, as a mark of lines with non-scaling strokes: the library
+/// exposes nothing else of them.
 pub(super) const SCREEN_DASHES: f32 = 9_876_543.0;
 pub(super) const PAPER: [u8; 3] = [255; 3];

@@ -1,4 +1,4 @@
-//! Which lines and areas belong together.
+//! The layers of lines and areas.
 
 use std::collections::HashMap;
 
@@ -13,18 +13,18 @@ use crate::limits::{Budget, OverBudget};
 use crate::options::LayersBy;
 use crate::place::printable;
 
-/// Sorts lines and areas into layers, in the order in which each first appears.
+/// A sorter of lines and areas into layers, in the order of their first appearance.
 #[derive(Debug)]
 pub(crate) struct Layers {
     by: LayersBy,
-    /// The outermost group that is being read.
+    /// The current outermost group.
     group: Option<String>,
     found: Vec<Layer>,
     places: HashMap<Key, usize>,
-    /// Where the last line or area went, which is most often where the next one goes.
+    /// The layer of the last line or area, which is most often that of the next one.
     last: Option<(Key, usize)>,
     covers: Covers,
-    /// For each layer, above how many covers its lines and areas lie.
+    /// For each layer, the number of covers below its lines and areas.
     heights: Vec<Heights>,
 }
 
@@ -41,7 +41,7 @@ impl Layers {
         }
     }
 
-    /// All that comes belongs to this outermost group, or to none.
+    /// Starts an outermost group, or the part outside groups.
     pub(crate) fn enter(&mut self, group: Option<String>) {
         self.group = group;
         self.last = None;
@@ -61,13 +61,13 @@ impl Layers {
         heights.areas.push(height);
     }
 
-    /// This area hides all that came so far, of whatever layer.
+    /// Adds an area that hides everything before it, in any layer.
     pub(crate) fn cover(&mut self, area: ClipArea) {
         self.covers.put(area);
     }
 
-    /// What shows in each layer, and of how many lines and areas that is not known.
-    /// Areas that are not wanted are left out there.
+    /// The visible parts of each layer, and the number of lines and areas for which they are
+    /// unknown. Unneeded areas are left out.
     pub(crate) fn finish(
         self,
         budget: &mut Budget,
@@ -84,7 +84,7 @@ impl Layers {
         };
         let layer = &mut self.found[place];
         if layer.color != color.0 {
-            // What holds several colours has none.
+            // A layer of several colours has no colour.
             layer.color = None;
         }
         (layer, &mut self.heights[place])
@@ -119,7 +119,7 @@ enum Key {
 }
 
 impl Key {
-    /// Whether this colour goes where the last one went; a group is left by entering another.
+    /// Whether this colour belongs to the last layer; entering another group leaves it.
     fn still_takes(&self, color: InkColor) -> bool {
         match self {
             Self::Color(of) => *of == color,

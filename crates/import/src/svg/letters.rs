@@ -1,4 +1,4 @@
-//! Texts that the library would draw otherwise than a browser.
+//! Texts that the library would draw differently from a browser.
 
 use simplecss::StyleSheet;
 use usvg::roxmltree::{Document, Node};
@@ -6,19 +6,19 @@ use usvg::roxmltree::{Document, Node};
 use super::declared::{inherited, property_of};
 use super::edits::Edit;
 
-/// Takes the parts of texts out that are not displayed: the library draws what is nested in them.
+/// Removes hidden parts of texts: the library draws nested ones.
 pub(super) fn undisplayed(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Edit> {
-    let spans = doc.descendants().filter(|it| is_named(*it, &PARTS));
-    let hidden = spans.filter(|it| property_of(rules, *it, "display") == Some("none"));
-    let edits = hidden.map(|it| Edit {
-        range: it.range(),
+    let spans = doc.descendants().filter(|node| is_named(*node, &PARTS));
+    let hidden = spans.filter(|span| property_of(rules, *span, "display") == Some("none"));
+    let edits = hidden.map(|hidden| Edit {
+        range: hidden.range(),
         words: String::new(),
     });
     edits.collect()
 }
 
-/// Where texts are anchored that run from right to left: the library takes their left ends for their beginnings. By the numbers of
-/// their nodes; empty where there are none.
+/// The anchors of right-to-left texts by node number: the library takes their left ends for their
+/// starts. Empty if there are none.
 pub(super) fn anchors(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Option<&'static str>> {
     let directions = inherited(rules, doc, "direction");
     if !directions.contains(&Some("rtl")) {
@@ -26,7 +26,7 @@ pub(super) fn anchors(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Option<
     }
     let anchors = inherited(rules, doc, "text-anchor");
     let mut turned = vec![None; directions.len()];
-    for text in doc.descendants().filter(|it| is_named(*it, &TEXTS)) {
+    for text in doc.descendants().filter(|node| is_named(*node, &TEXTS)) {
         let number = text.id().get_usize();
         if directions[number] == Some("rtl") {
             turned[number] = match anchors[number] {

@@ -1,4 +1,4 @@
-//! The page that fills: shapes come, layers of lines and areas result.
+//! The page under construction: shapes in, layers of lines and areas out.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -19,20 +19,20 @@ use crate::options::ReadOptions;
 use crate::polygon::Polygons;
 use crate::warning::Warning;
 
-/// Collects what shows on the page.
+/// A collector of everything visible on the page.
 pub(crate) struct SvgPage {
     size_mm: [f64; 2],
-    /// What is cut at; where nothing is cut, `None`.
+    /// The clip edge; `None` without clipping.
     edge: Option<PageEdge>,
-    /// What of lines the edge has cut off, and how many of them.
+    /// The length and the number of lines clipped at the edge.
     cut_mm: f64,
     cut_lines: usize,
-    /// How many segments may still come.
+    /// The number of remaining segments.
     pub(crate) budget: Budget,
-    /// How many corners of filled shapes and clip paths may still be taken into account, each time that one cuts the other.
+    /// The remaining budget of corners of filled shapes and clip paths, charged for each clip.
     corners_left: usize,
     pub(crate) layers: Layers,
-    /// Filled shapes hide what lies under them.
+    /// Whether filled shapes hide what is under them.
     pub(crate) hides: bool,
     fills: bool,
     warnings: BTreeMap<WarningKind, usize>,
@@ -55,7 +55,7 @@ impl SvgPage {
         }
     }
 
-    /// What the edge of the page has cut off.
+    /// The warning about lines clipped at the edge of the page.
     pub(crate) fn cut(&self) -> Option<Warning> {
         let instead = format!(
             "{:.1} mm beyond the edge of the page left out; draw them with what.no_crop",
@@ -88,7 +88,7 @@ impl SvgPage {
         }
     }
 
-    /// Draws a shape: its fill first, its line upon it. The outlines lie in the shape's own units.
+    /// Draws a shape: its fill first, then its line. The outlines are in the shape's units.
     pub(crate) fn shape(
         &mut self,
         mut outlines: Vec<Stroke>,
@@ -96,7 +96,7 @@ impl SvgPage {
         ink: &Ink,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
-        if let Some(fill) = ink.fill.filter(|it| self.hides && it.is_opaque) {
+        if let Some(fill) = ink.fill.filter(|fill| self.hides && fill.is_opaque) {
             self.cover(&outlines, transform, fill.rule, clips)?;
         }
         let Some(color) = ink.outline() else {
@@ -108,7 +108,9 @@ impl SvgPage {
         }
         if ink.line.is_none() {
             if let Some(edges) = edges {
-                return edges.into_iter().try_for_each(|it| self.on_page(it, color));
+                return edges
+                    .into_iter()
+                    .try_for_each(|edge| self.on_page(edge, color));
             }
             outlines.retain(has_area);
             outlines.iter_mut().for_each(close);
@@ -124,7 +126,7 @@ impl SvgPage {
         Ok(())
     }
 
-    /// Hides all that was drawn so far, where the shape lies over it.
+    /// Hides everything drawn before under the shape.
     fn cover(
         &mut self,
         outlines: &[Stroke],
@@ -142,7 +144,7 @@ impl SvgPage {
         Ok(())
     }
 
-    /// The dashes of an outline, and what brings them to the page.
+    /// The dashes of an outline, and their transform to the page.
     fn dashes(
         &mut self,
         mut outline: Stroke,
@@ -164,7 +166,7 @@ impl SvgPage {
         Ok((dash(outline, lengths, *offset, &mut self.budget)?, rest))
     }
 
-    /// Puts a stroke on the page, as far as it shows.
+    /// Adds the visible part of a stroke to the page.
     fn stroke(
         &mut self,
         mut stroke: Stroke,
@@ -186,13 +188,13 @@ impl SvgPage {
         }
         pieces
             .into_iter()
-            .try_for_each(|it| self.on_page(it, color))
+            .try_for_each(|piece| self.on_page(piece, color))
     }
 
-    /// Puts a stroke on the page whose place there is known, cut at the edge.
+    /// Adds a stroke in page coordinates, clipped at the edge.
     fn on_page(&mut self, stroke: Stroke, color: InkColor) -> Result<(), SvgError> {
         let ink = bounds(stroke.points.iter().copied());
-        let Some(edge) = self.edge.as_ref().filter(|it| !it.holds(ink)) else {
+        let Some(edge) = self.edge.as_ref().filter(|edge| !edge.holds(ink)) else {
             self.layers.stroke(stroke, color);
             return Ok(());
         };
@@ -206,8 +208,8 @@ impl SvgPage {
         Ok(())
     }
 
-    /// Puts a filled area on the page, as far as it shows. Gives its edges where clip paths make other
-    /// ones of them.
+    /// Adds the visible part of a filled area to the page. Returns its edges if clip paths change
+    /// them.
     fn fill(
         &mut self,
         outlines: &[Stroke],
@@ -242,7 +244,7 @@ impl SvgPage {
             &mut self.budget,
             &mut self.corners_left,
         )?;
-        let edge = self.edge.as_ref().filter(|it| !it.holds(around));
+        let edge = self.edge.as_ref().filter(|edge| !edge.holds(around));
         let area = match (&shown, edge) {
             (_, None) | (None, _) => shown.clone(),
             (Some(it), Some(_)) if it.rings.is_empty() => shown.clone(),
@@ -259,11 +261,12 @@ impl SvgPage {
             Some(_) => {}
             None => self.warn(WarningKind::Entangled, 1),
         }
-        Ok(shown.filter(|it| *it != whole).map(outlines_of))
+        Ok(shown.filter(|stroke| *stroke != whole).map(outlines_of))
     }
 }
 
-/// The edge of a page, and a little beyond: numbers in files are rounded, and half of a line on the edge shows.
+/// The edge of a page, slightly enlarged: numbers in files are rounded, and half of a line on the
+/// edge is visible.
 struct PageEdge {
     region: Region,
     bounds: Rect,
@@ -288,7 +291,7 @@ impl PageEdge {
     }
 }
 
-/// The part of an area that shows; `None` where it is too entangled, or where too few corners are left, to tell.
+/// The visible part of an area; `None` if too complex, or if the budget of corners is too small.
 fn shown<'r>(
     area: &Area,
     bounds: Rect,
@@ -330,7 +333,7 @@ fn outlines_of(area: Area) -> Vec<Stroke> {
     area.rings.into_iter().map(closed).collect()
 }
 
-/// Closes a line as filling does.
+/// Closes a line like filling.
 fn close(line: &mut Stroke) {
     let first = line.points[0];
     if line.points.len() > 2 && !line.closed {
@@ -341,14 +344,14 @@ fn close(line: &mut Stroke) {
     }
 }
 
-/// Whether it holds anything if it is closed: not all of its points lie on one line.
+/// Whether it encloses anything when closed: its points are not all on one line.
 fn has_area(line: &Stroke) -> bool {
     let first = line.points[0];
     let way = line
         .points
         .iter()
         .map(|p| *p - first)
-        .find(|it| it.hypot2() > 0.0);
+        .find(|point| point.hypot2() > 0.0);
     way.is_some_and(|way| line.points.iter().any(|p| way.cross(*p - first) != 0.0))
 }
 
@@ -356,12 +359,12 @@ fn has_length(line: &Stroke) -> bool {
     line.points.iter().any(|p| *p != line.points[0])
 }
 
-/// Moves points to where they lie on the page, and tells their bounds.
+/// Moves points to page coordinates, and returns their bounds.
 pub(crate) fn place(points: &mut [Point], transform: Affine) -> Result<Rect, SvgError> {
     let mut around = bounds([]);
     for p in points {
         *p = transform * *p;
-        // What is no number passes no comparison.
+        // NaN passes no comparison.
         if !(p.x.abs().max(p.y.abs()) <= LIMIT_MM && (p.x + p.y).is_finite()) {
             return Err(SvgError::TooFar {
                 x_mm: p.x,
@@ -374,11 +377,11 @@ pub(crate) fn place(points: &mut [Point], transform: Affine) -> Result<Rect, Svg
     Ok(around)
 }
 
-/// It takes a second or two.
+/// This takes one or two seconds.
 const MAX_CLIPPED_CORNERS: usize = 1_200_000;
-/// As how many corners each counts that shows: most of them are where edges cross.
+/// The cost of a visible corner: most of them are crossings of edges.
 const COST_OF_CORNER: usize = 4;
-/// How much beyond its edge a page goes, as a share of its smaller side.
+/// The enlargement of the page edge, as a fraction of its smaller side.
 const PAGE_SLACK: f64 = 0.005;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The size of the page: what the root says of it, in units that the library knows.
+//! The size of the page: that of the root, in units known to the library.
 
 use std::str::FromStr;
 
@@ -9,7 +9,7 @@ use usvg::roxmltree::{Attribute, Document};
 use super::declared::value_of;
 use super::edits::{Additions, Edit, escaped};
 
-/// What of the root is written otherwise, and how many of its sizes are not read.
+/// The rewritten attributes of the root, and the number of ignored sizes.
 #[derive(Debug, Default)]
 pub(super) struct PageSize {
     pub(super) edits: Vec<Edit>,
@@ -18,16 +18,16 @@ pub(super) struct PageSize {
 }
 
 impl PageSize {
-    /// The width and the height as the styles have them, which come before the attributes. One that a browser ignores, or for which it
-    /// looks at its window, is the whole of the page.
+    /// The width and the height by the styles, which precede the attributes. A size that a browser
+    /// ignores, or takes from its window, is the whole page.
     pub(super) fn of(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Self {
         let root = doc.root_element();
         let mut size = Self::default();
         for name in ["width", "height"] {
             let attribute = root.attribute_node(name);
             let styled = value_of(rules, root, name);
-            let styled = styled.filter(|it| UNITS.iter().any(|unit| it.ends_with(unit)));
-            match (styled.filter(|it| is_length(it)), attribute) {
+            let styled = styled.filter(|value| UNITS.iter().any(|unit| value.ends_with(unit)));
+            match (styled.filter(|value| is_length(value)), attribute) {
                 (Some(value), Some(it)) => size.edits.push(replaced(&it, value)),
                 (Some(value), None) => size.added.attribute(name, value),
                 (None, Some(it)) if !is_read(it.value().trim()) => {
@@ -53,8 +53,8 @@ fn is_read(value: &str) -> bool {
 }
 
 fn is_length(value: &str) -> bool {
-    Length::from_str(value).is_ok_and(|it| it.number >= 0.0)
+    Length::from_str(value).is_ok_and(|length| length.number >= 0.0)
 }
 
-/// Units in which a page may be as large as styles tell.
+/// Units of the page size in styles.
 const UNITS: [&str; 6] = ["px", "mm", "cm", "in", "pt", "pc"];

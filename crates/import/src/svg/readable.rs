@@ -1,4 +1,4 @@
-//! A file in words that the library knows: what is newer in it, or what it would leave out without need, is written otherwise.
+//! Rewriting of a file for the library: newer syntax, and what it would drop needlessly.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -20,24 +20,24 @@ use super::selectors::Marks;
 use super::sheets::{readable_sheet, unread_rules};
 use super::styles::sheets;
 
-/// What is written otherwise in a file, and what of it is still not read as a browser does.
+/// The rewritten parts of a file, and what is still unsupported.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Readable {
-    /// The whole file, if anything of it is.
+    /// The whole file, if anything changed.
     pub(super) text: Option<String>,
-    /// How many rules of sheets are not read.
+    /// The number of ignored sheet rules.
     pub(super) unread_rules: usize,
-    /// How many sizes of the page are not read.
+    /// The number of ignored page sizes.
     pub(super) unread_sizes: usize,
-    /// How many lines are solid whose dashes are told in shares of a path.
+    /// The number of lines drawn solid whose dashes are given as fractions of a path.
     pub(super) solid: usize,
 }
 
 impl Readable {
     pub(super) fn of(doc: &Document<'_>, text: &str) -> Self {
         let mut variables = Variables::new();
-        let styles = doc.descendants().filter_map(|it| it.attribute("style"));
-        for css in sheets(doc).filter_map(|it| it.text()).chain(styles) {
+        let styles = doc.descendants().filter_map(|node| node.attribute("style"));
+        for css in sheets(doc).filter_map(|sheet| sheet.text()).chain(styles) {
             variables.read(css);
         }
         let mut edits = Vec::new();
@@ -60,7 +60,7 @@ impl Readable {
         let rules = rules(doc);
         let ids: HashSet<&str> = doc
             .descendants()
-            .filter_map(|it| it.attribute("id"))
+            .filter_map(|node| node.attribute("id"))
             .collect();
         let PageSize {
             edits: of_page,
@@ -73,10 +73,15 @@ impl Readable {
         let mut rewriter = Rewriter::of(doc, text, &rules);
         for node in doc.descendants().filter(Node::is_element) {
             let attributes = node.attributes();
-            let attributes =
-                attributes.filter(|it| it.namespace().is_none() && !PLAIN.contains(&it.name()));
-            edits.extend(attributes.clone().filter_map(|it| trimmed(node, it)));
-            edits.extend(attributes.filter_map(|it| readable(it, &variables, &ids)));
+            let attributes = attributes.filter(|attribute| {
+                attribute.namespace().is_none() && !PLAIN.contains(&attribute.name())
+            });
+            edits.extend(
+                attributes
+                    .clone()
+                    .filter_map(|attribute| trimmed(node, attribute)),
+            );
+            edits.extend(attributes.filter_map(|attribute| readable(attribute, &variables, &ids)));
             edits.extend(rewriter.path(node));
             let mut added = rewriter.additions(node);
             for mark in marks.get(node.id().get_usize()).into_iter().flatten() {
@@ -96,16 +101,16 @@ impl Readable {
     }
 }
 
-/// Tells what elements need besides, so that the library draws them as a browser does.
+/// Collects the additions to elements, so that the library draws them like a browser.
 struct Rewriter<'a> {
     rules: &'a StyleSheet<'a>,
     /// Whether anything has dashes.
     dashes: bool,
-    /// What has markers, by the numbers of the nodes; empty where nothing has.
+    /// The elements with markers, by node number; empty if there are none.
     marked: Vec<bool>,
-    /// How texts are anchored from now on, by the numbers of their nodes; empty where they stay.
+    /// The new anchors of texts, by node number; empty if unchanged.
     anchors: Vec<Option<&'static str>>,
-    /// How many lines have become solid.
+    /// The number of lines made solid.
     solid: usize,
 }
 
@@ -120,7 +125,7 @@ impl<'a> Rewriter<'a> {
         }
     }
 
-    /// The path of an element in other words, where it needs them.
+    /// The rewritten path of an element, if needed.
     fn path(&self, node: Node<'_, '_>) -> Option<Edit> {
         let is_marked = self.marked.get(node.id().get_usize()) == Some(&true);
         let freed = || freed(node);
@@ -150,9 +155,9 @@ impl<'a> Rewriter<'a> {
     }
 }
 
-/// Which elements have markers, their own or those of what holds them, by their numbers; empty where none has.
+/// The elements with their own or inherited markers, by number; empty if there are none.
 fn marked(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<bool> {
-    let is_marker = |it: Node<'_, '_>| it.tag_name().name() == "marker";
+    let is_marker = |node: Node<'_, '_>| node.tag_name().name() == "marker";
     if !doc.descendants().any(is_marker) {
         return Vec::new();
     }
@@ -160,14 +165,16 @@ fn marked(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<bool> {
     let mut marked = vec![false; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
         let mut own = node.attributes();
-        let own = own.any(|it| it.name().starts_with("marker")) || markers.of_element(node);
-        let outer = node.parent().is_some_and(|it| marked[it.id().get_usize()]);
+        let own = own.any(|value| value.name().starts_with("marker")) || markers.of_element(node);
+        let outer = node
+            .parent()
+            .is_some_and(|parent| marked[parent.id().get_usize()]);
         marked[node.id().get_usize()] = own || outer;
     }
     marked
 }
 
-/// An attribute in words that the library knows. A filter that is not in the file would hide what has it.
+/// Rewrites an attribute for the library. A missing filter would hide its element.
 fn readable(
     attribute: Attribute<'_, '_>,
     variables: &Variables<'_>,
@@ -175,7 +182,7 @@ fn readable(
 ) -> Option<Edit> {
     let value = attribute.value();
     let is_missing =
-        attribute.name() == "filter" && linked(value).is_some_and(|it| !ids.contains(it));
+        attribute.name() == "filter" && linked(value).is_some_and(|linked| !ids.contains(linked));
     let words = if is_missing {
         Cow::Owned("none".to_owned())
     } else if attribute.name() == "font-family" {
@@ -192,7 +199,7 @@ fn readable(
     }
 }
 
-/// A length without the blanks around it, which the library does not read.
+/// A length without surrounding blanks, which the library rejects.
 fn trimmed(node: Node<'_, '_>, attribute: Attribute<'_, '_>) -> Option<Edit> {
     let (name, value) = (attribute.name(), attribute.value());
     let has_blanks = value.trim() != value && Length::from_str(value.trim()).is_ok();
@@ -202,12 +209,12 @@ fn trimmed(node: Node<'_, '_>, attribute: Attribute<'_, '_>) -> Option<Edit> {
     })
 }
 
-/// The element of this file that is meant by `url(#name)`.
+/// The element of this file that `url(#name)` refers to.
 fn linked(value: &str) -> Option<&str> {
     let inner = value.trim().strip_prefix("url(")?.strip_suffix(')')?;
     inner.trim_matches(['"', '\'', ' ']).strip_prefix('#')
 }
 
 const DASHES: &str = "stroke-dasharray";
-/// Attributes that hold no CSS: names, and what may be long.
+/// Attributes without CSS: names, and long values.
 const PLAIN: [&str; 6] = ["id", "class", "href", "d", "points", "transform"];

@@ -1,4 +1,4 @@
-//! From the tree of shapes to the page.
+//! The renderer from the tree of shapes to the page.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -14,15 +14,15 @@ use super::warning_count::WarningKind;
 use crate::clip::{ClipArea, Region};
 use crate::error::SvgError;
 
-/// Goes through a tree and draws on a page what it meets.
+/// A visitor of a tree that draws on a page.
 pub(crate) struct TreeRenderer<'a> {
     page: &'a mut SvgPage,
     tolerance_mm: f64,
-    /// The names of the outermost groups, by their `id`.
+    /// The names of the outermost groups, by `id`.
     groups: &'a HashMap<String, String>,
-    /// Inside one of them.
+    /// Whether it is inside one of them.
     in_group: bool,
-    /// Inside a group that is not opaque.
+    /// Whether it is inside a transparent group.
     is_faint: bool,
 }
 
@@ -108,7 +108,7 @@ impl<'a> TreeRenderer<'a> {
         }
     }
 
-    /// In letters of single lines where the file wants them, in outlines otherwise.
+    /// Draws a text in single-line letters if the file asks for them, otherwise in outlines.
     fn text(
         &mut self,
         text: &Text,
@@ -141,7 +141,7 @@ impl<'a> TreeRenderer<'a> {
                 line: Some(line),
                 fill: None,
             };
-            let corners = strokes.iter().map(|it| it.points.len()).sum();
+            let corners = strokes.iter().map(|stroke| stroke.points.len()).sum();
             self.page.budget.spend(corners)?;
             self.page.shape(strokes, transform, &ink, clips)?;
         }
@@ -169,16 +169,16 @@ impl<'a> TreeRenderer<'a> {
     fn ink(&mut self, path: &Path) -> Ink {
         let shows = |opacity: f32, paint: &Paint| opacity > 0.0 && is_seen(paint);
         let line = path.stroke();
-        let line = line.filter(|it| shows(it.opacity().get(), it.paint()));
+        let line = line.filter(|line| shows(line.opacity().get(), line.paint()));
         let fill = path.fill();
-        let fill = fill.filter(|it| shows(it.opacity().get(), it.paint()));
+        let fill = fill.filter(|fill| shows(fill.opacity().get(), fill.paint()));
         if path.is_visible() {
             self.warn_of_paint(line.map(usvg::Stroke::paint));
             self.warn_of_paint(fill.map(usvg::Fill::paint));
         }
         Ink {
             line: line.map(read_line),
-            fill: fill.map(|it| read_fill(it, self.is_faint)),
+            fill: fill.map(|fill| read_fill(fill, self.is_faint)),
         }
     }
 
@@ -188,7 +188,7 @@ impl<'a> TreeRenderer<'a> {
         flatten(path.data(), tolerance, &mut self.page.budget)
     }
 
-    /// The regions of which all must show a point.
+    /// The clip regions; all must contain a visible point.
     fn regions(
         &mut self,
         clip: &ClipPath,
@@ -240,7 +240,9 @@ impl<'a> TreeRenderer<'a> {
         for outline in &mut outlines {
             place(&mut outline.points, transform)?;
         }
-        let rule = path.fill().map_or(FillRule::NonZero, |it| rule(it.rule()));
+        let rule = path
+            .fill()
+            .map_or(FillRule::NonZero, |fill| rule(fill.rule()));
         Ok(ClipArea::new(&outlines, rule, within))
     }
 
@@ -286,15 +288,15 @@ fn read_fill(fill: &usvg::Fill, is_faint: bool) -> FillPaint {
     }
 }
 
-/// A gradient counts as the first of its colours that shows on white paper.
+/// The colour of a gradient: the first one visible on white paper.
 fn rgb(paint: &Paint) -> Option<[u8; 3]> {
     if let Paint::Color(color) = paint {
         return Some([color.red, color.green, color.blue]);
     }
     let stops = stops(paint).iter();
-    let seen = stops.clone().filter(|it| it.opacity().get() > 0.0);
-    let colors = seen.map(|it| [it.color().red, it.color().green, it.color().blue]);
-    let mut inks = colors.clone().filter(|it| *it != PAPER);
+    let seen = stops.clone().filter(|stop| stop.opacity().get() > 0.0);
+    let colors = seen.map(|item| [item.color().red, item.color().green, item.color().blue]);
+    let mut inks = colors.clone().filter(|color| *color != PAPER);
     inks.next().or_else(|| colors.clone().next())
 }
 
@@ -307,15 +309,15 @@ fn stops(paint: &Paint) -> &[Stop] {
     }
 }
 
-/// Whether anything of it is seen, if it is a gradient.
+/// Whether a gradient is visible at all.
 fn is_seen(paint: &Paint) -> bool {
     let mut stops = stops(paint).iter().peekable();
-    stops.peek().is_none() || stops.any(|it| it.opacity().get() > 0.0)
+    stops.peek().is_none() || stops.any(|stop| stop.opacity().get() > 0.0)
 }
 
-/// Whether nothing shows through it. What a pattern leaves free is not known.
+/// Whether it is opaque. The gaps of a pattern are unknown.
 fn is_opaque(paint: &Paint) -> bool {
-    let solid = stops(paint).iter().all(|it| it.opacity().get() == 1.0);
+    let solid = stops(paint).iter().all(|stop| stop.opacity().get() == 1.0);
     solid && !matches!(paint, Paint::Pattern(_))
 }
 
@@ -326,5 +328,5 @@ const fn rule(rule: usvg::FillRule) -> FillRule {
     }
 }
 
-/// A browser's pixel: 96 to the inch.
+/// A browser's pixel: 96 per inch.
 pub(crate) const MM_PER_PX: f64 = 25.4 / 96.0;

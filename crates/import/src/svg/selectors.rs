@@ -1,5 +1,5 @@
-//! Selectors that the library does not know, as marks: each element that one means gets an attribute of its own, for which the
-//! sheet asks instead.
+//! Selectors that the library does not support, replaced by marks: each matching element gets an
+//! attribute, which the sheet selects instead.
 //!
 //! ```text
 //!   [id^=a] { fill: red }             [marked-1] { fill: red }
@@ -13,38 +13,39 @@ use usvg::roxmltree::{Document, Node};
 
 use super::declared::Element;
 
-/// What elements are asked for, and by which attribute each is known then.
+/// The tests of elements, and the mark attribute of each.
 #[derive(Debug, Default)]
 pub(super) struct Marks {
     questions: Vec<Question>,
 }
 
-/// Something about an element that only this file knows to ask.
+/// A test of an element that needs the document.
 #[derive(Clone, Debug, PartialEq)]
 enum Question {
-    /// `[name^=value]` and the like; the sign tells which part of the attribute must be the value.
+    /// `[name^=value]` and similar; the sign selects the part of the attribute to compare.
     Part {
         name: String,
         sign: char,
         value: String,
     },
-    /// `:nth-child(an+b)` and what is short for it.
+    /// `:nth-child(an+b)` and its short forms.
     Place {
         step: i64,
         offset: i64,
         of_type: bool,
         from_end: bool,
     },
-    /// `:not(...)`, of classes, attributes and the like.
+    /// `:not(...)`, of classes, attributes and similar.
     Not(Vec<String>),
 }
 
 impl Marks {
-    /// A list of selectors in words that the library knows; `None` where one has still others.
+    /// Rewrites a list of selectors for the library; `None` if one is still unsupported.
     pub(super) fn readable(&mut self, selectors: &str) -> Option<String> {
         let before = self.questions.len();
         let whole = self.rewritten(selectors);
-        let is_known = |it: &String| split(it).all(|it| Selector::parse(it.trim()).is_some());
+        let is_known =
+            |text: &String| split(text).all(|part| Selector::parse(part.trim()).is_some());
         let known = whole.filter(is_known);
         if known.is_none() {
             self.questions.truncate(before);
@@ -71,9 +72,9 @@ impl Marks {
         Some(whole + rest)
     }
 
-    /// The attribute that marks what a question is answered with yes for.
+    /// The mark attribute of a test.
     fn mark(&mut self, question: Question) -> Option<String> {
-        let known = self.questions.iter().position(|it| *it == question);
+        let known = self.questions.iter().position(|known| *known == question);
         let number = known.unwrap_or(self.questions.len());
         if known.is_none() {
             self.questions.push(question);
@@ -81,7 +82,7 @@ impl Marks {
         (number < MOST).then(|| name(number))
     }
 
-    /// The marks of all elements, by the numbers of their nodes; empty where nothing is asked for.
+    /// The marks of all elements, by node number; empty without tests.
     pub(super) fn of(&self, doc: &Document<'_>) -> Vec<Vec<String>> {
         if self.questions.is_empty() {
             return Vec::new();
@@ -101,7 +102,7 @@ impl Marks {
 }
 
 impl Question {
-    /// The places of all elements among those beside them, counted from 1, if that is what is asked for.
+    /// The sibling indexes of all elements, counted from 1, if a test needs them.
     fn places(&self, doc: &Document<'_>) -> Vec<i64> {
         let Self::Place {
             of_type, from_end, ..
@@ -112,12 +113,12 @@ impl Question {
         let mut places = vec![0; doc.descendants().count()];
         for parent in doc.descendants().filter(Node::has_children) {
             let mut counts = HashMap::new();
-            let mut count = |it: Node<'_, '_>| {
-                let name = it.tag_name().name().to_owned();
+            let mut count = |node: Node<'_, '_>| {
+                let name = node.tag_name().name().to_owned();
                 let kind = if of_type { name } else { String::new() };
                 let place = counts.entry(kind).or_insert(0);
                 *place += 1;
-                places[it.id().get_usize()] = *place;
+                places[node.id().get_usize()] = *place;
             };
             let children = parent.children().filter(Node::is_element);
             if from_end {
@@ -148,14 +149,16 @@ impl Question {
                 }
             }
             Self::Not(selectors) => {
-                let mut selectors = selectors.iter().filter_map(|it| Selector::parse(it));
-                !selectors.any(|it| it.matches(&Element(node)))
+                let mut selectors = selectors
+                    .iter()
+                    .filter_map(|selector| Selector::parse(selector));
+                !selectors.any(|selector| selector.matches(&Element(node)))
             }
         }
     }
 }
 
-/// What a part of a selector asks, if the library cannot.
+/// The test of a part of a selector, if the library does not support it.
 fn question(part: &str) -> Option<Question> {
     if let Some(inner) = part.strip_prefix('[') {
         return attribute(inner.strip_suffix(']')?);
@@ -184,21 +187,24 @@ fn question(part: &str) -> Option<Question> {
     })
 }
 
-/// `name^=value`, with quotes around the value or without.
+/// Parses `name^=value`, with or without quotes around the value.
 fn attribute(inner: &str) -> Option<Question> {
     let (name, value) = inner.split_once('=')?;
-    let sign = name.chars().next_back().filter(|it| "^$*".contains(*it))?;
+    let sign = name
+        .chars()
+        .next_back()
+        .filter(|sign| "^$*".contains(*sign))?;
     let name = name.strip_suffix(sign)?.trim();
     let value = value.trim();
-    let quoted = ['"', '\''].into_iter().find_map(|it| {
-        let inner = value.strip_prefix(it)?.strip_suffix(it)?;
-        (!inner.contains(it)).then_some(inner)
+    let quoted = ['"', '\''].into_iter().find_map(|name| {
+        let inner = value.strip_prefix(name)?.strip_suffix(name)?;
+        (!inner.contains(name)).then_some(inner)
     });
-    let is_name = |it: &str| {
-        it.chars()
-            .all(|it| it.is_alphanumeric() || "-_".contains(it))
+    let is_name = |text: &str| {
+        text.chars()
+            .all(|c| c.is_alphanumeric() || "-_".contains(c))
     };
-    let value = quoted.or(Some(value).filter(|it| is_name(it)))?;
+    let value = quoted.or(Some(value).filter(|value| is_name(value)))?;
     (is_name(name) && !value.contains('\\')).then(|| Question::Part {
         name: name.to_owned(),
         sign,
@@ -206,24 +212,25 @@ fn attribute(inner: &str) -> Option<Question> {
     })
 }
 
-/// Selectors that count as much as an attribute, for the mark is one.
+/// Whether a selector has the specificity of an attribute, as the mark has.
 fn not(argument: &str) -> Option<Question> {
     let selectors = split(argument).map(str::trim);
-    let count_alike =
-        |it: &str| Selector::parse(it).is_some_and(|it| it.specificity() == [0, 1, 0]);
+    let count_alike = |text: &str| {
+        Selector::parse(text).is_some_and(|selector| selector.specificity() == [0, 1, 0])
+    };
     let selectors: Vec<&str> = selectors.collect();
-    let is_simple = |it: &&str| count_alike(it) && !it.contains([' ', '>', '+']);
+    let is_simple = |text: &&str| count_alike(text) && !text.contains([' ', '>', '+']);
     let all = selectors.iter().all(is_simple);
     all.then(|| Question::Not(selectors.into_iter().map(str::to_owned).collect()))
 }
 
-/// `2n+1`, `odd`, `even`, `n` or a number, as a step and an offset.
+/// Parses `2n+1`, `odd`, `even`, `n` or a number, as a step and an offset.
 fn numbers(text: &str) -> Option<(i64, i64)> {
     let text: String = text
         .split_whitespace()
         .collect::<String>()
         .to_ascii_lowercase();
-    let small = |it: &str| it.parse::<i32>().ok().map(i64::from);
+    let small = |text: &str| text.parse::<i32>().ok().map(i64::from);
     match text.as_str() {
         "odd" => return Some((2, 1)),
         "even" => return Some((2, 0)),
@@ -241,14 +248,15 @@ fn numbers(text: &str) -> Option<(i64, i64)> {
     Some((step, offset))
 }
 
-/// Where a part of a selector ends that begins with `[` or `:`; `None` where it is anything else, or not closed.
+/// The end of a selector part that starts with `[` or `:`; `None` for other parts, or unclosed
+/// ones.
 fn part_end(text: &str) -> Option<usize> {
     match text.as_bytes()[0] {
-        b'[' => text.find(']').map(|it| it + 1),
+        b'[' => text.find(']').map(|at| at + 1),
         b':' => {
-            let is_of_name = |it: char| it.is_alphanumeric() || it == '-';
-            let name = text[1..].find(|it| !is_of_name(it));
-            let name = name.map_or(text.len(), |it| it + 1);
+            let is_of_name = |c: char| c.is_alphanumeric() || c == '-';
+            let name = text[1..].find(|text| !is_of_name(text));
+            let name = name.map_or(text.len(), |name| name + 1);
             let has_argument = text[name..].starts_with('(');
             let end = has_argument.then(|| text[name..].find(')'));
             end.map_or(Some(name), |end| Some(name + end? + 1))
@@ -260,9 +268,9 @@ fn part_end(text: &str) -> Option<usize> {
 /// The selectors of a list.
 fn split(selectors: &str) -> impl Iterator<Item = &str> {
     let mut depth = 0_i32;
-    selectors.split(move |it: char| {
-        depth += i32::from("([".contains(it)) - i32::from(")]".contains(it));
-        it == ',' && depth == 0
+    selectors.split(move |c: char| {
+        depth += i32::from("([".contains(c)) - i32::from(")]".contains(c));
+        c == ',' && depth == 0
     })
 }
 
@@ -270,14 +278,14 @@ fn name(number: usize) -> String {
     format!("marked-{}", number + 1)
 }
 
-/// Of more the rules stay unread.
+/// The largest number of tests; with more, rules are ignored.
 const MOST: usize = 20;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The names of the elements that a selector means, if it is read.
+    /// The names of the elements that a selector matches, if it is supported.
     fn meant(selector: &str) -> Option<String> {
         let text = "<svg><a id='one' class='x'/><b id='two'/><a id='onetwo'><c/><c class='x y'/></a></svg>";
         let doc = Document::parse(text).expect("XML");
@@ -286,9 +294,13 @@ mod tests {
         let marks = marks.of(&doc);
         let mark = readable.split(['[', ']']).nth(1).expect("a mark");
         let elements = doc.descendants().filter(Node::is_element);
-        let meant = elements.filter(|it| marks[it.id().get_usize()].iter().any(|it| it == mark));
+        let meant = elements.filter(|element| {
+            marks[element.id().get_usize()]
+                .iter()
+                .any(|element| element == mark)
+        });
         let names: Vec<&str> = meant
-            .map(|it| it.attribute("id").unwrap_or(it.tag_name().name()))
+            .map(|node| node.attribute("id").unwrap_or(node.tag_name().name()))
             .collect();
         Some(names.join(" "))
     }
@@ -343,7 +355,7 @@ mod tests {
             assert!(marks.questions.is_empty());
         }
         let mut marks = Marks::default();
-        let all: Vec<String> = (0..=MOST).map(|it| format!("[a^=x{it}]")).collect();
+        let all: Vec<String> = (0..=MOST).map(|i| format!("[a^=x{i}]")).collect();
         assert_eq!(marks.readable(&all.join(",")), None);
     }
 

@@ -1,4 +1,4 @@
-//! Sheets of styles in words that the library knows.
+//! Rewriting of style sheets for the library.
 //!
 //! ```text
 //!   @media screen { .a { fill: red } }      .a { fill: red }
@@ -13,14 +13,14 @@ use simplecss::Selector;
 use super::css::{MOST_DEPTH, Variables, closed, replaced};
 use super::selectors::Marks;
 
-/// A sheet in words that the library knows.
+/// A rewritten sheet.
 pub(super) fn readable_sheet<'t>(
     css: &'t str,
     variables: &Variables<'_>,
     marks: &mut Marks,
 ) -> Cow<'t, str> {
     let css = replaced(Cow::Borrowed(css), without_html_signs);
-    let css = replaced(css, |it| it.contains('@').then(|| unwrapped(it, 0)));
+    let css = replaced(css, |text| text.contains('@').then(|| unwrapped(text, 0)));
     let css = replaced(css, |it| {
         it.contains(":root").then(|| it.replace(":root", "svg"))
     });
@@ -36,46 +36,50 @@ pub(super) fn readable_sheet<'t>(
     }
 }
 
-/// A sheet with marks for the selectors that the library does not know.
+/// Replaces unsupported selectors of a sheet by marks.
 fn marked(css: &str, marks: &mut Marks) -> String {
-    let rule = |it: Statement<'_>| {
-        let selectors = if is_unread(&it) {
-            marks.readable(it.prelude)
+    let rule = |statement: Statement<'_>| {
+        let selectors = if is_unread(&statement) {
+            marks.readable(statement.prelude)
         } else {
             None
         };
-        match (selectors, it.body) {
+        match (selectors, statement.body) {
             (Some(selectors), Some(body)) => format!("{selectors}{{{body}}}"),
-            _ => it.whole.to_owned(),
+            _ => statement.whole.to_owned(),
         }
     };
     statements(css).map(rule).collect()
 }
 
-/// The rules of a sheet that hold as long as nobody points at anything, but that the library does not know.
+/// The rules of a sheet for an idle pointer that the library does not support.
 pub(super) fn unread_rules(css: &str) -> usize {
     statements(css).filter(is_unread).count()
 }
 
-fn is_unread(it: &Statement<'_>) -> bool {
-    let body = it.body.filter(|_| !it.prelude.starts_with('@'));
-    let shows = body.is_some_and(|body| VISIBLE.iter().any(|it| body.contains(it)));
+fn is_unread(statement: &Statement<'_>) -> bool {
+    let body = statement
+        .body
+        .filter(|_| !statement.prelude.starts_with('@'));
+    let shows = body.is_some_and(|body| VISIBLE.iter().any(|visible| body.contains(visible)));
     let nests = body.is_some_and(|body| body.contains('{'));
-    let mut selectors = it.prelude.split(',').map(str::trim);
-    let mut is_unknown = || selectors.any(|it| !it.contains("::") && Selector::parse(it).is_none());
+    let mut selectors = statement.prelude.split(',').map(str::trim);
+    let mut is_unknown = || {
+        selectors.any(|selector| !selector.contains("::") && Selector::parse(selector).is_none())
+    };
     shows && (nests || is_unknown())
 }
 
 /// A rule or an at-rule of a sheet.
 struct Statement<'a> {
-    /// What stands before its block, or all of it where it has none.
+    /// The text before its block, or the whole rule without one.
     prelude: &'a str,
-    /// What its braces hold.
+    /// The content of its braces.
     body: Option<&'a str>,
     whole: &'a str,
 }
 
-/// The outermost statements of a sheet, comments before them among their preludes.
+/// The outermost statements of a sheet, with the comments before them in their preludes.
 fn statements(css: &str) -> impl Iterator<Item = Statement<'_>> {
     let mut rest = css;
     std::iter::from_fn(move || {
@@ -102,7 +106,7 @@ fn statements(css: &str) -> impl Iterator<Item = Statement<'_>> {
     })
 }
 
-/// A block without the brace that closes it.
+/// A block without its closing brace.
 fn inside(block: &str) -> &str {
     block.strip_suffix('}').unwrap_or(block)
 }
@@ -113,15 +117,15 @@ fn without_comments(mut css: &str) -> &str {
         let Some(comment) = css.strip_prefix("/*") else {
             return css;
         };
-        css = comment.split_once("*/").map_or("", |it| it.1);
+        css = comment.split_once("*/").map_or("", |parts| parts.1);
     }
 }
 
-/// The sheet with the rules that stand in blocks of at-rules which hold for a page on a light screen.
+/// Flattens the blocks of at-rules that apply to a page on a light screen.
 fn unwrapped(css: &str, depth: u32) -> String {
-    let unwrap = |it: Statement<'_>| match it.body {
-        Some(body) if depth < MOST_DEPTH && holds(it.prelude) => unwrapped(body, depth + 1),
-        _ => it.whole.to_owned(),
+    let unwrap = |statement: Statement<'_>| match statement.body {
+        Some(body) if depth < MOST_DEPTH && holds(statement.prelude) => unwrapped(body, depth + 1),
+        _ => statement.whole.to_owned(),
     };
     statements(css).map(unwrap).collect()
 }
@@ -141,13 +145,13 @@ fn holds(prelude: &str) -> bool {
     }
 }
 
-/// Comment signs of HTML, which old editors write around a sheet, mean nothing.
+/// Removes HTML comment signs, which old editors write around a sheet.
 fn without_html_signs(css: &str) -> Option<String> {
     let is_marked = css.contains("<!--") || css.contains("-->");
     is_marked.then(|| css.replace("<!--", "").replace("-->", ""))
 }
 
-/// What of a rule changes the drawing.
+/// The declarations of a rule that change the drawing.
 const VISIBLE: [&str; 8] = [
     "display",
     "visibility",

@@ -1,4 +1,4 @@
-//! Text of an SVG file in letters of single lines, where it names a Hershey font.
+//! SVG text in single-line letters, for Hershey fonts.
 
 use dobot_geometry::{Affine, Point, Stroke, Vec2};
 use dobot_lettering::{CAPITAL, Letter, StrokeFont};
@@ -11,7 +11,7 @@ use usvg::{
 use super::warning_count::WarningKind;
 use crate::text::composed;
 
-/// The font of single lines that a file names first; none where it names another kind.
+/// The single-line font that a file names first; `None` if it names another kind.
 pub(super) fn font(font: &Font) -> Option<StrokeFont> {
     match font.families().first()? {
         FontFamily::Named(name) => StrokeFont::of_family(name),
@@ -19,29 +19,29 @@ pub(super) fn font(font: &Font) -> Option<StrokeFont> {
     }
 }
 
-/// A text as it stands in the file.
+/// A text with its positions in the file.
 pub(super) struct SingleLineText<'t> {
-    /// Its letters, and the lines below, above and through them.
+    /// Its letters, and the underlines, overlines and strikethroughs.
     pub(super) written: Vec<Written<'t>>,
-    /// How many characters the fonts lack.
+    /// The number of characters missing in the fonts.
     pub(super) missing: usize,
-    /// What is not read of each part.
+    /// The unsupported properties of each part.
     pub(super) unread: Vec<WarningKind>,
 }
 
-/// A letter as it stands in the file.
+/// A letter with its position in the file.
 pub(super) struct Written<'t> {
     /// Its lines, in units of the file.
     pub(super) strokes: Vec<Stroke>,
-    /// How the text around it looks.
+    /// The style of the text around it.
     pub(super) span: &'t TextSpan,
 }
 
-/// A text in single lines; none where it is not all in Hershey fonts, or follows a path.
+/// A text in single lines; `None` if it is not all in Hershey fonts, or follows a path.
 pub(super) fn written(text: &Text, tolerance: f64) -> Option<SingleLineText<'_>> {
-    let is_plain = |it: &TextChunk| {
-        matches!(it.text_flow(), TextFlow::Linear)
-            && it.spans().iter().all(|it| font(it.font()).is_some())
+    let is_plain = |chunk: &TextChunk| {
+        matches!(chunk.text_flow(), TextFlow::Linear)
+            && chunk.spans().iter().all(|span| font(span.font()).is_some())
     };
     if text.chunks().is_empty() || !text.chunks().iter().all(is_plain) {
         return None;
@@ -51,7 +51,7 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<SingleLineText<'_>>
     for chunk in text.chunks() {
         pen.x = chunk.x().map_or(pen.x, f64::from);
         pen.y = chunk.y().map_or(pen.y, f64::from);
-        let width: f64 = chunk.spans().iter().map(|it| width(chunk, it)).sum();
+        let width: f64 = chunk.spans().iter().map(|span| width(chunk, span)).sum();
         pen.x -= width
             * match chunk.anchor() {
                 TextAnchor::Start => 0.0,
@@ -110,23 +110,26 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<SingleLineText<'_>>
     Some(SingleLineText {
         written,
         missing,
-        unread: spans.flat_map(|it| unread(text, it)).collect(),
+        unread: spans.flat_map(|span| unread(text, span)).collect(),
     })
 }
 
-/// How far letters stand above the line that the text is on.
+/// The shift of letters above the line of the text.
 fn raised(span: &TextSpan) -> f64 {
     let em = f64::from(span.font_size().get());
-    let shifts = span.baseline_shift().iter().map(|it| match *it {
-        BaselineShift::Baseline => 0.0,
-        BaselineShift::Subscript => -SUBSCRIPT_EM * em,
-        BaselineShift::Superscript => SUPERSCRIPT_EM * em,
-        BaselineShift::Number(by) => f64::from(by),
-    });
+    let shifts = span
+        .baseline_shift()
+        .iter()
+        .map(|baseline_shift| match *baseline_shift {
+            BaselineShift::Baseline => 0.0,
+            BaselineShift::Subscript => -SUBSCRIPT_EM * em,
+            BaselineShift::Superscript => SUPERSCRIPT_EM * em,
+            BaselineShift::Number(by) => f64::from(by),
+        });
     shifts.sum()
 }
 
-/// The lines below, above and through letters between two places.
+/// The underlines, overlines and strikethroughs between two places.
 fn decoration(span: &TextSpan, begin: Point, end: Point) -> Vec<Stroke> {
     if begin == end {
         return Vec::new();
@@ -147,7 +150,7 @@ fn decoration(span: &TextSpan, begin: Point, end: Point) -> Vec<Stroke> {
     .collect()
 }
 
-/// What letters do not have here of what the file tells.
+/// The properties that single-line letters do not support.
 fn unread(text: &Text, span: &TextSpan) -> impl Iterator<Item = WarningKind> {
     use AlignmentBaseline as A;
     use DominantBaseline as D;
@@ -166,11 +169,11 @@ fn unread(text: &Text, span: &TextSpan) -> impl Iterator<Item = WarningKind> {
         (WarningKind::LettersBaseline, !is_plain),
         (WarningKind::LettersAlignment, !is_aligned),
     ];
-    found.into_iter().filter(|it| it.1).map(|it| it.0)
+    found.into_iter().filter(|item| item.1).map(|found| found.0)
 }
 
-/// The characters to write, and for how many of the file's each stands: a letter and its marks become
-/// one where the font has that.
+/// The characters to write, and the number of the file's characters for each: a letter and its
+/// marks become one if the font has it.
 fn spelled(chunk: &TextChunk, span: &TextSpan, font: StrokeFont) -> Vec<(char, usize)> {
     let mut rest = chunk
         .text()
@@ -179,9 +182,9 @@ fn spelled(chunk: &TextChunk, span: &TextSpan, font: StrokeFont) -> Vec<(char, u
     let mut spelled = Vec::new();
     while !rest.is_empty() {
         let mut following = rest.char_indices().skip(1);
-        let end = following.find(|it| !is_combining_mark(it.1));
-        let (parts, behind) = rest.split_at(end.map_or(rest.len(), |it| it.0));
-        // All that is moved in the file moves the first.
+        let end = following.find(|following| !is_combining_mark(following.1));
+        let (parts, behind) = rest.split_at(end.map_or(rest.len(), |end| end.0));
+        // The shifts of all characters apply to the first.
         let mut number = parts.chars().count();
         for character in composed(parts, font).chars() {
             spelled.push((character, std::mem::take(&mut number)));
@@ -196,12 +199,12 @@ fn width(chunk: &TextChunk, span: &TextSpan) -> f64 {
         return 0.0;
     };
     let spelled = spelled(chunk, span, font).into_iter();
-    spelled.map(|it| advance(span, font, it.0)).sum()
+    spelled.map(|spelled| advance(span, font, spelled.0)).sum()
 }
 
-/// From a letter to the next.
+/// The distance between letters.
 fn advance(span: &TextSpan, font: StrokeFont, character: char) -> f64 {
-    let own = Letter::of(font, character).map_or(0.0, |it| it.advance * unit(span));
+    let own = Letter::of(font, character).map_or(0.0, |letter| letter.advance * unit(span));
     let word = if character == ' ' {
         span.word_spacing()
     } else {
@@ -210,16 +213,16 @@ fn advance(span: &TextSpan, font: StrokeFont, character: char) -> f64 {
     own + f64::from(span.letter_spacing() + word)
 }
 
-/// What a unit of the letters' grid is in the file.
+/// The size of the letter grid in the file.
 fn unit(span: &TextSpan) -> f64 {
     f64::from(span.font_size().get()) * CAPITAL_OF_EM / CAPITAL
 }
 
-/// By how much of the size of their font lower letters stand below the line.
+/// The shift of subscripts below the line, relative to the font size.
 const SUBSCRIPT_EM: f64 = 0.2;
-/// And higher ones above it.
+/// The shift of superscripts above the line.
 const SUPERSCRIPT_EM: f64 = 0.4;
 const UNDERLINE_EM: f64 = 0.15;
 const OVERLINE_EM: f64 = CAPITAL_OF_EM + 0.15;
-/// How tall capitals are, as a share of the size of a font.
+/// The height of capitals, relative to the font size.
 const CAPITAL_OF_EM: f64 = 0.7;

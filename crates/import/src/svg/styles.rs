@@ -1,20 +1,20 @@
-//! Styles: the library reads each declaration anew from where its text begins.
+//! Limits on styles: the library's cost per declaration grows with the position in its text.
 
 use usvg::roxmltree::{Document, Node};
 
 use crate::error::SourceError;
 
-/// How long it takes to read the style of an element, in bytes that are looked at.
+/// The cost of reading the style of an element, in bytes examined.
 pub(super) fn cost(node: Node<'_, '_>) -> u64 {
     node.attribute("style").map_or(0, declared)
 }
 
-/// Refuses a sheet that would take for ever, alone or on all elements of the document.
+/// Refuses a sheet that takes too long, alone or on all elements of the document.
 pub(super) fn check(doc: &Document<'_>) -> Result<(), SourceError> {
     let elements = doc.descendants().filter(Node::is_element).count() as u64;
     let mut rules = 0;
     for sheet in sheets(doc) {
-        let texts = sheet.children().filter_map(|it| it.text());
+        let texts = sheet.children().filter_map(|child| child.text());
         for text in texts {
             rules += count(text, b"{,");
             if declared(text) > MOST {
@@ -33,7 +33,7 @@ pub(super) fn sheets<'a, 'input>(
     doc: &'a Document<'input>,
 ) -> impl Iterator<Item = Node<'a, 'input>> {
     let all = doc.descendants();
-    all.filter(|it| it.is_element() && it.tag_name().name() == "style")
+    all.filter(|item| item.is_element() && item.tag_name().name() == "style")
 }
 
 fn declared(text: &str) -> u64 {
@@ -41,7 +41,7 @@ fn declared(text: &str) -> u64 {
 }
 
 fn count(text: &str, signs: &[u8]) -> u64 {
-    text.bytes().filter(|it| signs.contains(it)).count() as u64
+    text.bytes().filter(|byte| signs.contains(byte)).count() as u64
 }
 
 fn refused(doc: &Document<'_>, sheet: Node<'_, '_>, expected: &str) -> SourceError {
@@ -52,5 +52,5 @@ fn refused(doc: &Document<'_>, sheet: Node<'_, '_>, expected: &str) -> SourceErr
     }
 }
 
-/// Takes about a second.
+/// This takes about a second.
 pub(super) const MOST: u64 = 500_000_000;

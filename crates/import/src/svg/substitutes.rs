@@ -1,4 +1,4 @@
-//! Fonts that a file asks for and that are not here.
+//! Substitutes for fonts that are not installed.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -9,14 +9,14 @@ use usvg::{Font, FontFamily, FontStyle};
 use crate::place::printable;
 use crate::warning::Warning;
 
-/// For each family that is not here the one that is taken instead.
+/// The substitute of each family that is not installed.
 #[derive(Debug, Default)]
 pub(super) struct Substitutes(Mutex<BTreeMap<String, String>>);
 
 impl Substitutes {
-    /// Takes down what a file asks for by name, where it got none of that.
+    /// Records a named font of the file that is not installed.
     pub(super) fn note(&self, asked: &Font, fonts: &Database, got: ID) {
-        let taken = fonts.face(got).and_then(|it| it.families.first());
+        let taken = fonts.face(got).and_then(|face| face.families.first());
         if let (Some(named), Some((taken, _))) = (missing(asked, fonts, got), taken) {
             let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
             all.entry(named.clone()).or_insert_with(|| taken.clone());
@@ -33,9 +33,9 @@ impl Substitutes {
     }
 }
 
-/// The face that comes nearest to a font that is not here: of the kind of letters that its name tells.
+/// The face that is closest to a missing font, by the kind of letters in its name.
 pub(super) fn nearest(asked: &Font, fonts: &Database, got: ID) -> ID {
-    let Some(kind) = missing(asked, fonts, got).and_then(|it| kind_of(it)) else {
+    let Some(kind) = missing(asked, fonts, got).and_then(|missing| kind_of(missing)) else {
         return got;
     };
     let query = Query {
@@ -51,18 +51,18 @@ pub(super) fn nearest(asked: &Font, fonts: &Database, got: ID) -> ID {
     fonts.query(&query).unwrap_or(got)
 }
 
-/// The family that was asked for by name, where the face that was got is of none that was asked for.
+/// The requested family if the selected face is of none of the requested families.
 fn missing<'a>(asked: &'a Font, fonts: &Database, got: ID) -> Option<&'a String> {
     let face = fonts.face(got)?;
-    let is_got = |name: &str| face.families.iter().any(|it| it.0 == name);
+    let is_got = |name: &str| face.families.iter().any(|family| family.0 == name);
     let names = asked.families();
     if names
         .iter()
-        .any(|it| is_got(fonts.family_name(&family(it))))
+        .any(|name| is_got(fonts.family_name(&family(name))))
     {
         return None;
     }
-    // Where a file names none, the default is asked for; nobody misses that.
+    // A file without a font name requests the default, which nobody misses.
     let default = fonts.family_name(&Family::Serif);
     names.iter().find_map(|it| match it {
         FontFamily::Named(name) if name != default => Some(name),
@@ -70,7 +70,7 @@ fn missing<'a>(asked: &'a Font, fonts: &Database, got: ID) -> Option<&'a String>
     })
 }
 
-/// The kind of letters that a family's name tells, where they have no serifs as the default has.
+/// The kind of letters in a family's name, if it differs from the default with serifs.
 fn kind_of(name: &str) -> Option<Family<'static>> {
     let name = name.to_lowercase();
     let kinds = [
@@ -78,8 +78,9 @@ fn kind_of(name: &str) -> Option<Family<'static>> {
         (Family::Cursive, CURSIVE),
         (Family::SansSerif, SANS_SERIF),
     ];
-    let told = |(_, words): &(Family<'_>, &[&str])| words.iter().any(|it| name.contains(it));
-    kinds.into_iter().find(told).map(|(kind, _)| kind)
+    let is_in_name =
+        |(_, words): &(Family<'_>, &[&str])| words.iter().any(|word| name.contains(word));
+    kinds.into_iter().find(is_in_name).map(|(kind, _)| kind)
 }
 
 const MONOSPACE: &[&str] = &["mono", "courier", "consol", "typewriter", "menlo", "fixed"];
@@ -103,8 +104,8 @@ const SANS_SERIF: &[&str] = &[
     "myriad",
 ];
 
-fn family(it: &FontFamily) -> Family<'_> {
-    match it {
+fn family(font_family: &FontFamily) -> Family<'_> {
+    match font_family {
         FontFamily::Serif => Family::Serif,
         FontFamily::SansSerif => Family::SansSerif,
         FontFamily::Cursive => Family::Cursive,

@@ -25,7 +25,7 @@ impl Drawing {
             strokes: artwork
                 .layers
                 .into_iter()
-                .flat_map(|it| it.strokes)
+                .flat_map(|layer| layer.strokes)
                 .collect(),
         };
         Ok((drawing, warnings))
@@ -113,7 +113,7 @@ fn what_does_not_show_is_not_drawn() {
 }
 
 #[test]
-fn the_edge_of_the_page_cuts_and_what_it_cuts_is_told() {
+fn the_edge_of_the_page_cuts_and_what_it_cuts_is_reported() {
     let beyond = r#"<path d="M-10 25H200" stroke="red"/><path d="M-9 60H9" stroke="red"/>"#;
     let (strokes, warnings) = draw(beyond);
     assert_eq!(strokes.len(), 1);
@@ -163,7 +163,7 @@ fn a_filled_shape_has_the_edge_that_a_clip_path_gives_it() {
 }
 
 #[test]
-fn flowed_text_of_old_inkscape_files_is_told() {
+fn flowed_text_of_old_inkscape_files_is_reported() {
     let flowed = r#"<flowRoot><flowRegion><rect width="9" height="9"/></flowRegion><flowPara>a</flowPara></flowRoot>"#;
     let (strokes, warnings) = draw(&format!(r#"<path d="M1 1H9" stroke="red"/>{flowed}"#));
     assert_eq!((strokes.len(), warnings.len()), (1, 1));
@@ -182,7 +182,10 @@ fn flowed_text_of_old_inkscape_files_is_told() {
 #[test]
 fn a_filled_shape_that_is_open_is_drawn_closed() {
     let (strokes, _) = draw(r#"<path d="M5 5H25V25H5"/><path d="M5 5H25V25H5" stroke="red"/>"#);
-    let lengths: Vec<f64> = strokes.iter().map(|it| it.length_mm().round()).collect();
+    let lengths: Vec<f64> = strokes
+        .iter()
+        .map(|stroke| stroke.length_mm().round())
+        .collect();
     assert_eq!(lengths, [80.0, 60.0]);
     assert!(strokes[0].closed);
 }
@@ -212,8 +215,8 @@ fn dashes_scale_with_their_path() {
 }
 
 #[test]
-fn points_are_drawn_up_to_one_without_y_and_that_is_told_with_its_place() {
-    let told = |content: &str| -> Vec<String> {
+fn points_are_drawn_up_to_one_without_y_and_that_is_reported_with_its_place() {
+    let reported = |content: &str| -> Vec<String> {
         let (_, warnings) = super::read(&page(content), &options()).unwrap();
         warnings.iter().map(ToString::to_string).collect()
     };
@@ -222,24 +225,24 @@ fn points_are_drawn_up_to_one_without_y_and_that_is_told_with_its_place() {
     let (strokes, _) = draw(odd);
     assert_eq!(strokes, draw(&even).0);
     assert_eq!((strokes.len(), strokes[0].points.len()), (1, 4));
-    assert_eq!(told(&even), <[&str; 0]>::default());
+    assert_eq!(reported(&even), <[&str; 0]>::default());
     let column = page(odd).find(" 30\"").unwrap() + 4;
     let lone = |column: usize, what: &str| {
         format!(
             "1:{column}: {what}: x without y in the points of a polygon or polyline left out; the points before it are drawn"
         )
     };
-    assert_eq!(told(odd), [lone(column, "1 lone coordinate")]);
+    assert_eq!(reported(odd), [lone(column, "1 lone coordinate")]);
     let two = format!("{odd}\n{}", odd.replace("polygon", "polyline"));
-    assert_eq!(told(&two), [lone(column, "2 lone coordinates")]);
+    assert_eq!(reported(&two), [lone(column, "2 lone coordinates")]);
     // What is read otherwise before it does not change its place.
     let sized = format!(r#"<rect x=" 5 " y="1" width="5" height="5" stroke="red"/>{odd}"#);
     let column = page(&sized).find(" 30\"").unwrap() + 4;
-    assert_eq!(told(&sized), [lone(column, "1 lone coordinate")]);
+    assert_eq!(reported(&sized), [lone(column, "1 lone coordinate")]);
     // A single number is no point.
     let alone = r#"<path d="M5 5h5" stroke="red"/><polyline points="7" stroke="red"/>"#;
     let column = page(alone).find("7\"").unwrap() + 2;
-    assert_eq!(told(alone), [lone(column, "1 lone coordinate")]);
+    assert_eq!(reported(alone), [lone(column, "1 lone coordinate")]);
     assert_eq!(draw(alone).0.len(), 1);
 }
 
@@ -422,59 +425,61 @@ fn shapes_that_become_groups_count_twice_and_those_of_full_opacity_do_not() {
     let paths = |attribute: &str| format!("<path {attribute} d=\"M0 0H1\"/>").repeat(96_000);
     let shapes = |attribute: &str| page(&paths(attribute));
     for attribute in ["transform=\"scale(2)\"", "style=\"fill:red; opacity: 0.5\""] {
-        let told = error(&shapes(attribute));
-        assert!(told.contains("more than 190000 elements"), "{told}");
+        let reported = error(&shapes(attribute));
+        assert!(reported.contains("more than 190000 elements"), "{reported}");
     }
     let styled = |rule: &str| {
         let paths = paths("class=\"faint\" fill=\"none\"");
         page(&format!("<style>{rule}</style>{paths}"))
     };
     for rule in ["path { opacity: 0.5 }", "g, svg > .faint { opacity: .5 }"] {
-        let told = error(&styled(rule));
-        assert!(told.contains("more than 190000 elements"), "{told}");
+        let reported = error(&styled(rule));
+        assert!(reported.contains("more than 190000 elements"), "{reported}");
     }
     for rule in ["path { opacity: 1 }", ".other { opacity: 0.5 }"] {
-        let told = error(&styled(rule));
-        assert!(told.contains("nothing to draw"), "{told}");
+        let reported = error(&styled(rule));
+        assert!(reported.contains("nothing to draw"), "{reported}");
     }
     for attribute in ["opacity=\"1\"", "style=\"fill-opacity:0.5\""] {
-        let told = error(&shapes(&format!("{attribute} fill=\"none\"")));
-        assert!(told.contains("nothing to draw"), "{told}");
+        let reported = error(&shapes(&format!("{attribute} fill=\"none\"")));
+        assert!(reported.contains("nothing to draw"), "{reported}");
     }
 }
 
 #[test]
-fn what_styles_and_html_say_and_nobody_reads_is_told() {
+fn what_styles_and_html_say_and_nobody_reads_is_reported() {
     let line = "<path d='M0 0H9' stroke='red'/>";
-    let told = |more: &str| {
+    let reported = |more: &str| {
         let (strokes, warnings) = draw(&format!("{line}{more}"));
         assert_eq!(strokes.len(), 1, "{more}");
-        let told = warnings.iter().map(ToString::to_string);
-        told.collect::<Vec<_>>().join("; ")
+        let reported = warnings.iter().map(ToString::to_string);
+        reported.collect::<Vec<_>>().join("; ")
     };
     for more in [
         "<g style='transform: translate(9px, 2px)'/>",
         "<style>.a{transform:scale(2)}</style><g class='a'/>",
     ] {
         assert!(
-            told(more).starts_with("1 CSS transform: not supported, drawn without it"),
+            reported(more).starts_with("1 CSS transform: not supported, drawn without it"),
             "{more}"
         );
     }
     let sheet = "<style>rect{width:9px;height:9px} circle{r:4px}</style>";
     let shapes = "<rect fill='red'/><circle fill='red'/><ellipse style='rx:4'/>";
     assert!(
-        told(&format!("{sheet}{shapes}"))
+        reported(&format!("{sheet}{shapes}"))
             .starts_with("3 CSS sizes: of a shape, or its place: not supported")
     );
     let html = "<foreignObject width='9' height='9'><p xmlns='http://www.w3.org/1999/xhtml'>A</p></foreignObject>";
-    assert!(told(&html.repeat(2)).starts_with("2 foreignObjects: left out with its text (HTML)"));
+    assert!(
+        reported(&html.repeat(2)).starts_with("2 foreignObjects: left out with its text (HTML)")
+    );
     for more in [
         "<foreignObject width='9' height='9'> </foreignObject>",
         "<g style='transform: none; transform-origin: 0 0'/>",
         "<style>svg{width:100%}</style><g style='width:9px'/>",
     ] {
-        assert_eq!(told(more), "", "{more}");
+        assert_eq!(reported(more), "", "{more}");
     }
 }
 
@@ -591,13 +596,16 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
             r#"<text x="30" y="30" font-size="20" font-family="Hershey sans"><tspan {attributes}>I</tspan></text>"#
         ));
         let (drawing, warnings) = Drawing::from_svg(&text, &options).unwrap();
-        let told: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-        let ink = |it: &Stroke| bounds_of_strokes(std::slice::from_ref(it));
-        (drawing.strokes.iter().map(ink).collect::<Vec<_>>(), told)
+        let reported: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+        let ink = |stroke: &Stroke| bounds_of_strokes(std::slice::from_ref(stroke));
+        (
+            drawing.strokes.iter().map(ink).collect::<Vec<_>>(),
+            reported,
+        )
     };
     let foot = |attributes: &str| {
-        let (ink, told) = draw(attributes);
-        assert_eq!((ink.len(), told), (1, Vec::new()), "{attributes}");
+        let (ink, reported) = draw(attributes);
+        assert_eq!((ink.len(), reported), (1, Vec::new()), "{attributes}");
         ink[0].y1
     };
     assert!((foot(r#"baseline-shift="sub""#) - 34.0).abs() < 1e-3);
@@ -612,14 +620,14 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
         ("overline", 13.0),
         ("line-through", 23.0),
     ] {
-        let (ink, told) = draw(&format!(r#"text-decoration="{line}""#));
-        let is_line = |it: &&Rect| it.height() < 1e-3 && (it.y0 - at).abs() < 1e-3;
+        let (ink, reported) = draw(&format!(r#"text-decoration="{line}""#));
+        let is_line = |rect: &&Rect| rect.height() < 1e-3 && (rect.y0 - at).abs() < 1e-3;
         let found = ink.iter().find(is_line);
         assert!(
-            found.is_some_and(|it| it.x0 < 30.01 && it.width() > 4.0),
+            found.is_some_and(|found| found.x0 < 30.01 && found.width() > 4.0),
             "{ink:?}"
         );
-        assert_eq!((ink.len(), told), (2, Vec::new()));
+        assert_eq!((ink.len(), reported), (2, Vec::new()));
     }
     for unread in [
         r#"textLength="60""#,
@@ -627,14 +635,21 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
         r#"alignment-baseline="middle""#,
         r#"style="dominant-baseline: middle""#,
     ] {
-        let (ink, told) = draw(unread);
-        assert_eq!((ink.len(), told.len()), (1, 1), "{unread}: {told:?}");
-        assert!(told[0].contains("of Hershey letters, ignored"), "{told:?}");
+        let (ink, reported) = draw(unread);
+        assert_eq!(
+            (ink.len(), reported.len()),
+            (1, 1),
+            "{unread}: {reported:?}"
+        );
+        assert!(
+            reported[0].contains("of Hershey letters, ignored"),
+            "{reported:?}"
+        );
     }
 }
 
 #[test]
-fn what_is_not_read_of_letters_of_single_lines_is_told_once_with_its_line() {
+fn what_is_not_read_of_letters_of_single_lines_is_reported_once_with_its_line() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
     };
@@ -647,18 +662,18 @@ fn what_is_not_read_of_letters_of_single_lines_is_told_once_with_its_line() {
         <text x="50" y="30" writing-mode="tb">I</text></g>"#,
     );
     let (_, warnings) = Drawing::from_svg(&text, &options).unwrap();
-    let mut told: Vec<(String, usize, u32)> = Vec::new();
+    let mut reported: Vec<(String, usize, u32)> = Vec::new();
     for it in warnings {
-        told.push((it.what, it.count, it.place.unwrap().line));
+        reported.push((it.what, it.count, it.place.unwrap().line));
     }
-    told.sort();
+    reported.sort();
     let wanted = [
         ("dominant-baseline", 1, 4),
         ("textLength", 2, 4),
         ("writing-mode", 1, 6),
     ];
     let wanted = wanted.map(|(what, count, line)| (what.to_owned(), count, line));
-    assert_eq!(told, wanted);
+    assert_eq!(reported, wanted);
 }
 
 #[test]
@@ -670,8 +685,8 @@ fn lines_of_letters_follow_the_moves_of_their_parts() {
         r#"<text x="30" y="30" dx="0 4" dy="0 -6" font-size="20" font-family="Hershey sans" text-decoration="underline">II</text>"#,
     );
     let (drawing, _) = Drawing::from_svg(&text, &options).unwrap();
-    let ink = |it: &Stroke| bounds_of_strokes(std::slice::from_ref(it));
-    let is_level = |it: &Rect| it.height() < 1e-3;
+    let ink = |stroke: &Stroke| bounds_of_strokes(std::slice::from_ref(stroke));
+    let is_level = |rect: &Rect| rect.height() < 1e-3;
     let lines: Vec<Rect> = drawing.strokes.iter().map(ink).filter(is_level).collect();
     // One below each letter, the second as much higher as the letter is, and none in the gap.
     let [first, second] = lines[..] else {
@@ -768,9 +783,9 @@ proptest! {
 fn ends(content: &str) -> Vec<[(f64, f64); 2]> {
     let round = |p: Point| ((1e3 * p.x).round() / 1e3, (1e3 * p.y).round() / 1e3);
     let (strokes, _) = draw(content);
-    let ends = strokes.iter().map(|it| {
-        let last = it.points[it.points.len() - 1];
-        [it.points[0], last].map(round)
+    let ends = strokes.iter().map(|stroke| {
+        let last = stroke.points[stroke.points.len() - 1];
+        [stroke.points[0], last].map(round)
     });
     ends.collect()
 }
@@ -822,7 +837,7 @@ fn the_colours_of_newer_css_are_those_of_the_layers() {
 #[test]
 fn styles_that_mean_nothing_or_stand_for_each_other_are_read() {
     let each: Vec<String> = (0..20)
-        .map(|it| format!("--v{it}: var(--v{}) var(--v{});", it + 1, it + 1))
+        .map(|i| format!("--v{i}: var(--v{}) var(--v{});", i + 1, i + 1))
         .collect();
     let each = each.concat();
     let svg = format!(r#"<path d="M10 10H90" stroke="black" style="{each} fill: var(--v0)"/>"#);
@@ -862,7 +877,7 @@ fn styles_that_mean_nothing_or_stand_for_each_other_are_read() {
 }
 
 #[test]
-fn the_size_of_the_page_and_of_letters_are_what_the_styles_tell() {
+fn the_size_of_the_page_and_of_letters_are_what_the_styles_state() {
     let wide = |root: &str| {
         let svg = format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" {root}><path d="M0 0H24" stroke="red"/></svg>"#
@@ -877,7 +892,7 @@ fn the_size_of_the_page_and_of_letters_are_what_the_styles_tell() {
 }
 
 #[test]
-fn letters_are_as_large_as_newer_css_tells() {
+fn letters_are_as_large_as_newer_css_states() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
     };
@@ -937,8 +952,8 @@ fn a_gradient_that_begins_with_white_is_ink() {
 }
 
 #[test]
-fn what_of_the_styles_is_not_read_is_told() {
-    for (content, told) in [
+fn what_of_the_styles_is_not_read_is_reported() {
+    for (content, reported) in [
         (r#"<g style="rotate: 45deg">LINE</g>"#, "1 CSS transform"),
         (
             r#"<g style="clip-path: inset(0 50% 0 0)">LINE</g>"#,
@@ -960,6 +975,9 @@ fn what_of_the_styles_is_not_read_is_told() {
             (1, 1),
             "{content}: {warnings:?}"
         );
-        assert!(warnings[0].to_string().starts_with(told), "{warnings:?}");
+        assert!(
+            warnings[0].to_string().starts_with(reported),
+            "{warnings:?}"
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! Where a file tells of its texts what letters of single lines do not have.
+//! Text properties that single-line letters do not support.
 
 use dobot_lettering::StrokeFont;
 use usvg::roxmltree::{Document, Node};
@@ -8,49 +8,53 @@ use super::warning_count::{WarningCount, WarningKind};
 use crate::place::Place;
 use crate::warning::Warning;
 
-/// The first place of each property that is not read of letters of single lines.
+/// The first place of each unsupported property.
 #[derive(Debug, Default)]
 pub(super) struct UnreadPlaces(Vec<(WarningKind, Place)>);
 
 impl UnreadPlaces {
     pub(super) fn of(doc: &Document<'_>, text: &str) -> Self {
-        let mut told = PROPERTIES
+        let mut properties = PROPERTIES
             .iter()
-            .filter(|it| text.contains(it.1))
+            .filter(|property| text.contains(property.1))
             .peekable();
-        if told.peek().is_none() {
+        if properties.peek().is_none() {
             return Self::default();
         }
         let rules = rules(doc);
         let families = inherited(&rules, doc, "font-family");
-        let is_in_single_lines = |it: Node<'_, '_>| {
-            let family = families[it.id().get_usize()];
-            family.is_some_and(|it| first_font(it).is_some())
+        let is_in_single_lines = |node: Node<'_, '_>| {
+            let family = families[node.id().get_usize()];
+            family.is_some_and(|family| first_font(family).is_some())
         };
         let first = |name: &str| {
-            let has_it = |it: &Node<'_, '_>| {
-                property_of(&rules, *it, name).is_some_and(|it| !AS_WRITTEN.contains(&it))
+            let has_it = |node: &Node<'_, '_>| {
+                property_of(&rules, *node, name).is_some_and(|value| !AS_WRITTEN.contains(&value))
             };
             let mut having = doc.descendants().filter(has_it);
-            // Fonts may be told in other ways.
+            // Fonts may be given in other ways.
             let any = having.clone().next();
-            let node = having.find(|it| it.descendants().any(is_in_single_lines));
+            let node = having.find(|node| node.descendants().any(is_in_single_lines));
             Some(doc.text_pos_at(node.or(any)?.range().start).into())
         };
-        Self(told.filter_map(|it| Some((it.0, first(it.1)?))).collect())
+        Self(
+            properties
+                .filter_map(|message| Some((message.0, first(message.1)?)))
+                .collect(),
+        )
     }
 
-    /// A warning with its place, where that is known.
+    /// Adds the place to a warning, if known.
     pub(super) fn warning(&self, count: WarningCount) -> Warning {
-        let place = self.0.iter().find(|it| it.0 == count.kind);
+        let place = self.0.iter().find(|place| place.0 == count.kind);
         Warning {
-            place: place.map(|it| it.1),
+            place: place.map(|place| place.1),
             ..Warning::from(count)
         }
     }
 }
 
-/// The font of single lines that a list of families begins with.
+/// The single-line font at the start of a list of families.
 fn first_font(families: &str) -> Option<StrokeFont> {
     let first = families.split(',').next()?;
     StrokeFont::of_family(first.trim().trim_matches(['"', '\'']))
@@ -62,7 +66,7 @@ const PROPERTIES: [(WarningKind, &str); 4] = [
     (WarningKind::LettersBaseline, "dominant-baseline"),
     (WarningKind::LettersAlignment, "alignment-baseline"),
 ];
-/// Values with which letters stand as they are written.
+/// Values that leave letters unchanged.
 const AS_WRITTEN: [&str; 13] = [
     "auto",
     "alphabetic",

@@ -3,12 +3,12 @@
 use crate::hidden::UNKNOWN;
 use crate::warning::Warning;
 
-/// How often there is something of a kind that a pen does not show as a browser does.
+/// The number of occurrences of content that a pen does not show like a browser.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct WarningCount {
-    /// What it is.
+    /// The content.
     pub(crate) kind: WarningKind,
-    /// How many of it.
+    /// The number of occurrences.
     pub(crate) count: usize,
 }
 
@@ -19,7 +19,7 @@ impl From<WarningCount> for Warning {
     }
 }
 
-/// Things that a pen cannot draw.
+/// Content that a pen cannot show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum WarningKind {
     /// A bitmap or another file.
@@ -32,43 +32,44 @@ pub(crate) enum WarningKind {
     Gradient,
     /// A pattern as paint.
     Pattern,
-    /// A shape filled with white and without a line.
+    /// A shape with a white fill and without a line.
     Paper,
-    /// A fill that crosses itself too often, or has too many corners with its clip path, to be clipped.
+    /// A fill that crosses itself too often, or has too many corners with its clip path, for
+    /// clipping.
     Entangled,
-    /// What lies under so many shapes that it is not worked out what of it shows.
+    /// A shape under so many shapes that its visible part is not computed.
     Stacked,
-    /// Text that flows into a shape, as Inkscape wrote it before SVG 2.
+    /// Text that flows into a shape (Inkscape before SVG 2).
     FlowedText,
-    /// Text of HTML, as diagram programs write it.
+    /// HTML text (diagram programs).
     ForeignText,
-    /// A shape or a group that a style moves.
+    /// A shape or a group with a CSS transform.
     MovedByStyle,
-    /// A shape of which a style tells the place or the size.
+    /// A shape whose place or size is set by CSS.
     SizedByStyle,
-    /// What a style clips by a basic shape.
+    /// A CSS clip-path by a basic shape.
     ClippedByStyle,
     /// A shape of another file.
     LinkedShape,
-    /// A rule of a sheet that is not read.
+    /// An ignored rule of a sheet.
     UnreadRule,
-    /// A width or a height of the page that is no length.
+    /// A width or a height of the page that is not a length.
     UnreadSize,
-    /// A line whose dashes are told in shares of its path.
+    /// A line with dashes as fractions of its path.
     SolidPath,
-    /// A piece of text and no font at all.
+    /// A piece of text without any font.
     TextWithoutFont,
-    /// A character that no font has.
+    /// A character missing in all fonts.
     MissingGlyph,
-    /// A character that the letters of single lines lack.
+    /// A character missing in the single-line letters.
     MissingLetter,
-    /// A part of a text in letters of single lines that is to have a width.
+    /// A part of a text in single-line letters with a set length.
     LettersLength,
-    /// One that goes down.
+    /// A part that runs down.
     LettersDirection,
-    /// One that stands on another base line.
+    /// A part with a shifted base line.
     LettersBaseline,
-    /// One that is aligned with its neighbours by another base line.
+    /// A part aligned by another base line.
     LettersAlignment,
 }
 

@@ -1,4 +1,4 @@
-//! Letters and the marks that follow them, as one.
+//! Composition of letters with their combining marks.
 
 use std::borrow::Cow;
 
@@ -6,8 +6,8 @@ use dobot_lettering::{Letter, StrokeFont};
 use unicode_normalization::UnicodeNormalization;
 use unicode_normalization::char::{compose, decompose_canonical};
 
-/// A text with each letter and its marks as one character (Unicode's NFC), as far as the font has that:
-/// names of files on macOS and texts of PDF files come in parts.
+/// Composes letters and their marks (Unicode's NFC), as far as the font has the result: file names
+/// on macOS and texts of PDF files are decomposed.
 pub(crate) fn composed(text: &str, font: StrokeFont) -> Cow<'_, str> {
     if text.is_ascii() {
         return Cow::Borrowed(text);
@@ -19,10 +19,10 @@ pub(crate) fn composed(text: &str, font: StrokeFont) -> Cow<'_, str> {
     Cow::Owned(whole)
 }
 
-/// Puts a character behind a text: whole, or with as many of its marks as the font has on it and the
-/// others behind.
+/// Appends a character: whole, or with as many of its marks as the font has, followed by the
+/// others.
 fn push(whole: &mut String, character: char, font: StrokeFont) {
-    let has = |it: char| it.is_ascii() || Letter::of(font, it).is_some();
+    let has = |c: char| c.is_ascii() || Letter::of(font, c).is_some();
     let mut parts = Vec::new();
     decompose_canonical(character, |part| parts.push(part));
     let [base, marks @ ..] = parts.as_slice() else {
@@ -34,7 +34,7 @@ fn push(whole: &mut String, character: char, font: StrokeFont) {
     }
     let (mut letter, mut others) = (*base, String::new());
     for &mark in marks {
-        match compose(letter, mark).filter(|it| has(*it)) {
+        match compose(letter, mark).filter(|composed| has(*composed)) {
             Some(marked) => letter = marked,
             None => others.push(mark),
         }
@@ -59,7 +59,7 @@ mod tests {
             // Nor both marks of Vietnamese on an e.
             ("\u{1ebf}", "\u{ea}\u{301}"),
             ("\u{1112}\u{1161}", "\u{d558}"),
-            // A mark alone, and one that goes with no letter.
+            // A mark alone, and one after a non-letter.
             ("\u{301}", "\u{301}"),
             ("q\u{301}", "q\u{301}"),
         ] {

@@ -1,4 +1,4 @@
-//! Texts that stand in files of other kinds, in plain letters.
+//! Texts in files of other formats, in plain letters.
 
 use std::collections::HashMap;
 
@@ -8,34 +8,34 @@ use dobot_lettering::{CAPITAL, Letter, StrokeFont};
 use crate::error::SourceError;
 use crate::sketch::Sketch;
 
-/// Writes the letters of a file into its sketch.
+/// A writer of letters into the sketch of a file.
 #[derive(Debug, Default)]
 pub(crate) struct Lettering {
     letters: HashMap<char, Option<Letter>>,
 }
 
-/// How a letter lies in the file.
+/// The position and the axes of a letter in the file.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pose {
-    /// Where its place on the base line begins.
+    /// The start on the base line.
     pub(crate) at: Point,
     /// A unit of the letters' grid to the right; a capital is [`CAPITAL`] units tall.
     pub(crate) across: Vec2,
-    /// And a unit up.
+    /// A unit of the grid up.
     pub(crate) up: Vec2,
 }
 
-/// How much room a letter takes, in units of the grid.
+/// The width of a letter, in units of the grid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct LetterExtent {
-    /// Where its ink begins and ends, to the right of its beginning.
+    /// The start and the end of its ink, to the right of its origin.
     pub(crate) ink: [f64; 2],
-    /// From its beginning to that of the next letter.
+    /// The distance to the origin of the next letter.
     pub(crate) advance: f64,
 }
 
 impl Lettering {
-    /// The room of a character; `None` where it cannot be written.
+    /// The width of a character; `None` if it cannot be written.
     pub(crate) fn extent(&mut self, character: char) -> Option<LetterExtent> {
         let letter = self.letter(character)?;
         let ink = bounds(letter.strokes.iter().flatten().copied());
@@ -49,8 +49,7 @@ impl Lettering {
         Some(LetterExtent { ink, advance })
     }
 
-    /// Draws a character; one that cannot be written is left out with a warning. `at` is the place
-    /// in the file, for messages.
+    /// Draws a character, or warns if it cannot be written. `at` is the position in the file.
     pub(crate) fn write(
         &mut self,
         sketch: &mut Sketch<'_>,
@@ -58,9 +57,9 @@ impl Lettering {
         character: char,
         pose: &Pose,
     ) -> Result<(), SourceError> {
-        // Blanks count too: there may be too many of them to look at.
+        // Blanks count too, as there may be too many of them.
         sketch.spend(1)?;
-        // Before rounding: letters as tall as mountains have many corners.
+        // Before rounding: huge letters have many corners.
         for way in [Vec2::ZERO, pose.up, pose.across] {
             sketch.check(at, pose.at + way * CAPITAL)?;
         }

@@ -1,4 +1,4 @@
-//! Text in the outlines of a font: a page with that text, read as an SVG file.
+//! Text in the outlines of a font: a page with the text, read as an SVG file.
 
 use std::fmt::Write as _;
 
@@ -39,7 +39,7 @@ pub(super) fn read(
     Ok((shown, warnings))
 }
 
-/// A font's name with its style, as an SVG file says it.
+/// A font's name and style in SVG.
 struct Face {
     family: String,
     weight: u16,
@@ -47,7 +47,7 @@ struct Face {
 }
 
 impl Face {
-    /// `DejaVu Sans` or `dejavu sans bold italic`.
+    /// Parses `DejaVu Sans` or `dejavu sans bold italic`.
     fn named(name: &str, fonts: &Database) -> Result<Self, TextError> {
         let (mut weight, mut style) = (400, "normal");
         let mut rest = name.trim();
@@ -82,7 +82,7 @@ impl Face {
 fn find(name: &str, fonts: &Database) -> Option<String> {
     let mut families = fonts.faces().flat_map(families);
     families
-        .find(|it| it.eq_ignore_ascii_case(name))
+        .find(|family| family.eq_ignore_ascii_case(name))
         .map(str::to_owned)
 }
 
@@ -95,18 +95,18 @@ fn unknown(name: &str, fonts: &Database) -> TextError {
     known.sort_unstable();
     known.dedup();
     let wanted = name.to_lowercase();
-    known.sort_by_cached_key(|it| difference(&wanted, &it.to_lowercase()));
+    known.sort_by_cached_key(|known| difference(&wanted, &known.to_lowercase()));
     TextError::UnknownFont {
         family: name.to_owned(),
         nearest: known.into_iter().take(NEAREST).map(str::to_owned).collect(),
     }
 }
 
-/// How many characters must be changed, added or left out to come from one text to the other.
+/// The edit distance of two texts (Levenshtein).
 fn difference(from: &str, to: &str) -> usize {
-    let to: Vec<char> = to.chars().take(LONGEST_NAME).collect();
+    let to: Vec<char> = to.chars().take(MAX_NAME_LEN).collect();
     let mut row: Vec<usize> = (0..=to.len()).collect();
-    for (i, a) in from.chars().take(LONGEST_NAME).enumerate() {
+    for (i, a) in from.chars().take(MAX_NAME_LEN).enumerate() {
         let mut diagonal = std::mem::replace(&mut row[0], i + 1);
         for (j, b) in to.iter().enumerate() {
             let changed = diagonal + usize::from(a != *b);
@@ -117,21 +117,23 @@ fn difference(from: &str, to: &str) -> usize {
     row[to.len()]
 }
 
-/// How tall capitals are in letters of [`SIZE_MM`].
+/// The height of capitals in letters of [`SIZE_MM`].
 fn capital_mm(face: &Face, options: &ReadOptions) -> f64 {
     let page = page(&Text::new("H"), face, 1.0);
     let ink = svg::read(&page, options).map(|(artwork, _)| bounds(one(artwork).points()));
-    let height = ink.ok().map(|it| it.height());
-    // A font of symbols has no capitals; the usual share serves it.
-    height.filter(|it| *it > 0.0).unwrap_or(0.72 * SIZE_MM)
+    let height = ink.ok().map(|ink| ink.height());
+    // A symbol font has no capitals; the usual ratio serves it.
+    height
+        .filter(|height| *height > 0.0)
+        .unwrap_or(0.72 * SIZE_MM)
 }
 
 fn page(text: &Text, face: &Face, spacing_mm: f64) -> String {
     let longest = text.lines().map(str::len).max().unwrap_or(0);
     #[expect(clippy::cast_precision_loss, reason = "counts of characters")]
     let [longest, lines] = [longest as f64, text.lines().count() as f64];
-    let width = (4.0 * SIZE_MM * (longest + 4.0)).min(MOST_MM);
-    let height = (spacing_mm * lines + 8.0 * SIZE_MM).min(MOST_MM);
+    let width = (4.0 * SIZE_MM * (longest + 4.0)).min(MAX_MM);
+    let height = (spacing_mm * lines + 8.0 * SIZE_MM).min(MAX_MM);
     let (anchor, x) = match text.align {
         Align::Left => ("start", 0.25),
         Align::Center => ("middle", 0.5),
@@ -162,7 +164,7 @@ fn page(text: &Text, face: &Face, spacing_mm: f64) -> String {
     svg + "</svg>"
 }
 
-/// As XML; what XML cannot hold shows as the font's box for missing letters.
+/// Escapes for XML; characters not allowed in XML show as the font's box for missing letters.
 fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {
@@ -188,7 +190,7 @@ fn one(artwork: Artwork) -> Layer {
 
 /// The size at which letters are read: large enough for the reader's single precision.
 const SIZE_MM: f64 = 10.0;
-/// No page is larger than that.
-const MOST_MM: f64 = 500_000.0;
+/// The largest page.
+const MAX_MM: f64 = 500_000.0;
 const NEAREST: usize = 3;
-const LONGEST_NAME: usize = 64;
+const MAX_NAME_LEN: usize = 64;

@@ -1,4 +1,4 @@
-//! Text in letters of single lines.
+//! Text in single-line letters.
 
 use std::collections::HashMap;
 
@@ -36,14 +36,14 @@ pub(super) fn read(
 
 struct Writer {
     font: StrokeFont,
-    /// Millimetres for each unit of the fonts' grid.
+    /// Millimetres per unit of the fonts' grid.
     scale: f64,
     /// In units of the grid.
     tolerance: f64,
     letters: HashMap<char, Option<Letter>>,
     strokes: Vec<Stroke>,
     budget: Budget,
-    /// What cannot be written, each once, and how often that happened.
+    /// The characters that cannot be written, each once, and the number of their occurrences.
     missing: Vec<char>,
     missed: usize,
 }
@@ -66,7 +66,7 @@ impl Writer {
     fn width_mm(&mut self, line: &str) -> f64 {
         let advances = line
             .chars()
-            .map(|it| self.letter(it).map_or(0.0, |it| it.advance));
+            .map(|c| self.letter(c).map_or(0.0, |c| c.advance));
         advances.sum::<f64>() * self.scale
     }
 
@@ -117,5 +117,5 @@ fn stroke(points: Vec<Point>) -> Stroke {
     Stroke { points, closed }
 }
 
-/// So many characters that cannot be written are named.
+/// The number of such characters that a warning lists.
 const NAMED: usize = 20;

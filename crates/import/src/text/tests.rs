@@ -69,7 +69,7 @@ fn lines_stand_apart_and_meet_where_asked() {
         let lower = artwork.points().filter(|p| p.y > 15.0);
         let lower = bounds(lower);
         assert!((lower.y0 - 17.5).abs() < 1e-9, "{lower:?}");
-        [lower.x0, artwork.width_mm - lower.x1].map(|it| it.abs() < 1e-9)
+        [lower.x0, artwork.width_mm - lower.x1].map(|value| value.abs() < 1e-9)
     };
     assert_eq!(end(Align::Left), [true, false]);
     assert_eq!(end(Align::Center), [false, false]);
@@ -82,8 +82,8 @@ fn large_letters_are_round() {
         height_mm: 100.0,
         ..Text::new("O")
     });
-    let turn = |it: &[Point]| {
-        let (a, b) = (it[1] - it[0], it[2] - it[1]);
+    let turn = |point: &[Point]| {
+        let (a, b) = (point[1] - point[0], point[2] - point[1]);
         a.cross(b).atan2(a.dot(b)).abs()
     };
     let sharpest = artwork.layers[0].strokes[0].points.windows(3).map(turn);
@@ -203,7 +203,7 @@ fn outlines_are_areas_as_tall_as_asked_at_their_lines() {
         artwork.layers[0]
             .areas
             .iter()
-            .map(|it| it.rings.len())
+            .map(|area| area.rings.len())
             .sum::<usize>()
     );
 }

@@ -20,7 +20,7 @@ fn s(seconds: u64) -> Duration {
     Duration::from_secs(seconds)
 }
 
-/// Bytes that cannot be compressed much.
+/// Bytes that hardly compress.
 fn noise(len: usize, seed: u64) -> Record {
     let mut state = seed;
     let mut random = || {
@@ -55,7 +55,7 @@ fn a_program_that_is_killed_loses_a_second_at_the_most() {
     for n in 0..100_u32 {
         rotation.handle_record(Duration::from_millis(100) * n, &Record::ToArm(vec![0xA5]));
         if let Some(path) = rotation.health().file {
-            // As a killed program leaves it: nothing more is written.
+            // As after a kill: nothing more is written.
             let (bytes, _) = read(&path);
             let lost = usize::try_from(n).unwrap() + 1 - bytes;
             assert!(lost <= 10, "{lost} of {n} records, 10 a second");
@@ -81,9 +81,9 @@ fn files_and_folder_keep_within_their_limits_and_the_newest_stay() {
     for n in 0..600 {
         rotation.handle_record(s(n), &noise(10_000, n));
         let files = recordings(folder.path()).unwrap();
-        let total: u64 = files.iter().map(|it| it.bytes).sum();
+        let total: u64 = files.iter().map(|file| file.bytes).sum();
         assert!(total <= LIMITS.total_bytes, "{total}");
-        assert!(files.iter().all(|it| it.bytes <= LIMITS.file_bytes));
+        assert!(files.iter().all(|file| file.bytes <= LIMITS.file_bytes));
     }
     rotation.finish();
     assert_eq!(rotation.health().lost, 0);
@@ -102,7 +102,7 @@ fn files_and_folder_keep_within_their_limits_and_the_newest_stay() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_told_and_tried_again() {
+fn a_folder_that_cannot_be_written_is_reported_and_tried_again() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("recordings");
     std::fs::write(&folder, "something is in the way").unwrap();
@@ -114,7 +114,7 @@ fn a_folder_that_cannot_be_written_is_told_and_tried_again() {
     }
     assert_eq!(rotation.health().lost, 5);
     std::fs::remove_file(&folder).unwrap();
-    // Not yet: nobody hammers on a full disk.
+    // Not yet: a full disk is not retried continuously.
     rotation.handle_record(s(9), &Record::ToArm(vec![1]));
     assert_eq!(rotation.health().lost, 6);
     rotation.handle_record(s(10), &Record::ToArm(vec![1]));
@@ -129,7 +129,7 @@ fn a_folder_that_cannot_be_written_is_told_and_tried_again() {
 }
 
 #[test]
-fn a_new_arm_is_told_in_the_middle_of_a_file_and_in_the_next() {
+fn a_new_arm_is_reported_in_the_middle_of_a_file_and_in_the_next() {
     let folder = tempfile::tempdir().unwrap();
     let mut rotation = rotation(folder.path());
     rotation.handle_record(s(0), &Record::ToArm(vec![1]));
@@ -171,11 +171,11 @@ fn more_topics_than_a_file_has_room_for_get_another_file() {
     assert_eq!(files.len(), 2);
     let moments = files
         .iter()
-        .map(|it| Recording::open(&it.path).unwrap().count());
+        .map(|file| Recording::open(&file.path).unwrap().count());
     assert_eq!(moments.sum::<usize>(), 100);
 }
 
-/// Rear arm upright, forearm level, turned that far.
+/// Rear arm upright, forearm level, base rotated by this angle.
 fn status(base_deg: f32) -> Vec<u8> {
     let radius_mm = 215.07;
     let status = dobot_wire::Status {
@@ -196,7 +196,7 @@ fn random(state: &mut u64) -> f64 {
     f64::from(u32::try_from(*state >> 32).unwrap()) / f64::from(u32::MAX)
 }
 
-/// What the station tells while nothing happens, as long as it is.
+/// The station's messages while nothing happens, of realistic length.
 fn state(at: Duration, seed: &mut u64) -> Record {
     let schema = serde_json::json!({ "type": "object", "description": "x".repeat(20_000) });
     let topic = crate::Topic::new("/station/state", "dobot.State", &schema).unwrap();
@@ -224,12 +224,12 @@ fn state(at: Duration, seed: &mut u64) -> Record {
     }
 }
 
-/// An hour at rest: a status every 80 ms, half a millisecond early or late, in so many pieces as
-/// a serial port gives. How many bytes it takes.
+/// The length of an hour at rest: a status every 80 ms, half a millisecond early or late, split
+/// like the data of a serial port.
 fn idle_hour(cuts: &[usize]) -> u64 {
     let folder = tempfile::tempdir().unwrap();
     let mut rotation = rotation(folder.path());
-    let (mut seed, mut told) = (7, 0);
+    let (mut seed, mut message) = (7, 0);
     for n in 0..45_000_u64 {
         let late = |seed: &mut u64| Duration::from_secs_f64(0.001 * random(seed));
         let mut at = Duration::from_millis(80 * n);
@@ -250,17 +250,17 @@ fn idle_hour(cuts: &[usize]) -> u64 {
     let files = recordings(folder.path()).unwrap();
     for file in &files {
         let mut recording = Recording::open(&file.path).unwrap();
-        told += recording
+        message += recording
             .by_ref()
-            .filter_map(|it| match it.entry {
+            .filter_map(|recording| match recording.entry {
                 Entry::FromArm(bytes) => Some(bytes.len()),
                 _ => None,
             })
             .sum::<usize>();
         assert_eq!(recording.damage(), None);
     }
-    assert_eq!(told, 45_000 * 42, "nothing is missing");
-    files.iter().map(|it| it.bytes).sum()
+    assert_eq!(message, 45_000 * 42, "nothing is missing");
+    files.iter().map(|file| file.bytes).sum()
 }
 
 #[test]
@@ -291,16 +291,16 @@ fn at_rest_a_killed_program_loses_the_latest_repeats_and_of_anything_new_a_secon
             continue;
         };
         let last = Recording::open(&path).unwrap().last();
-        let last = last.map(|it| it.at).unwrap_or_default();
+        let last = last.map(|last| last.at).unwrap_or_default();
         let repeats = Duration::from_millis(11_200);
         assert!(at <= last + repeats, "at {at:?}, last {last:?}");
-        let is_told = last >= news || at <= news + Duration::from_millis(1_080);
-        assert!(is_told, "at {at:?}, last {last:?}, new at {news:?}");
+        let is_recorded = last >= news || at <= news + Duration::from_millis(1_080);
+        assert!(is_recorded, "at {at:?}, last {last:?}, new at {news:?}");
     }
 }
 
 #[test]
-fn records_that_were_lost_are_told_behind_what_came_before_them() {
+fn records_that_were_lost_are_reported_behind_what_came_before_them() {
     let folder = tempfile::tempdir().unwrap();
     let mut rotation = rotation(folder.path());
     for n in 0..5 {
@@ -311,11 +311,11 @@ fn records_that_were_lost_are_told_behind_what_came_before_them() {
     rotation.finish();
     let path = &recordings(folder.path()).unwrap()[0].path;
     let moments = Recording::open(path).unwrap();
-    let told: Vec<_> = moments
-        .filter(|it| [RECORDER, crate::FROM_ARM].contains(&&*it.topic))
-        .map(|it| (it.at, &*it.topic == RECORDER))
+    let message: Vec<_> = moments
+        .filter(|moment| [RECORDER, crate::FROM_ARM].contains(&&*moment.topic))
+        .map(|moment| (moment.at, &*moment.topic == RECORDER))
         .collect();
     let statuses = (0..5).map(|n| (s(n), false));
     let expected: Vec<_> = statuses.chain([(s(6), true), (s(6), false)]).collect();
-    assert_eq!(told, expected);
+    assert_eq!(message, expected);
 }

@@ -1,13 +1,13 @@
-//! What stands in a table.
+//! The cells of a table.
 
-/// A column: what it is called, and what stands in it.
+/// A column: its name and its type.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
     pub(crate) name: String,
     pub(crate) kind: Kind,
 }
 
-/// What stands in a column.
+/// The type of a column.
 #[cfg_attr(
     not(feature = "parquet"),
     expect(dead_code, reason = "only datasets have these columns")
@@ -20,7 +20,7 @@ pub(crate) enum Kind {
     Float,
     Double,
     Truth,
-    /// A text, or nothing.
+    /// An optional text.
     Text,
     Integers,
     Floats,
@@ -28,7 +28,7 @@ pub(crate) enum Kind {
     Texts,
 }
 
-/// What stands in one row of a column, of the column's kind. Lists are not empty.
+/// A cell, of the type of its column. Lists are not empty.
 #[cfg_attr(
     not(feature = "parquet"),
     expect(dead_code, reason = "only datasets have these columns")
@@ -47,7 +47,7 @@ pub(crate) enum Cell {
     Texts(Vec<String>),
 }
 
-/// A column of that name.
+/// Creates a column with this name.
 pub(crate) fn column(name: impl Into<String>, kind: Kind) -> Column {
     let name = name.into();
     Column { name, kind }

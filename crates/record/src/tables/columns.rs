@@ -16,7 +16,7 @@ pub(crate) fn of_statuses() -> Vec<Column> {
     columns
 }
 
-/// A status that came so long after the start of the recorder.
+/// The cells of a status at a time since the start of the recorder.
 pub(crate) fn of_status(start: Timestamp, at: Duration, status: &Status) -> Vec<Cell> {
     let mut cells = times(start, at);
     let numbers = [
@@ -43,8 +43,8 @@ pub(crate) fn of_commands() -> Vec<Column> {
     columns
 }
 
-/// A command that was sent so long after the start of the recorder; `None` where its meaning depends on a dialect that
-/// nobody knows.
+/// The cells of a command at a time since the start of the recorder; `None` if its meaning depends
+/// on an unknown dialect.
 pub(crate) fn of_command(
     start: Timestamp,
     at: Duration,
@@ -61,13 +61,16 @@ pub(crate) fn of_command(
     if let Some(serde_json::Value::Object(mut object)) = command {
         name = object
             .remove("type")
-            .and_then(|it| it.as_str().map(str::to_owned));
+            .and_then(|removed| removed.as_str().map(str::to_owned));
         fields = Some(serde_json::Value::Object(object).to_string());
     }
     cells.extend([name, fields, error].map(Cell::Text));
     let bytes = packet.to_bytes();
     let floats = bytes[1..41].chunks_exact(4);
-    cells.extend(floats.map(|it| Cell::Float(f32::from_le_bytes([it[0], it[1], it[2], it[3]]))));
+    cells
+        .extend(floats.map(|float| {
+            Cell::Float(f32::from_le_bytes([float[0], float[1], float[2], float[3]]))
+        }));
     cells
 }
 
@@ -80,7 +83,7 @@ fn times(start: Timestamp, at: Duration) -> Vec<Cell> {
     ]
 }
 
-/// The columns of the first eight floats of a status, in their order: places in mm, angles in degrees.
+/// The columns of the first eight floats of a status, in order: positions in mm, angles in degrees.
 pub const STATUS_FLOATS: [&str; 8] = [
     "x_mm",
     "y_mm",

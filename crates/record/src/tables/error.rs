@@ -1,39 +1,39 @@
-//! Why a recording cannot be exported.
+//! The error of exports.
 
 use std::io;
 use std::path::PathBuf;
 
-/// Why a recording cannot be exported.
+/// The error returned when a recording cannot be exported.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ExportError {
     /// A file cannot be written.
-    #[error("cannot write it")]
+    #[error("cannot write the export")]
     Io(#[from] io::Error),
-    /// A file cannot be begun.
+    /// A file cannot be created.
     #[error("cannot write {}", file.display())]
     File {
-        /// Which.
+        /// The file.
         file: PathBuf,
-        /// What the system says.
+        /// The error of the operating system.
         #[source]
         source: io::Error,
     },
     /// A CSV file cannot be written.
-    #[error("cannot write it")]
+    #[error("cannot write the export")]
     Csv(#[from] csv::Error),
     #[cfg(feature = "parquet")]
     /// A Parquet file cannot be written.
-    #[error("cannot write it")]
+    #[error("cannot write the export")]
     Parquet(#[from] parquet::errors::ParquetError),
     #[cfg(feature = "parquet")]
-    /// The recording holds no motion that a dataset could be made of.
+    /// The recording contains no motion for a dataset.
     #[error(
-        "it holds no two statuses less than a second apart in that stretch; a dataset needs them"
+        "the recording has no two statuses less than a second apart in this period; a dataset needs them"
     )]
     NoMotion,
     #[cfg(feature = "parquet")]
-    /// A task without a word.
-    #[error("the task is empty; allowed is a text that says what the arm does")]
+    /// The task is empty.
+    #[error("the task is empty; describe what the arm does")]
     NoTask,
 }

@@ -10,7 +10,7 @@ use super::summary::Summary;
 /// A feature of a dataset.
 pub(crate) struct Feature {
     pub(crate) name: &'static str,
-    /// What its numbers are called; none where it is a single one.
+    /// The names of its numbers; none for a single number.
     names: &'static [&'static str],
     is_integer: bool,
 }
@@ -56,7 +56,7 @@ const fn integer(name: &'static str) -> Feature {
 }
 
 impl Feature {
-    /// How many numbers it has.
+    /// The number of its values.
     pub(crate) fn len(&self) -> usize {
         self.names.len().max(1)
     }
@@ -70,7 +70,7 @@ impl Feature {
         column(self.name, kind)
     }
 
-    /// What `info.json` tells of it.
+    /// The entry in `info.json`.
     pub(crate) fn about(&self) -> Value {
         json!({
             "dtype": if self.is_integer { "int64" } else { "float32" },
@@ -87,12 +87,12 @@ impl Feature {
         match (self.is_integer, self.names.is_empty()) {
             (true, _) => Cell::Integer(values[0] as i64),
             (false, true) => Cell::Float(values[0] as f32),
-            (false, false) => Cell::Floats(values.iter().map(|it| *it as f32).collect()),
+            (false, false) => Cell::Floats(values.iter().map(|value| *value as f32).collect()),
         }
     }
 }
 
-/// The numbers of each feature for a frame. What the arm does next is the state of the frame behind it.
+/// The values of each feature for a frame. The action of a frame is the state of the next one.
 pub(crate) fn values(frame: &Frame, next: &Status, episode: u32, index: u32) -> [Vec<f64>; 8] {
     let status = &frame.status;
     let number = f64::from(frame.number);
@@ -123,13 +123,18 @@ fn state(status: &Status) -> Vec<f64> {
     vec![base, rear, fore, servo, suction, gripper]
 }
 
-/// Summaries of all features.
+/// The summaries of all features.
 #[derive(Clone)]
 pub(crate) struct Summaries(Vec<Summary>);
 
 impl Summaries {
     pub(crate) fn new() -> Self {
-        Self(FEATURES.iter().map(|it| Summary::new(it.len())).collect())
+        Self(
+            FEATURES
+                .iter()
+                .map(|feature| Summary::new(feature.len()))
+                .collect(),
+        )
     }
 
     pub(crate) fn push(&mut self, values: &[Vec<f64>; 8]) {
@@ -138,7 +143,7 @@ impl Summaries {
         }
     }
 
-    /// As `stats.json` has them.
+    /// The summaries in the form of `stats.json`.
     pub(crate) fn to_json(&self) -> Value {
         let each = FEATURES.iter().zip(&self.0).map(|(feature, it)| {
             let stats = json!({
@@ -153,7 +158,7 @@ impl Summaries {
         Value::Object(each.collect())
     }
 
-    /// The columns of an episode's summaries.
+    /// The columns of the summaries of an episode.
     pub(crate) fn columns() -> impl Iterator<Item = Column> {
         FEATURES.iter().flat_map(|feature| {
             let one = |stat: &str, kind| column(format!("stats/{}/{stat}", feature.name), kind);
@@ -167,7 +172,7 @@ impl Summaries {
         })
     }
 
-    /// The cells of those columns.
+    /// The cells of these columns.
     pub(crate) fn cells(&self) -> impl Iterator<Item = Cell> {
         self.0.iter().flat_map(|it| {
             [

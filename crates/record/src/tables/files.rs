@@ -1,4 +1,4 @@
-//! Both tables of a recording as files beside each other.
+//! Both tables of a recording as files.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::BufWriter;
@@ -12,18 +12,18 @@ use super::error::ExportError;
 use super::rows::{Written, export_tables};
 use super::table::Table;
 
-/// In which form tables are written.
+/// The format of table files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TableForm {
-    /// Text that every program reads.
+    /// Text, for every program.
     Csv,
     #[cfg(feature = "parquet")]
-    /// Columns with types, and a fifth of the size.
+    /// Typed columns, a fifth of the size.
     Parquet,
 }
 
 impl TableForm {
-    /// How the names of its files end.
+    /// The file name extension.
     #[must_use]
     pub const fn ending(self) -> &'static str {
         match self {
@@ -34,13 +34,13 @@ impl TableForm {
     }
 }
 
-/// Writes the statuses of a stretch of a recording to `out`, and its commands beside it: to `run.commands.csv` beside
-/// `run.csv`. Gives how many rows were written, and the file of the commands.
+/// Writes the statuses of a period of a recording to `out`, and its commands to a second file:
+/// `run.commands.csv` beside `run.csv`. Returns the numbers of rows and the file of the commands.
 ///
 /// # Errors
 ///
-/// [`ExportError`]: where a file cannot be written, or is there already and is not to be written over. Then none is
-/// begun.
+/// [`ExportError`] if a file cannot be written, or exists and must not be overwritten. Then no file
+/// is created.
 pub fn export_files(
     recording: &mut Recording,
     stretch: &RangeInclusive<Duration>,
@@ -52,7 +52,7 @@ pub fn export_files(
     let statuses = new_file(out, overwrites)?;
     let commands = new_file(&beside, overwrites).inspect_err(|_| {
         if !overwrites {
-            // It is ours, and empty; why the other one cannot be begun is what a person wants to know.
+            // This file is ours and empty; the error about the other one is the one to report.
             let _ = fs::remove_file(out);
         }
     })?;

@@ -1,26 +1,26 @@
-//! From statuses, which come when they come, to frames at even times.
+//! The conversion of statuses to frames at equal intervals.
 
 use std::time::Duration;
 
 use crate::Sample;
 use dobot_wire::Status;
 
-/// The frames of a second: twice as many as the statuses of a stock arm.
+/// Frames per second: twice the status rate of a stock arm.
 pub(crate) const FPS: u32 = 25;
 
-/// Where the arm was at one of the even times of an episode.
+/// The state of the arm at one of the frame times of an episode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Frame {
-    /// The first frame of an episode is number 0; one of `FPS` a second.
+    /// The number of the frame in its episode, from 0; `FPS` per second.
     pub(crate) number: u32,
     pub(crate) status: Status,
 }
 
-/// Makes frames of statuses: numbers lie on the straight line between two statuses, suction and gripper are those of the
-/// status before.
+/// A converter from statuses to frames: numbers are interpolated linearly between two statuses,
+/// suction and gripper are those of the earlier one.
 ///
-/// A silence of more than a second ends an episode, since nobody knows what the arm did meanwhile; a time that goes back
-/// does so too. It begins at a status.
+/// A silence of more than a second ends an episode, because the motion meanwhile is unknown; so
+/// does a time that goes back. An episode starts at a status.
 #[derive(Debug, Default)]
 pub(crate) struct Frames {
     episode: Option<Episode>,
@@ -35,11 +35,12 @@ struct Episode {
 }
 
 impl Frames {
-    /// Takes the next status; gives the frames up to it. The first one has number 0 where it begins an episode.
+    /// Accepts the next status and returns the frames up to it. The first frame of an episode has
+    /// number 0.
     pub(crate) fn push(&mut self, sample: Sample) -> Vec<Frame> {
         if let Some(episode) = &mut self.episode
             && let Some(silence) = sample.at.checked_sub(episode.last.at)
-            && silence <= LONGEST_SILENCE
+            && silence <= MAX_SILENCE
         {
             return episode.push(sample);
         }
@@ -72,7 +73,7 @@ impl Episode {
     }
 }
 
-/// The status at a time between two others.
+/// The interpolated status at a time between two others.
 fn between(before: &Sample, after: &Sample, at: Duration) -> Status {
     if at == after.at {
         return after.status;
@@ -96,7 +97,7 @@ fn between(before: &Sample, after: &Sample, at: Duration) -> Status {
 
 const PERIOD: Duration = Duration::from_millis(1000 / FPS as u64);
 
-const LONGEST_SILENCE: Duration = Duration::from_secs(1);
+const MAX_SILENCE: Duration = Duration::from_secs(1);
 
 #[cfg(test)]
 mod tests {
@@ -116,8 +117,9 @@ mod tests {
 
     fn angles(samples: &[Sample]) -> Vec<(u32, f32)> {
         let mut frames = Frames::default();
-        let all = samples.iter().flat_map(|it| frames.push(*it));
-        all.map(|it| (it.number, it.status.base_deg)).collect()
+        let all = samples.iter().flat_map(|sample| frames.push(*sample));
+        all.map(|item| (item.number, item.status.base_deg))
+            .collect()
     }
 
     #[test]
@@ -156,8 +158,8 @@ mod tests {
         on.status.suction = true;
         let all: Vec<_> = [sample(0, 0.0), on, sample(200, 0.0)]
             .into_iter()
-            .flat_map(|it| frames.push(it))
-            .map(|it| it.status.suction)
+            .flat_map(|value| frames.push(value))
+            .map(|value| value.status.suction)
             .collect();
         assert_eq!(all, [false, false, false, true, true, false]);
     }
@@ -170,7 +172,7 @@ mod tests {
             frames.push(sample(0, 0.0));
             for gap_ms in gaps_ms {
                 at_ms += gap_ms;
-                let found: Vec<_> = frames.push(sample(at_ms, 0.0)).iter().map(|it| it.number).collect();
+                let found: Vec<_> = frames.push(sample(at_ms, 0.0)).iter().map(|frame| frame.number).collect();
                 if gap_ms > 1000 {
                     (begin_ms, expected) = (at_ms, 0);
                     prop_assert_eq!(found, [0]);

@@ -1,4 +1,4 @@
-//! Both tables of a recording in memory, column by column.
+//! Both tables of a recording in memory, by column.
 
 use std::ops::RangeInclusive;
 use std::time::Duration;
@@ -9,41 +9,41 @@ use super::cell::{Cell, Column, Kind};
 use super::columns::{of_commands, of_statuses};
 use super::rows::{Row, each_row};
 
-/// A column of a table: what it is called, and what stands in it.
+/// A column of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableColumn {
-    /// Its name, as in the files.
+    /// The name, as in the files.
     pub name: String,
-    /// What stands in its rows.
+    /// The values.
     pub values: Values,
 }
 
-/// What stands in the rows of a column.
+/// The values of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {
     /// Nanoseconds since 1970.
     Times(Vec<i64>),
-    /// Numbers as a packet holds them.
+    /// Numbers as in a packet.
     Floats(Vec<f32>),
     /// Numbers.
     Doubles(Vec<f64>),
-    /// Whether it is so.
+    /// Booleans.
     Truths(Vec<bool>),
-    /// Texts, where there are some.
+    /// Optional texts.
     Texts(Vec<Option<String>>),
 }
 
 /// Both tables of a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tables {
-    /// What the arm told.
+    /// The statuses of the arm.
     pub statuses: Vec<TableColumn>,
-    /// What was sent to it.
+    /// The commands sent to it.
     pub commands: Vec<TableColumn>,
 }
 
-/// Reads the statuses and the commands of a stretch of a recording, with the columns of
-/// [`export_tables`](super::export_tables). All of it is held in memory: 60 bytes for each status.
+/// Reads the statuses and the commands of a period of a recording, with the columns of
+/// [`export_tables`](super::export_tables). Everything is held in memory: 60 bytes per status.
 #[must_use]
 pub fn read_tables(recording: &mut Recording, stretch: &RangeInclusive<Duration>) -> Tables {
     let mut statuses: Vec<TableColumn> = of_statuses().into_iter().map(empty).collect();
@@ -81,7 +81,7 @@ fn push(columns: &mut [TableColumn], cells: Vec<Cell>) {
             (Values::Doubles(all), Cell::Double(it)) => all.push(it),
             (Values::Truths(all), Cell::Truth(it)) => all.push(it),
             (Values::Texts(all), Cell::Text(it)) => all.push(it),
-            (_, cell) => unreachable!("{cell:?} stands in the column {}", column.name),
+            (_, cell) => unreachable!("{cell:?} is in the column {}", column.name),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! A dataset for LeRobot, in its format v3.0: a folder with the frames, the episodes and what is known of both.
+//! A dataset for LeRobot, format v3.0: a folder with frames, episodes and metadata.
 
 use std::fs::{self, File};
 use std::io::BufWriter;
@@ -17,24 +17,24 @@ use super::frames::{FPS, Frame, Frames};
 use super::parquet_table::ParquetTable;
 use super::rows::Packets;
 
-/// What a dataset holds.
+/// The contents of a dataset.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dataset {
-    /// Stretches in which the arm was never silent for more than a second.
+    /// The number of episodes: periods without a silence of more than a second.
     pub episodes: u32,
-    /// Places of the arm, 25 a second.
+    /// The number of frames, 25 per second.
     pub frames: u32,
-    /// Stretches that were left out, since they held a single frame.
+    /// The number of periods left out because they have only one frame.
     pub left_out: u32,
 }
 
-/// Makes a dataset of a stretch of a recording, whose times count from the start of its recorder, in a folder that is not
-/// there yet; `task` says in words what the arm does.
+/// Exports a period of a recording, in time since the start of its recorder, as a dataset in a new
+/// folder; `task` describes what the arm does.
 ///
 /// # Errors
 ///
-/// [`ExportError`] where the folder is there or cannot be written, and for a recording without motion; then no dataset is
-/// left behind.
+/// [`ExportError`] if the folder exists or cannot be written, or the recording has no motion; then
+/// no dataset remains.
 pub fn export_lerobot(
     recording: &mut Recording,
     stretch: &RangeInclusive<Duration>,
@@ -47,7 +47,7 @@ pub fn export_lerobot(
     fs::create_dir(folder)?;
     let result = write(recording, stretch, folder, task);
     if result.is_err() {
-        // It is ours: nothing was there before. Why it failed is what the caller wants to know.
+        // The folder is ours: it did not exist before. The original error is the one to report.
         let _ = fs::remove_dir_all(folder);
     }
     result
@@ -78,16 +78,16 @@ fn write(
     writer.finish(folder)
 }
 
-/// Writes frames into episodes.
+/// A writer of frames in episodes.
 struct Writer<'t> {
     task: &'t str,
     data: ParquetTable<BufWriter<File>>,
     episodes: ParquetTable<BufWriter<File>>,
     dataset: Dataset,
     all: Summaries,
-    /// The frame that came last: what the arm does next is not known yet.
+    /// The last frame, whose action is not known yet.
     last: Option<Frame>,
-    /// The frames of this episode that are written, and what they hold.
+    /// The written frames of this episode, and their summaries.
     of_episode: u32,
     episode: Summaries,
 }
@@ -132,7 +132,7 @@ impl<'t> Writer<'t> {
         Ok(())
     }
 
-    /// Behind the last frame the arm stays where it is.
+    /// After the last frame the arm stays in place.
     fn end_episode(&mut self) -> Result<(), ExportError> {
         let Some(last) = self.last.take() else {
             return Ok(());
@@ -144,7 +144,7 @@ impl<'t> Writer<'t> {
         self.write(&last, &last.status)?;
         self.data.end_group()?;
         let (to, len) = (self.dataset.frames, self.of_episode);
-        let integer = |it: u32| Cell::Integer(it.into());
+        let integer = |n: u32| Cell::Integer(n.into());
         let mut cells = vec![
             integer(self.dataset.episodes),
             Cell::Texts(vec![self.task.to_owned()]),
@@ -152,7 +152,7 @@ impl<'t> Writer<'t> {
             integer(to - len),
             integer(to),
         ];
-        // The number of the folder and of the file that hold the frames, and of those that hold this row.
+        // The numbers of folder and file of the frames, and of this row.
         cells.extend([0; 4].map(integer));
         let summaries = std::mem::replace(&mut self.episode, Summaries::new());
         cells.extend(summaries.cells());
@@ -177,7 +177,7 @@ impl<'t> Writer<'t> {
     }
 }
 
-/// Begins a table, and its folder.
+/// Creates a table and its folder.
 fn table(
     file: &Path,
     columns: &[Column],
@@ -205,13 +205,13 @@ fn episode_columns() -> Vec<Column> {
             "meta/episodes/chunk_index",
             "meta/episodes/file_index",
         ]
-        .map(|it| column(it, Kind::Integer)),
+        .map(|name| column(name, Kind::Integer)),
     );
     columns.extend(Summaries::columns());
     columns
 }
 
-/// The tasks, by their words: the note tells pandas which column is the index of the rows.
+/// The tasks, indexed by their text: the note tells pandas which column is the row index.
 fn write_tasks(file: &Path, task: &str) -> Result<(), ExportError> {
     let columns = [
         column("task_index", Kind::Integer),
@@ -237,7 +237,9 @@ fn write_json(file: &Path, value: &Value) -> Result<(), ExportError> {
 }
 
 fn info(dataset: &Dataset) -> Value {
-    let features = FEATURES.iter().map(|it| (it.name.to_owned(), it.about()));
+    let features = FEATURES
+        .iter()
+        .map(|feature| (feature.name.to_owned(), feature.about()));
     json!({
         "codebase_version": "v3.0",
         "robot_type": "dobot_arm",

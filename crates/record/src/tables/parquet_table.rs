@@ -15,7 +15,7 @@ use parquet::schema::types::{Type, TypePtr};
 use super::cell::{Cell, Column, Kind};
 use super::error::ExportError;
 
-/// A table that is written as a Parquet file, some tens of thousands of rows at once.
+/// A table written as a Parquet file, some tens of thousands of rows at a time.
 pub(crate) struct ParquetTable<W: Write + Send> {
     writer: SerializedFileWriter<W>,
     buffers: Vec<Buffer>,
@@ -25,7 +25,7 @@ pub(crate) struct ParquetTable<W: Write + Send> {
 /// The rows of a column that wait to be written.
 struct Buffer {
     values: Values,
-    /// For lists: 0 where a row begins. For texts: 0 where there is none.
+    /// For lists: 0 at the start of a row. For texts: 0 for none.
     levels: Vec<i16>,
     kind: Kind,
 }
@@ -39,7 +39,7 @@ enum Values {
 }
 
 impl<W: Write + Send> ParquetTable<W> {
-    /// Begins a file; `notes` stand in its footer.
+    /// Creates a file; `notes` are stored in its footer.
     pub(crate) fn new(
         file: W,
         columns: &[Column],
@@ -59,24 +59,27 @@ impl<W: Write + Send> ParquetTable<W> {
             .build();
         Ok(Self {
             writer: SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))?,
-            buffers: columns.iter().map(|it| Buffer::new(it.kind)).collect(),
+            buffers: columns
+                .iter()
+                .map(|column| Buffer::new(column.kind))
+                .collect(),
             rows: 0,
         })
     }
 
-    /// Writes a row: a cell for each column.
+    /// Writes a row: one cell per column.
     pub(crate) fn push(&mut self, cells: Vec<Cell>) -> Result<(), ExportError> {
         for (buffer, cell) in self.buffers.iter_mut().zip(cells) {
             buffer.push(cell);
         }
         self.rows += 1;
-        if self.rows >= MOST_ROWS {
+        if self.rows >= MAX_ROWS {
             self.end_group()?;
         }
         Ok(())
     }
 
-    /// Writes what waits; what comes then stands in a row group of its own.
+    /// Writes the waiting rows; later ones are in another row group.
     pub(crate) fn end_group(&mut self) -> Result<(), ExportError> {
         if self.rows == 0 {
             return Ok(());
@@ -90,7 +93,7 @@ impl<W: Write + Send> ParquetTable<W> {
         Ok(())
     }
 
-    /// Writes what is left, and ends the file.
+    /// Writes the remaining rows and finishes the file.
     pub(crate) fn finish(mut self) -> Result<(), ExportError> {
         self.end_group()?;
         self.writer.close()?;
@@ -127,7 +130,7 @@ impl Buffer {
             _ => 0,
         };
         self.levels.extend((0..list_len).map(|n| i16::from(n > 0)));
-        let bytes = |it: String| ByteArray::from(it.into_bytes());
+        let bytes = |text: String| ByteArray::from(text.into_bytes());
         match (&mut self.values, cell) {
             (Values::Integer(all), Cell::Time(it) | Cell::Integer(it)) => all.push(it),
             (Values::Integer(all), Cell::Integers(it)) => all.extend(it),
@@ -138,7 +141,7 @@ impl Buffer {
             (Values::Truth(all), Cell::Truth(it)) => all.push(it),
             (Values::Text(all), Cell::Text(it)) => all.extend(it.map(bytes)),
             (Values::Text(all), Cell::Texts(it)) => all.extend(it.into_iter().map(bytes)),
-            (_, other) => unreachable!("{other:?} stands in a column of {:?}", self.kind),
+            (_, other) => unreachable!("{other:?} is in a column of {:?}", self.kind),
         }
     }
 
@@ -158,7 +161,7 @@ impl Buffer {
     }
 }
 
-/// Writes a column, and empties it.
+/// Writes a column and empties it.
 fn write<T: DataType, W: Write + Send>(
     group: &mut SerializedRowGroupWriter<'_, W>,
     kind: Kind,
@@ -166,7 +169,7 @@ fn write<T: DataType, W: Write + Send>(
     levels: &[i16],
 ) -> Result<(), ExportError> {
     let mut column = group.next_column()?.expect("there is one for each buffer");
-    // No list is empty, so each of its items is there.
+    // No list is empty, so each of its items exists.
     let ones = vec![1; levels.len()];
     let (definition, repetition) = match kind {
         Kind::Text => (Some(levels), None),
@@ -182,7 +185,8 @@ fn write<T: DataType, W: Write + Send>(
     Ok(column.close()?)
 }
 
-/// The type of a column. A list is a group of three levels, as the format's specification has it.
+/// The type of a column. A list is a group of three levels, as the specification of the format
+/// requires.
 fn field(column: &Column) -> Result<TypePtr, ExportError> {
     let name = column.name.as_str();
     let utc_ns = LogicalType::timestamp(true, TimeUnit::NANOS);
@@ -223,5 +227,5 @@ fn field(column: &Column) -> Result<TypePtr, ExportError> {
     Ok(Arc::new(list))
 }
 
-/// So many rows wait at the most; a row of commands has some hundred bytes.
-const MOST_ROWS: usize = 32_768;
+/// The largest number of waiting rows; a row of commands has about a hundred bytes.
+const MAX_ROWS: usize = 32_768;

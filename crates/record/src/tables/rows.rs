@@ -1,4 +1,4 @@
-//! From a recording to the rows of its tables.
+//! The conversion of a recording to the rows of its tables.
 
 use std::io::Write;
 use std::ops::RangeInclusive;
@@ -12,22 +12,23 @@ use super::columns::{of_command, of_status};
 use super::error::ExportError;
 use super::table::Table;
 
-/// How many rows were written.
+/// The number of rows written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Written {
-    /// Into the table of statuses.
+    /// In the table of statuses.
     pub statuses: u64,
-    /// Into the table of commands.
+    /// In the table of commands.
     pub commands: u64,
 }
 
-/// Writes the statuses and the commands of a stretch of a recording, whose times count from the start of its recorder.
+/// Writes the statuses and the commands of a period of a recording, in time since the start of its
+/// recorder.
 ///
-/// Bytes that belong to no packet are left out. What of the file could not be read tells [`Recording::damage`].
+/// Bytes that belong to no packet are left out. [`Recording::damage`] describes an unreadable part.
 ///
 /// # Errors
 ///
-/// [`ExportError`] where a file cannot be written.
+/// [`ExportError`] if a file cannot be written.
 pub fn export_tables<S: Write + Send, C: Write + Send>(
     recording: &mut Recording,
     stretch: &RangeInclusive<Duration>,
@@ -50,13 +51,13 @@ pub fn export_tables<S: Write + Send, C: Write + Send>(
     Ok(written)
 }
 
-/// A row of one of both tables.
+/// A row of one of the tables.
 pub(crate) enum Row {
     Status(Vec<Cell>),
     Command(Vec<Cell>),
 }
 
-/// Goes through the rows of both tables, in the order of their times.
+/// Visits the rows of both tables in order of time.
 pub(crate) fn each_row(
     recording: &mut Recording,
     stretch: &RangeInclusive<Duration>,
@@ -67,13 +68,13 @@ pub(crate) fn each_row(
         if moment.at > *stretch.end() {
             break;
         }
-        let (told, sent) = packets.of(&moment);
+        let (statuses, sent) = packets.of(&moment);
         if moment.at < *stretch.start() {
             continue;
         }
         let start = recording.start().unwrap_or_default();
-        let dialect = recording.about().and_then(|it| it.dialect);
-        for status in told {
+        let dialect = recording.about().and_then(|about| about.dialect);
+        for status in statuses {
             take(Row::Status(of_status(start, moment.at, &status)))?;
         }
         for packet in sent {
@@ -84,19 +85,19 @@ pub(crate) fn each_row(
     Ok(())
 }
 
-/// Whether a stretch of a recording holds a status or a command: else there is nothing to export.
+/// Whether a period of a recording contains a status or a command to export.
 #[must_use]
 pub fn holds_packets(recording: &mut Recording, stretch: &RangeInclusive<Duration>) -> bool {
     let mut packets = Packets::new();
     recording
-        .take_while(|it| it.at <= *stretch.end())
+        .take_while(|recording| recording.at <= *stretch.end())
         .any(|moment| {
-            let (told, sent) = packets.of(&moment);
-            moment.at >= *stretch.start() && !(told.is_empty() && sent.is_empty())
+            let (statuses, sent) = packets.of(&moment);
+            moment.at >= *stretch.start() && !(statuses.is_empty() && sent.is_empty())
         })
 }
 
-/// The packets that the bytes of a recording make.
+/// The packets in the bytes of a recording.
 pub(crate) struct Packets {
     to_arm: Decoder<Commands>,
     from_arm: Decoder<Statuses>,
@@ -110,12 +111,12 @@ impl Packets {
         }
     }
 
-    /// The statuses and the commands that something recorded completes.
+    /// The statuses and commands that an entry completes.
     pub(crate) fn of(&mut self, moment: &Moment) -> (Vec<Status>, Vec<Packet>) {
         match &moment.entry {
             Entry::FromArm(bytes) => {
                 let frames = self.from_arm.feed(bytes);
-                let statuses = frames.filter_map(|it| Status::parse(&it).ok());
+                let statuses = frames.filter_map(|frame| Status::parse(&frame).ok());
                 (statuses.collect(), Vec::new())
             }
             Entry::ToArm(bytes) => (Vec::new(), self.to_arm.feed(bytes).collect()),

@@ -1,18 +1,18 @@
-//! Least, most, mean and deviation of numbers, as they come.
+//! Minimum, maximum, mean and standard deviation of a stream of numbers.
 
-/// What a dataset tells of each of its features, one number for each of its values.
+/// The summary of a feature in a dataset, one number for each of its values.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Summary {
     pub(crate) min: Vec<f64>,
     pub(crate) max: Vec<f64>,
     pub(crate) mean: Vec<f64>,
-    /// The squared deviations from the mean, summed up (Welford).
+    /// The sum of squared deviations from the mean (Welford).
     squares: Vec<f64>,
     pub(crate) count: u32,
 }
 
 impl Summary {
-    /// Of nothing, for so many values.
+    /// Creates an empty summary of this number of values.
     pub(crate) fn new(len: usize) -> Self {
         Self {
             min: vec![f64::INFINITY; len],
@@ -34,10 +34,11 @@ impl Summary {
         }
     }
 
-    /// The standard deviation of all that there were.
+    /// The standard deviation of all numbers.
     pub(crate) fn std(&self) -> Vec<f64> {
         let each = self.squares.iter();
-        each.map(|it| (it / f64::from(self.count)).sqrt()).collect()
+        each.map(|item| (item / f64::from(self.count)).sqrt())
+            .collect()
     }
 }
 

@@ -1,4 +1,4 @@
-//! A table that is being written.
+//! A table being written.
 
 use std::fmt;
 use std::io::Write;
@@ -11,7 +11,7 @@ use super::error::ExportError;
 #[cfg(feature = "parquet")]
 use super::parquet_table::ParquetTable;
 
-/// A table that is being written: CSV or Parquet.
+/// A table being written: CSV or Parquet.
 pub struct Table<W: Write + Send>(Form<W>);
 
 enum Form<W: Write + Send> {
@@ -21,40 +21,40 @@ enum Form<W: Write + Send> {
 }
 
 impl<W: Write + Send> Table<W> {
-    /// A table of statuses as CSV.
+    /// Creates a table of statuses as CSV.
     ///
     /// # Errors
     ///
-    /// [`ExportError`] where the file cannot be written.
+    /// [`ExportError`] if the file cannot be written.
     pub fn statuses_csv(file: W) -> Result<Self, ExportError> {
         Self::csv(file, &of_statuses())
     }
 
-    /// A table of commands as CSV.
+    /// Creates a table of commands as CSV.
     ///
     /// # Errors
     ///
-    /// [`ExportError`] where the file cannot be written.
+    /// [`ExportError`] if the file cannot be written.
     pub fn commands_csv(file: W) -> Result<Self, ExportError> {
         Self::csv(file, &of_commands())
     }
 
     #[cfg(feature = "parquet")]
-    /// A table of statuses as Parquet.
+    /// Creates a table of statuses as Parquet.
     ///
     /// # Errors
     ///
-    /// [`ExportError`] where the file cannot be written.
+    /// [`ExportError`] if the file cannot be written.
     pub fn statuses_parquet(file: W) -> Result<Self, ExportError> {
         Self::parquet(file, &of_statuses())
     }
 
     #[cfg(feature = "parquet")]
-    /// A table of commands as Parquet.
+    /// Creates a table of commands as Parquet.
     ///
     /// # Errors
     ///
-    /// [`ExportError`] where the file cannot be written.
+    /// [`ExportError`] if the file cannot be written.
     pub fn commands_parquet(file: W) -> Result<Self, ExportError> {
         Self::parquet(file, &of_commands())
     }
@@ -81,7 +81,7 @@ impl<W: Write + Send> Table<W> {
 
     fn csv(file: W, columns: &[Column]) -> Result<Self, ExportError> {
         let mut csv = csv::Writer::from_writer(file);
-        csv.write_record(columns.iter().map(|it| &it.name))?;
+        csv.write_record(columns.iter().map(|column| &column.name))?;
         Ok(Self(Form::Csv(Box::new(csv))))
     }
 
@@ -98,7 +98,7 @@ impl<W: Write + Send> fmt::Debug for Table<W> {
     }
 }
 
-/// A cell of a CSV file; lists do not stand in one.
+/// A cell of a CSV file, which has no lists.
 fn text(cell: &Cell) -> String {
     match cell {
         Cell::Time(ns) => Timestamp::from_nanosecond(i128::from(*ns))

@@ -1,4 +1,4 @@
-//! Recordings as tables and datasets, read again.
+//! Exports of recordings as tables and datasets, read back.
 
 use std::fs::File;
 use std::ops::RangeInclusive;
@@ -18,7 +18,7 @@ use serde_json::Value;
 
 const ALL: RangeInclusive<Duration> = Duration::ZERO..=Duration::MAX;
 
-/// What is recorded, and when, in milliseconds.
+/// The recorded entries and their times, in milliseconds.
 fn recorded(folder: &Path, records: impl IntoIterator<Item = (u64, Record)>) -> PathBuf {
     let about = About {
         dialect: Some(Dialect::SPECIFICATION),
@@ -33,7 +33,7 @@ fn recorded(folder: &Path, records: impl IntoIterator<Item = (u64, Record)>) -> 
     recordings(folder).unwrap().remove(0).path
 }
 
-/// A status that the arm can send: the base turns the tool.
+/// A status that the arm can send: the base rotates the tool.
 fn turned(base_deg: f32, suction: bool) -> Record {
     let (sin, cos) = base_deg.to_radians().sin_cos();
     let status = Status {
@@ -47,8 +47,8 @@ fn turned(base_deg: f32, suction: bool) -> Record {
     Record::FromArm(status.emit().to_bytes().to_vec())
 }
 
-/// Two seconds of turning, half a second of rest, three of silence, and a turn back; with three packets, of which one is no
-/// command and one comes in two pieces.
+/// Two seconds of rotation, half a second of rest, three of silence, and a rotation back; with
+/// three packets, of which one is not a command and one comes in two pieces.
 fn session() -> Vec<(u64, Record)> {
     let target = MoveTo::to(200.0, 0.0, 20.0)
         .emit(&Dialect::SPECIFICATION)
@@ -72,7 +72,7 @@ fn session() -> Vec<(u64, Record)> {
     records.extend(
         (0_u16..10).map(|n| (5600 + 80 * u64::from(n), turned(24.0 - f32::from(n), false))),
     );
-    // Nothing moves in a single status.
+    // A single status has no motion.
     records.push((9000, turned(0.0, false)));
     records
 }
@@ -98,9 +98,9 @@ fn tables(file: &Path, stretch: &RangeInclusive<Duration>) -> (Written, [Vec<u8>
 
 fn rows(csv: &[u8]) -> Vec<Vec<String>> {
     let mut reader = csv::Reader::from_reader(csv);
-    let records = reader.records().map(|it| it.unwrap());
+    let records = reader.records().map(|record| record.unwrap());
     records
-        .map(|it| it.iter().map(str::to_owned).collect())
+        .map(|record| record.iter().map(str::to_owned).collect())
         .collect()
 }
 
@@ -122,7 +122,7 @@ fn every_status_is_a_row_with_its_time_and_every_packet_one_with_its_meaning() {
     assert_eq!((&*commands[1][2], &*commands[1][3]), ("", ""));
     assert!(commands[1][4].contains("float 8"), "{:?}", commands[1]);
     assert_eq!(commands[1][12], "3");
-    // It was whole with its second piece.
+    // It was complete with its second piece.
     assert_eq!(
         commands[2][..3],
         ["2026-11-21T12:30:00.003Z", "0.003", "joint_jog"]
@@ -135,7 +135,7 @@ fn parquet_holds_what_csv_holds() {
     let file = recorded(folder.path(), session());
     let (_, [statuses, _, parquet, _]) = tables(&file, &ALL);
     let reader = SerializedFileReader::new(Bytes::from(parquet)).unwrap();
-    let found = reader.get_row_iter(None).unwrap().map(|it| it.unwrap());
+    let found = reader.get_row_iter(None).unwrap().map(|row| row.unwrap());
     for (row, expected) in found.zip(rows(&statuses)) {
         assert_eq!(row.get_double(1).unwrap().to_string(), expected[1]);
         for (n, number) in expected.iter().enumerate().take(10).skip(2) {
@@ -178,7 +178,7 @@ fn a_dataset_has_an_episode_for_each_stretch_without_silence() {
     let rows: Vec<_> = reader
         .get_row_iter(None)
         .unwrap()
-        .map(|it| it.unwrap())
+        .map(|row| row.unwrap())
         .collect();
     let base = |row: usize, column: usize| {
         let list = rows[row].get_list(column).unwrap();
@@ -226,7 +226,7 @@ fn nothing_is_left_of_a_dataset_that_cannot_be_made() {
     assert!(matches!(export("Turn."), Err(ExportError::NoMotion)));
     assert!(matches!(export(" "), Err(ExportError::NoTask)));
     assert!(!out.exists());
-    // What is there stays as it is.
+    // Existing files stay unchanged.
     std::fs::create_dir(&out).unwrap();
     std::fs::write(out.join("mine"), "mine").unwrap();
     assert!(matches!(export("Turn."), Err(ExportError::Io(_))));
@@ -248,7 +248,7 @@ fn a_recording_that_breaks_off_anywhere_is_exported_up_to_there() {
     assert_eq!(before, 43);
 }
 
-/// Writes the recording for readers that are not ours: `tests/recordings/tables.sh` runs this.
+/// Writes the recording for other programs: `tests/recordings/tables.sh` runs this.
 #[test]
 #[ignore = "it writes a file for others"]
 fn samples() {
@@ -268,21 +268,21 @@ fn columns_in_memory_hold_what_csv_holds() {
         let rows = rows(&csv);
         assert!(!rows.is_empty() || columns[0].name == "time");
         for (at, column) in columns.iter().enumerate() {
-            let texts: Vec<String> = rows.iter().map(|it| it[at].clone()).collect();
+            let texts: Vec<String> = rows.iter().map(|row| row[at].clone()).collect();
             let read: Vec<String> = match &column.values {
                 Values::Floats(all) => all.iter().map(ToString::to_string).collect(),
                 Values::Doubles(all) => all.iter().map(ToString::to_string).collect(),
                 Values::Truths(all) => all.iter().map(ToString::to_string).collect(),
                 Values::Texts(all) => all
                     .iter()
-                    .map(|it| it.clone().unwrap_or_default())
+                    .map(|item| item.clone().unwrap_or_default())
                     .collect(),
                 // 2026-11-21T12:30:00Z
                 Values::Times(all) => {
                     let begun_ns = 1_795_264_200_000_000_000_i64;
                     assert!(
                         all.iter()
-                            .all(|it| (300_000_000..=5_000_000_000).contains(&(it - begun_ns)))
+                            .all(|item| (300_000_000..=5_000_000_000).contains(&(item - begun_ns)))
                     );
                     continue;
                 }
@@ -307,8 +307,8 @@ fn files_that_are_there_are_written_over_only_where_that_is_asked_for() {
     assert!(error.to_string().contains("run.commands.csv"), "{error}");
     assert!(!out.exists(), "half of it is left behind");
     assert_eq!(std::fs::read_to_string(&beside).unwrap(), "mine");
-    let (written, told) = export(true).unwrap();
-    assert_eq!((written.statuses, told), (43, beside.clone()));
+    let (written, message) = export(true).unwrap();
+    assert_eq!((written.statuses, message), (43, beside.clone()));
     assert_eq!(rows(&std::fs::read(&beside).unwrap()).len(), 3);
     assert!(matches!(export(false), Err(ExportError::File { .. })));
     assert_eq!(rows(&std::fs::read(&out).unwrap()).len(), 43);

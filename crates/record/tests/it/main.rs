@@ -1,4 +1,4 @@
-//! Recordings: written, damaged, repaired, read and replayed.
+//! Recordings: writing, damage, repair, reading and replay.
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 

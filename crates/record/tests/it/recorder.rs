@@ -1,4 +1,4 @@
-//! The recorder as a thread: it never blocks, and a program that is killed leaves a good file.
+//! The recorder thread: it never blocks, and a killed program leaves a good file.
 
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
@@ -16,7 +16,7 @@ fn recorder(folder: &std::path::Path) -> Recorder {
 }
 
 #[test]
-fn what_does_not_fit_is_counted_and_the_file_tells() {
+fn what_does_not_fit_is_counted_and_the_file_states() {
     let folder = tempfile::tempdir().unwrap();
     let recorder = recorder(folder.path());
     let topic = Topic::new("/big", "x.Big", &json!({ "type": "object" })).unwrap();
@@ -31,11 +31,11 @@ fn what_does_not_fit_is_counted_and_the_file_tells() {
     let file = &recordings(folder.path()).unwrap()[0].path;
     let moments: Vec<_> = Recording::open(file).unwrap().collect();
     assert_eq!(&*moments[0].topic, RECORDER);
-    let Entry::Json(told) = &moments[0].entry else {
+    let Entry::Json(message) = &moments[0].entry else {
         panic!("{moments:?}");
     };
-    assert_eq!(told["lost"], 1);
-    assert!(told["reason"].as_str().unwrap().contains("128 KiB"));
+    assert_eq!(message["lost"], 1);
+    assert!(message["reason"].as_str().unwrap().contains("128 KiB"));
     assert_eq!(&*moments[1].topic, "/big");
 }
 
@@ -52,16 +52,16 @@ fn a_flood_is_recorded_or_counted_and_nothing_else() {
     }
     let health = recorder.finish();
     let file = &recordings(folder.path()).unwrap()[0].path;
-    let (mut read, mut told) = (0, 0);
+    let (mut read, mut message) = (0, 0);
     for moment in Recording::open(file).unwrap() {
         match moment.entry {
             Entry::ToArm(_) => read += 1,
-            Entry::Json(value) => told += value["lost"].as_u64().unwrap(),
+            Entry::Json(value) => message += value["lost"].as_u64().unwrap(),
             other => panic!("{other:?}"),
         }
     }
     assert_eq!(read + health.lost, u64::from(count));
-    assert!(told <= health.lost);
+    assert!(message <= health.lost);
 }
 
 #[test]
@@ -83,8 +83,8 @@ fn limits_and_clocks_that_make_no_sense_are_refused() {
     assert!(error.contains("file_bytes is 1"), "{error}");
 }
 
-/// Not a test: what the next one starts and kills. It records until then, and tells what it sees of
-/// its file.
+/// Not a test: the program that the next test starts and kills. It records until then, and prints
+/// the state of its file.
 #[test]
 #[ignore = "runs until it is killed"]
 fn victim() {
@@ -93,14 +93,14 @@ fn victim() {
     };
     let recorder = recorder(folder.as_ref());
     for n in 0_u64.. {
-        // A status every 80 ms, far faster than time.
+        // A status every 80 ms, far faster than real time.
         recorder.record(Duration::from_millis(80 * n), Record::ToArm(vec![1; 42]));
         if n.is_multiple_of(1000) {
             let file = recorder.health().file;
             println!(
                 "{}",
-                file.and_then(|it| it.metadata().ok())
-                    .map_or(0, |it| it.len())
+                file.and_then(|file| file.metadata().ok())
+                    .map_or(0, |file| file.len())
             );
             std::thread::yield_now();
         }
@@ -132,13 +132,13 @@ fn a_program_that_is_killed_leaves_what_it_flushed() {
         recording.by_ref().for_each(drop);
         let damage = recording.damage().unwrap();
         let seen = some.last().copied().unwrap();
-        // What was seen may end in the middle of what was being written.
+        // The printed state may end in the middle of a write.
         assert!(
             damage.good_bytes + (64 << 10) >= seen,
             "{damage}, seen were {seen}"
         );
         assert!(
-            damage.last.is_some_and(|it| it > Duration::ZERO),
+            damage.last.is_some_and(|last| last > Duration::ZERO),
             "{damage}"
         );
     }

@@ -1,4 +1,4 @@
-//! What is recorded is read again: whole files, files that break off, damaged ones.
+//! Recordings read back: complete, truncated and damaged files.
 
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -33,7 +33,7 @@ fn events() -> Arc<Topic> {
     Arc::new(Topic::new("/events", "dobot.Event", &schema).unwrap())
 }
 
-/// Records into a folder and ends the file in order.
+/// Records into a folder and finishes the file.
 fn record(folder: &Path, records: impl IntoIterator<Item = (Duration, Record)>) -> Vec<PathBuf> {
     let recorder = Recorder::start(folder, SMALL, about(), start()).unwrap();
     for (at, record) in records {
@@ -42,7 +42,7 @@ fn record(folder: &Path, records: impl IntoIterator<Item = (Duration, Record)>) 
     let health = recorder.finish();
     assert_eq!((health.lost, health.trouble), (0, None));
     let files = recordings(folder).unwrap();
-    files.into_iter().map(|it| it.path).collect()
+    files.into_iter().map(|file| file.path).collect()
 }
 
 fn read(bytes: impl Into<Vec<u8>>) -> (Vec<Moment>, Recording) {
@@ -67,7 +67,7 @@ fn session() -> Vec<(Duration, Record)> {
     records
 }
 
-/// A file that was ended in order.
+/// A finished file.
 static WHOLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
     let files = record(folder.path(), session());
@@ -101,8 +101,8 @@ fn what_was_recorded_is_read_again_with_its_time() {
 fn the_reader_of_the_format_itself_finds_messages_schemas_and_index() {
     let summary = mcap::Summary::read(&WHOLE).unwrap().expect("it has one");
     let statistics = summary.stats.expect("it has some");
-    // Of each status, command and event a message, and of the pose, which never changes, three views. The targets are
-    // nearer than the arm reaches: no way leads there.
+    // One message for each status, command and event, and three views of the pose, which never
+    // changes. The targets are too near for the arm: no path leads there.
     assert_eq!(statistics.message_count, 50 * 3 + 3);
     assert_eq!(summary.metadata_indexes.len(), 1);
     let mut topics = Vec::new();
@@ -133,7 +133,7 @@ fn the_reader_of_the_format_itself_finds_messages_schemas_and_index() {
 fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
     let summary = mcap::Summary::read(&WHOLE).unwrap().expect("it has one");
     let mut chunks: Vec<_> = summary.chunk_indexes.iter().collect();
-    chunks.sort_by_key(|it| it.chunk_start_offset);
+    chunks.sort_by_key(|chunk| chunk.chunk_start_offset);
     assert!(chunks.len() >= 3, "one for each second");
     let messages_of = |index| {
         let indexes = summary.read_message_indexes(&WHOLE, index).unwrap();
@@ -141,7 +141,12 @@ fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
     };
     let chunks: Vec<_> = chunks
         .into_iter()
-        .map(|it| (it.chunk_start_offset + it.chunk_length, messages_of(it)))
+        .map(|chunk| {
+            (
+                chunk.chunk_start_offset + chunk.chunk_length,
+                messages_of(chunk),
+            )
+        })
         .collect();
     let (all, _) = read(WHOLE.clone());
     for cut in 0..WHOLE.len() {
@@ -151,7 +156,7 @@ fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
         assert_eq!(moments, all[..expected], "cut after {cut} bytes");
         let damage = recording.damage().expect("it has no end");
         assert!(damage.good_bytes <= cut as u64, "{damage} of {cut}");
-        assert_eq!(damage.last, moments.last().map(|it| it.at));
+        assert_eq!(damage.last, moments.last().map(|moment| moment.at));
     }
 }
 
@@ -164,7 +169,7 @@ fn what_is_no_recording_is_refused() {
     assert!(Recording::open("no-such-file.mcap").is_err());
 }
 
-/// A file that holds one record, which may lie about its length.
+/// A file with one record, whose length may be wrong.
 fn file_of(kind: u8, len: u64, body: &[u8]) -> Vec<u8> {
     [mcap::MAGIC, &[kind], &len.to_le_bytes(), body].concat()
 }
@@ -251,7 +256,7 @@ proptest! {
         let files = record(folder.path(), timed);
         let (moments, recording) = read(std::fs::read(&files[0]).unwrap());
         prop_assert_eq!(recording.damage(), None);
-        // Bytes may come back in pieces, but of the same time and in the same order.
+        // Bytes may come back split, but with the same times and in the same order.
         let mut moments = moments.into_iter().peekable();
         for (at, record) in records {
             let at = Duration::from_nanos(at);
@@ -268,7 +273,7 @@ proptest! {
                     prop_assert_eq!(found, bytes);
                 }
                 Record::Json { value, .. } => {
-                    let moment = moments.find(|it| &*it.topic == "/events").unwrap();
+                    let moment = moments.find(|moment| &*moment.topic == "/events").unwrap();
                     prop_assert_eq!(moment.at, at);
                     prop_assert_eq!(moment.entry, Entry::Json(value));
                 }

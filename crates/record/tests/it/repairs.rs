@@ -1,4 +1,4 @@
-//! What a killed recorder left is repaired at the next start.
+//! Files of killed recorders are repaired at the next start.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -20,12 +20,11 @@ fn recorder(folder: &Path, limits: Limits) -> Recorder {
     Recorder::start(folder, limits, About::default(), start).unwrap()
 }
 
-/// Starts a recorder that records nothing, and waits until it has repaired what it can.
+/// Starts a recorder that records nothing, and waits until all repairs are done.
 fn repaired(folder: &Path, limits: Limits) -> Health {
     let recorder = recorder(folder, limits);
     loop {
-        // It has done all when it has looked at the file that is first in the folder: this one, which
-        // holds nothing.
+        // It is done when it has examined the first file of the folder: this one, which is empty.
         let health = recorder.health();
         if health.left > 0 {
             return recorder.finish();
@@ -34,19 +33,19 @@ fn repaired(folder: &Path, limits: Limits) -> Health {
     }
 }
 
-/// A folder with a file that nothing can be read of, before all others.
+/// A folder with an unreadable file before all others.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join(FIRST), mcap::MAGIC).unwrap();
     folder
 }
 
-/// What there was before the file that nothing can be read of.
+/// The files before the unreadable one.
 fn file(folder: &Path) -> PathBuf {
     folder.join("dobot-2026-11-21T12-30-00Z.mcap")
 }
 
-/// Some seconds with events, bytes and statuses that come again.
+/// Some seconds with events, bytes and repeated statuses.
 fn session() -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let recorder = recorder(folder.path(), LIMITS);
@@ -71,8 +70,8 @@ fn read(file: &Path) -> (Vec<Moment>, Option<Damage>) {
     (moments, recording.damage().cloned())
 }
 
-/// What a repaired file says at its end.
-fn told(moments: &[Moment]) -> &Value {
+/// The note at the end of a repaired file.
+fn message(moments: &[Moment]) -> &Value {
     match moments.last() {
         Some(Moment {
             topic,
@@ -86,7 +85,7 @@ fn told(moments: &[Moment]) -> &Value {
 #[test]
 fn a_file_that_breaks_off_anywhere_is_whole_after_the_next_start() {
     let whole = session();
-    // Through everything that it holds, and the end mark byte by byte.
+    // Through all of its content, and the end mark byte by byte.
     let lengths = (0..whole.len())
         .step_by(211)
         .chain(whole.len() - 12..whole.len());
@@ -95,9 +94,9 @@ fn a_file_that_breaks_off_anywhere_is_whole_after_the_next_start() {
         let file = file(folder.path());
         std::fs::write(&file, &whole[..len]).unwrap();
         let (before, damage) = read(&file);
-        let about = Recording::open(&file).map(|mut it| {
-            it.by_ref().for_each(drop);
-            it.about().cloned()
+        let about = Recording::open(&file).map(|mut recording| {
+            recording.by_ref().for_each(drop);
+            recording.about().cloned()
         });
         let health = repaired(folder.path(), LIMITS);
         let (after, still) = read(&file);
@@ -109,7 +108,7 @@ fn a_file_that_breaks_off_anywhere_is_whole_after_the_next_start() {
         assert_eq!((health.repaired, still), (1, None), "{len} bytes");
         assert_eq!(after.split_last().unwrap().1, before, "{len} bytes");
         let unread = len as u64 - damage.unwrap().good_bytes;
-        assert_eq!(told(&after)["unreadable_bytes"], unread, "{len} bytes");
+        assert_eq!(message(&after)["unreadable_bytes"], unread, "{len} bytes");
         let bytes = std::fs::read(&file).unwrap();
         let summary = mcap::Summary::read(&bytes).unwrap().expect("it has one");
         let count = mcap::MessageStream::new(&bytes).unwrap().count() as u64;
@@ -118,7 +117,7 @@ fn a_file_that_breaks_off_anywhere_is_whole_after_the_next_start() {
     }
 }
 
-/// Not a test: it leaves repaired recordings in a folder, and how many messages each has, for
+/// Not a test: it leaves repaired recordings and their numbers of messages in a folder, for
 /// `./ci.sh recordings`.
 #[test]
 #[ignore = "leaves files for another program"]
@@ -168,11 +167,11 @@ fn a_file_that_was_ended_in_order_and_one_that_is_being_written_are_left_alone()
 }
 
 #[test]
-fn damage_in_the_middle_costs_its_chunk_and_is_told() {
+fn damage_in_the_middle_costs_its_chunk_and_is_reported() {
     let whole = session();
     let summary = mcap::Summary::read(&whole).unwrap().expect("it has one");
     let mut chunks = summary.chunk_indexes;
-    chunks.sort_by_key(|it| it.chunk_start_offset);
+    chunks.sort_by_key(|chunk| chunk.chunk_start_offset);
     let place = chunks[1].chunk_start_offset + chunks[1].chunk_length / 2;
     let mut bytes = whole[..whole.len() - 20].to_vec();
     bytes[usize::try_from(place).unwrap()] ^= 0xFF;
@@ -185,10 +184,10 @@ fn damage_in_the_middle_costs_its_chunk_and_is_told() {
     let (after, damage) = read(&file);
     assert_eq!(damage, None);
     assert!(after.starts_with(&before));
-    // What comes behind it is there too.
+    // The content after it is there too.
     assert!(after.len() > before.len() + 1, "{}", after.len());
     assert!(after[after.len() - 2].at > Duration::from_secs(3));
-    let unread = told(&after)["unreadable_bytes"].as_u64().unwrap();
+    let unread = message(&after)["unreadable_bytes"].as_u64().unwrap();
     assert!(unread >= chunks[1].chunk_length, "{unread}");
 }
 
@@ -217,7 +216,7 @@ fn a_repair_that_was_killed_is_done_anew_and_leaves_nothing() {
 #[test]
 fn a_repaired_folder_keeps_within_its_limits() {
     let folder = folder();
-    // Noise: files as long as they may be.
+    // Noise: files of the maximum length.
     let noisy = recorder(folder.path(), LIMITS);
     let mut state = 1_u64;
     for n in 0..330_u64 {
@@ -238,20 +237,20 @@ fn a_repaired_folder_keeps_within_its_limits() {
         let bytes = std::fs::read(&file.path).unwrap();
         std::fs::write(&file.path, &bytes[..bytes.len() - 10]).unwrap();
     }
-    // What nothing can be read of goes first when there has to be room.
+    // The unreadable file is deleted first to make room.
     let recorder = recorder(folder.path(), LIMITS);
     while recorder.health().repaired == 0 {
         std::thread::yield_now();
     }
     drop(recorder);
     let after = recordings(folder.path()).unwrap();
-    let total: u64 = after.iter().map(|it| it.bytes).sum();
+    let total: u64 = after.iter().map(|item| item.bytes).sum();
     assert!(total + LIMITS.file_bytes <= LIMITS.total_bytes, "{total}");
-    assert!(after.iter().all(|it| it.bytes <= LIMITS.file_bytes));
+    assert!(after.iter().all(|item| item.bytes <= LIMITS.file_bytes));
     assert_eq!(read(&after.last().unwrap().path).1, None);
 }
 
-/// Where samples are left.
+/// The folder of samples.
 const SAMPLES: &str = "DOBOT_RECORD_SAMPLES";
 
 /// Sorts before all others.

@@ -1,4 +1,4 @@
-//! What comes again and again is told once, with all its times, and read again moment by moment.
+//! Repeated statuses are written once, with all their times, and read back entry by entry.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -41,14 +41,19 @@ fn read(file: &Path) -> Vec<Moment> {
     moments
 }
 
-/// The messages of a topic as they stand in the file.
+/// The messages of a topic as in the file.
 fn messages(file: &Path, topic: &str) -> Vec<(u64, Value)> {
     let bytes = std::fs::read(file).unwrap();
     let messages = mcap::MessageStream::new(&bytes).unwrap();
     let messages = messages.map(Result::unwrap);
-    let messages = messages.filter(|it| it.channel.topic == topic);
+    let messages = messages.filter(|message| message.channel.topic == topic);
     messages
-        .map(|it| (it.log_time, serde_json::from_slice(&it.data).unwrap()))
+        .map(|message| {
+            (
+                message.log_time,
+                serde_json::from_slice(&message.data).unwrap(),
+            )
+        })
         .collect()
 }
 
@@ -67,7 +72,7 @@ fn a_status_that_comes_again_is_one_message_with_the_gaps_between_its_times() {
     assert_eq!(wire.len(), 3, "{wire:?}");
     assert_eq!(wire[0].0, NOON_NS);
     assert_eq!(wire[0].1.get("gaps_ns"), None);
-    // The last came at 320 ms, 79 after the one before, and so on back to the one at 80 ms.
+    // The last one came at 320 ms, 79 after the one before, and so on back to the one at 80 ms.
     assert_eq!(wire[1].0, NOON_NS + 320_000_000);
     assert_eq!(wire[1].1["at_s"], 0.32);
     let gaps = json!([80_000_000, 81_000_000, 79_000_000]);
@@ -75,25 +80,27 @@ fn a_status_that_comes_again_is_one_message_with_the_gaps_between_its_times() {
     assert_eq!(wire[1].1["bytes"], wire[0].1["bytes"]);
     assert_eq!(wire[1].1["status"], wire[0].1["status"]);
     assert_eq!(wire[2].1["status"]["suction"], true);
-    // The views: at the change, at the end of the repeats, at the next change.
+    // The views: at the change, at the end of the repetitions, at the next change.
     let joints = messages(&file, JOINTS);
-    let times: Vec<_> = joints.iter().map(|it| it.1["at_s"].clone()).collect();
+    let times: Vec<_> = joints.iter().map(|joint| joint.1["at_s"].clone()).collect();
     assert_eq!(times, [json!(0.0), json!(0.32), json!(0.4)]);
     let moments = read(&file);
-    let statuses = moments.iter().filter(|it| &*it.topic == FROM_ARM);
-    let times: Vec<_> = statuses.map(|it| it.at).collect();
+    let statuses = moments.iter().filter(|moment| &*moment.topic == FROM_ARM);
+    let times: Vec<_> = statuses.map(|status| status.at).collect();
     assert_eq!(times, [0, 80, 160, 241, 320, 400].map(at));
 }
 
 #[test]
-fn repeats_are_told_every_ten_seconds() {
+fn repeats_are_reported_every_ten_seconds() {
     let folder = tempfile::tempdir().unwrap();
     let same = |n: u64| {
         let at = Duration::from_millis(80 * n);
         (at, Record::FromArm(status(false).to_vec()))
     };
     let file = record(folder.path(), (0..500).map(same));
-    let times = messages(&file, FROM_ARM).into_iter().map(|it| it.0);
+    let times = messages(&file, FROM_ARM)
+        .into_iter()
+        .map(|message| message.0);
     let times: Vec<_> = times.map(|ns| (ns - NOON_NS) / 1_000_000).collect();
     // 125 gaps of 80 ms are ten seconds.
     assert_eq!(times, [0, 10_080, 20_160, 30_240, 39_920]);
@@ -104,7 +111,7 @@ fn a_repeat_that_a_serial_port_cut_came_when_it_was_whole_and_what_is_not_whole_
 {
     let folder = tempfile::tempdir().unwrap();
     let bytes = status(false).repeat(4);
-    // Three whole ones, two of them in pieces, and 33 bytes of a fourth.
+    // Three complete ones, two of them in pieces, and 33 bytes of a fourth.
     let cuts = [0, 42, 58, 84, 100, 110, 126, 140, 159];
     let mut ms = 0;
     let records = cuts.windows(2).map(|cut| {
@@ -115,18 +122,20 @@ fn a_repeat_that_a_serial_port_cut_came_when_it_was_whole_and_what_is_not_whole_
     let file = record(folder.path(), records);
     let wire = messages(&file, FROM_ARM);
     assert_eq!(wire.len(), 4, "{wire:?}");
-    let found = read(&file).into_iter().filter_map(|it| match it.entry {
-        Entry::FromArm(bytes) => Some((it.at.as_millis(), bytes.len())),
-        _ => None,
-    });
+    let found = read(&file)
+        .into_iter()
+        .filter_map(|value| match value.entry {
+            Entry::FromArm(bytes) => Some((value.at.as_millis(), bytes.len())),
+            _ => None,
+        });
     let found: Vec<_> = found.collect();
     assert_eq!(found, [(20, 42), (60, 42), (120, 42), (140, 14), (160, 19)]);
 }
 
-/// What comes next: time, and what.
+/// The next input: a time and its content.
 #[derive(Clone, Debug)]
 enum Next {
-    /// Bytes of a status, or of some: which, and how many bytes until the cut.
+    /// Bytes of one or more statuses: which one, and the number of bytes up to the split.
     Status(bool, usize),
     Noise(Vec<u8>),
     Sent,
@@ -141,7 +150,7 @@ fn next() -> impl Strategy<Value = (i64, Next)> {
         1 => Just(Next::Sent),
         1 => Just(Next::Event),
     ];
-    // Time stands still now and then, and goes back, which it should not.
+    // Time sometimes stands still or goes back, which it should not.
     let gap_ns = prop_oneof![
         20 => 0..200_000_000_i64,
         2 => Just(0_i64),
@@ -151,7 +160,7 @@ fn next() -> impl Strategy<Value = (i64, Next)> {
     (gap_ns, what)
 }
 
-/// The records: statuses follow each other byte for byte, however they are cut.
+/// The records: statuses follow each other byte by byte, however they are split.
 fn records(list: Vec<(i64, Next)>) -> Vec<(Duration, Record)> {
     let topic = Topic::new("/events", "x.Event", &json!({ "type": "object" })).unwrap();
     let topic = Arc::new(topic);
@@ -178,8 +187,8 @@ fn records(list: Vec<(i64, Next)>) -> Vec<(Duration, Record)> {
     records
 }
 
-/// What was recorded, in its order: packets of the arm when they were whole, and all else; and all bytes
-/// of the arm.
+/// The entries in order: packets of the arm when complete, and everything else; and all bytes of
+/// the arm.
 #[derive(Debug, Default, PartialEq)]
 struct Heard {
     all: Vec<(Duration, String, Vec<u8>)>,

@@ -1,4 +1,4 @@
-//! A session is recorded and played back: the same client finds the same arm.
+//! A recorded session is played back: the same client finds the same arm.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -36,7 +36,7 @@ impl Peer for Tapped {
     }
 }
 
-/// Goes to a point and back; says where it was at the end.
+/// Moves to a point and back; returns the position at the end.
 async fn there_and_back(arm: &mut Connection, x_mm: f32) -> Result<Status, LinkError> {
     for x_mm in [x_mm, 200.0] {
         let id = arm.send(MoveTo::to(x_mm, 0.0, 20.0).with_mode(MovingMode::MovJ))?;
@@ -45,7 +45,7 @@ async fn there_and_back(arm: &mut Connection, x_mm: f32) -> Result<Status, LinkE
     arm.next_status().await
 }
 
-/// A recording of a session, and what the client saw at its end.
+/// A recording of a session, and the client's view at its end.
 async fn recorded(folder: &Path) -> (PathBuf, Status) {
     let start = "2026-11-21T12:30:00Z".parse().unwrap();
     let recorder = Recorder::start(folder, Limits::DEFAULT, About::default(), start).unwrap();
@@ -73,7 +73,7 @@ async fn the_same_client_sees_the_same_and_does_the_same() {
 }
 
 #[tokio::test]
-async fn a_client_that_does_something_else_is_told_with_time_expected_and_found() {
+async fn a_client_that_does_something_else_is_reported_with_time_expected_and_found() {
     let folder = tempfile::tempdir().unwrap();
     let (file, _) = recorded(folder.path()).await;
     let replay = Replay::open(file).unwrap();
@@ -87,7 +87,7 @@ async fn a_client_that_does_something_else_is_told_with_time_expected_and_found(
     for part in [
         "the client sent a500004040",
         "00006743",
-        "recorded was",
+        "the recording has",
         "00006643",
     ] {
         assert!(first.contains(part), "{part}: {first}");
@@ -104,9 +104,14 @@ async fn a_client_that_says_nothing_misses_what_was_recorded() {
     while replay.receive(Duration::MAX, &mut bytes) {}
     let report = replay.report();
     assert_eq!(report.differences.len(), 2);
-    assert!(report.differences.iter().all(|it| it.sent.is_none()));
+    assert!(
+        report
+            .differences
+            .iter()
+            .all(|difference| difference.sent.is_none())
+    );
     assert_eq!(replay.poll_wakeup(), None);
-    // Once more it says the same.
+    // The second time it sends the same.
     assert_eq!(replay.report(), report);
 }
 

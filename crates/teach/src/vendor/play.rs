@@ -11,7 +11,7 @@ use super::text::{decode, number};
 use super::{Read, VendorPoint, bad};
 use crate::ProgramError;
 use crate::number::within;
-use crate::step_table::LONGEST_PAUSE_S;
+use crate::step_table::MAX_PAUSE_S;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError> {
     let (text, warning) = decode(bytes);
@@ -20,7 +20,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
     for (index, line) in text
         .lines()
         .enumerate()
-        .filter(|it| !it.1.trim().is_empty())
+        .filter(|line| !line.1.trim().is_empty())
     {
         points.push(point(line.trim(), index + 1, &mut warnings)?);
     }
@@ -31,7 +31,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
         ));
     }
     Ok(Read {
-        it: points,
+        content: points,
         warnings,
     })
 }
@@ -39,10 +39,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
 fn point(text: &str, line: usize, warnings: &mut Vec<String>) -> Result<VendorPoint, ProgramError> {
     let mut fields: Vec<&str> = text.split(';').map(str::trim).collect();
     // Each field ends with a semicolon.
-    if fields.last().is_some_and(|it| it.is_empty()) {
+    if fields.last().is_some_and(|field| field.is_empty()) {
         fields.pop();
     }
-    if fields.len() < LEAST_FIELDS || fields.len() > FIELDS {
+    if fields.len() < MIN_FIELDS || fields.len() > FIELDS {
         let found = fields.len();
         return Err(bad(
             line,
@@ -83,7 +83,7 @@ fn point(text: &str, line: usize, warnings: &mut Vec<String>) -> Result<VendorPo
     Ok(VendorPoint {
         joints_deg,
         gripper_deg: value(8, "the gripper's angle", -90.0, 90.0)?,
-        pause_s: value(9, "the pause", 0.0, LONGEST_PAUSE_S)?,
+        pause_s: value(9, "the pause", 0.0, MAX_PAUSE_S)?,
         mode: way(fields[2], line)?,
         grab: grab(fields[7], line)?,
     })
@@ -134,4 +134,4 @@ pub(super) fn write(points: &[VendorPoint]) -> String {
 
 const FIELDS: usize = 10;
 /// The number of fields without gripper and pause.
-const LEAST_FIELDS: usize = 8;
+const MIN_FIELDS: usize = 8;

@@ -9,7 +9,7 @@ use super::text::{decode, number};
 use super::{Read, VendorPoint, bad};
 use crate::ProgramError;
 use crate::number::within;
-use crate::step_table::LONGEST_PAUSE_S;
+use crate::step_table::MAX_PAUSE_S;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError> {
     let (text, warning) = decode(bytes);
@@ -62,7 +62,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
         ));
     }
     Ok(Read {
-        it: points,
+        content: points,
         warnings,
     })
 }
@@ -111,16 +111,19 @@ impl<'a> Reader<'a, '_> {
             grab: self.grab()?,
             joints_deg,
             gripper_deg: self.number("gripper", -90.0, 90.0)?,
-            pause_s: self.number("pauseTime", 0.0, LONGEST_PAUSE_S)?,
+            pause_s: self.number("pauseTime", 0.0, MAX_PAUSE_S)?,
         })
     }
 
     /// The text of a field and its line; `None`, with a warning, if it is missing.
     fn field(&mut self, name: &str, otherwise: &str) -> Option<(&'a str, usize)> {
-        let found = self.node.children().find(|it| it.tag_name().name() == name);
+        let found = self
+            .node
+            .children()
+            .find(|child| child.tag_name().name() == name);
         let text = found
-            .and_then(|it| Some((it.text()?.trim(), line(it))))
-            .filter(|it| !it.0.is_empty());
+            .and_then(|found| Some((found.text()?.trim(), line(found))))
+            .filter(|found| !found.0.is_empty());
         if text.is_none() {
             let line = line(self.node);
             self.warnings.push(format!(
@@ -132,7 +135,11 @@ impl<'a> Reader<'a, '_> {
 
     /// A required angle.
     fn angle(&mut self, name: &str) -> Result<f64, ProgramError> {
-        if !self.node.children().any(|it| it.tag_name().name() == name) {
+        if !self
+            .node
+            .children()
+            .any(|child| child.tag_name().name() == name)
+        {
             return Err(bad(
                 line(self.node),
                 format!("the point has no <{name}>; x, y and z are required"),
@@ -187,7 +194,7 @@ pub(super) fn mode(word: &str) -> Option<MovingMode> {
     let modes = [MovingMode::Jump, MovingMode::MovL, MovingMode::MovJ];
     modes
         .into_iter()
-        .find(|it| style(*it).eq_ignore_ascii_case(word))
+        .find(|mode| style(*mode).eq_ignore_ascii_case(word))
 }
 
 pub(super) const fn style(mode: MovingMode) -> &'static str {

@@ -32,7 +32,7 @@ fn utf8(bytes: &[u8]) -> (String, Option<String>) {
 fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
     let units: Vec<u16> = bytes
         .chunks_exact(2)
-        .map(|it| number([it[0], it[1]]))
+        .map(|chunk| number([chunk[0], chunk[1]]))
         .collect();
     String::from_utf16_lossy(&units)
 }

@@ -34,8 +34,8 @@ fn compiled(text: &str) -> Compiled {
 }
 
 fn places(compiled: &Compiled) -> Vec<[f32; 3]> {
-    let place = |it: &Command| match it {
-        Command::MoveTo(it) => Some([it.x_mm, it.y_mm, it.z_mm]),
+    let place = |command: &Command| match command {
+        Command::MoveTo(command) => Some([command.x_mm, command.y_mm, command.z_mm]),
         _ => None,
     };
     compiled.commands.iter().filter_map(place).collect()
@@ -43,7 +43,7 @@ fn places(compiled: &Compiled) -> Vec<[f32; 3]> {
 
 /// The error of parsing or compiling.
 fn error(text: &str, files: &mut dyn Files) -> String {
-    let done = Program::from_toml(text).and_then(|it| it.compile(files));
+    let done = Program::from_toml(text).and_then(|program| program.compile(files));
     done.unwrap_err().to_string()
 }
 
@@ -301,7 +301,7 @@ fn a_target_carries_grip_and_pause_and_what_is_not_said_stays() {
         (20.0, MovingMode::MovJ, false, 1.0)
     );
     assert_eq!(
-        it.steps.iter().map(|it| it.line).collect::<Vec<_>>(),
+        it.steps.iter().map(|step| step.line).collect::<Vec<_>>(),
         [1, 7, 9]
     );
 }
@@ -377,12 +377,12 @@ fn a_repeat_at_the_end_stands_once_and_says_so() {
     ));
     assert_eq!((it.commands.len(), it.first_apart), (3, false));
     assert_eq!(
-        it.repeat.map(|it| (it.from, it.times)),
+        it.repeat.map(|repeat| (repeat.from, repeat.times)),
         Some((1, Some(10_000_000)))
     );
     let forever = compiled(&format!("[[steps]]\nrepeat = \"forever\"\n{body}"));
     assert_eq!(
-        forever.repeat.map(|it| (it.from, it.times)),
+        forever.repeat.map(|repeat| (repeat.from, repeat.times)),
         Some((0, None))
     );
     assert!(forever.job().program.check(forever.commands.len()).is_ok());
@@ -395,7 +395,10 @@ fn a_first_cycle_that_differs_stands_before_the_others() {
         "[[steps]]\nrepeat = 5\n[[steps.steps]]\ngo = {x=200,y=0,z=0}\n[[steps.steps]]\ngo = {x=200,y=50,z=0}\ngripper = 30",
     );
     assert_eq!((it.commands.len(), it.first_apart), (4, true));
-    assert_eq!(it.repeat.map(|it| (it.from, it.times)), Some((2, Some(4))));
+    assert_eq!(
+        it.repeat.map(|repeat| (repeat.from, repeat.times)),
+        Some((2, Some(4)))
+    );
 }
 
 #[test]
@@ -406,8 +409,8 @@ fn only_the_first_motion_starts_softly() {
     let percents: Vec<f32> = it
         .commands
         .iter()
-        .filter_map(|it| match it {
-            Command::PlaybackAdjustment(it) => Some(it.speed_percent),
+        .filter_map(|command| match command {
+            Command::PlaybackAdjustment(command) => Some(command.speed_percent),
             _ => None,
         })
         .collect();
@@ -421,7 +424,7 @@ fn only_the_first_motion_starts_softly() {
 #[test]
 fn a_barrier_waits_as_for_a_person_and_has_its_name() {
     let it = compiled(&format!("{GO}[[steps]]\nbarrier = \"handed over\"\n{GO}"));
-    let at = it.steps.iter().find(|it| it.barrier.is_some()).unwrap();
+    let at = it.steps.iter().find(|step| step.barrier.is_some()).unwrap();
     assert_eq!(at.barrier.as_deref(), Some("handed over"));
     let [pause] = &it.pauses[..] else {
         panic!("{:?}", it.pauses)
@@ -444,7 +447,10 @@ fn a_barrier_before_the_first_motion_is_reported_with_a_remedy() {
 fn a_wait_stands_before_a_command_of_its_own_and_the_job_takes_it() {
     let it = compiled(&format!("{GO}[[steps]]\nwait = \"put a cube here\""));
     assert_eq!(
-        it.pauses.iter().map(|it| it.before).collect::<Vec<_>>(),
+        it.pauses
+            .iter()
+            .map(|pause| pause.before)
+            .collect::<Vec<_>>(),
         [1]
     );
     assert_eq!(it.commands.len(), 2);
@@ -516,10 +522,15 @@ fn all_problems_are_listed_with_step_line_and_remedy() {
     let found: Vec<(usize, usize)> = report
         .problems
         .iter()
-        .map(|it| (it.step, it.line))
+        .map(|problem| (problem.step, problem.line))
         .collect();
     assert_eq!(found, [(2, 3), (3, 5), (5, 9)], "{:#?}", report.problems);
-    assert!(report.problems.iter().all(|it| !it.remedy.is_empty()));
+    assert!(
+        report
+            .problems
+            .iter()
+            .all(|problem| !problem.remedy.is_empty())
+    );
     assert_eq!(report.steps_s.len(), 5);
 }
 
@@ -532,7 +543,7 @@ fn a_laser_that_is_left_on_is_a_problem() {
         report
             .problems
             .iter()
-            .any(|it| it.message.contains("still on")),
+            .any(|problem| problem.message.contains("still on")),
         "{report:?}"
     );
 }

@@ -141,7 +141,7 @@ proptest! {
             Ok(compiled) => {
                 let job = compiled.job();
                 prop_assert_eq!(job.program.check(job.commands.len()), Ok(()));
-                prop_assert!(job.pauses.iter().all(|it| it.before < job.commands.len()));
+                prop_assert!(job.pauses.iter().all(|pause| pause.before < job.commands.len()));
             }
             Err(error) => prop_assert!(error.line.is_some(), "{}", error),
         }

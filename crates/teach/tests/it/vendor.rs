@@ -13,7 +13,7 @@ const PLAY: &str = include_str!("../data/program.play");
 
 fn points(text: &str) -> (Vec<VendorPoint>, Vec<String>) {
     let read = read_points(text.as_bytes()).unwrap();
-    (read.it, read.warnings)
+    (read.content, read.warnings)
 }
 
 #[test]
@@ -23,7 +23,7 @@ fn the_samples_are_written_as_they_were_read() {
     assert_eq!(write_points(&it), POINTS);
     let read = read_play(PLAY.as_bytes()).unwrap();
     assert!(read.warnings.is_empty());
-    assert_eq!(write_play(&read.it), PLAY);
+    assert_eq!(write_play(&read.content), PLAY);
     let jog = include_str!("../data/JogParams.json");
     assert_eq!(JogParams::read(jog.as_bytes()).unwrap().write(), jog);
     let playback = include_str!("../data/PlayBackParams.json");
@@ -100,7 +100,7 @@ fn surprises_are_read_with_a_warning_each() {
     let (it, warnings) = points(&POINTS.replace('\n', "\r\n"));
     assert_eq!((it, warnings.len()), (expected.clone(), 0));
     let marked = [b"\xEF\xBB\xBF", POINTS.as_bytes()].concat();
-    assert_eq!(read_points(&marked).unwrap().it, expected);
+    assert_eq!(read_points(&marked).unwrap().content, expected);
 }
 
 #[test]
@@ -124,12 +124,12 @@ fn other_encodings_are_read() {
         comment,
     ] {
         let read = read_points(&bytes).unwrap();
-        assert_eq!((read.it, read.warnings.len()), (expected.clone(), 1));
+        assert_eq!((read.content, read.warnings.len()), (expected.clone(), 1));
     }
 }
 
 #[test]
-fn a_bad_file_is_told_with_its_line_what_was_found_and_what_is_allowed() {
+fn a_bad_file_is_reported_with_its_line_what_was_found_and_what_is_allowed() {
     let bomb = "<?xml version='1.0'?>\n<!DOCTYPE b [<!ENTITY a \"aa\"><!ENTITY b \"&a;&a;\">]>\n<playBack><point><x>&b;</x></point></playBack>";
     for (text, start, part) in [
         (bomb, "line ", "DTD"),
@@ -183,7 +183,7 @@ fn a_bad_file_is_told_with_its_line_what_was_found_and_what_is_allowed() {
 }
 
 #[test]
-fn what_the_other_form_cannot_carry_is_told() {
+fn what_the_other_form_cannot_carry_is_reported() {
     let program = Program::from_toml("start_speed_percent = 20\n[[steps]]\ngo = {x=200,y=0,z=0}\n[[steps]]\ngo={base=0,rear=45,fore=45}\n[[steps]]\nwait = \"?\"").unwrap();
     let (it, lost) = points_of(&program);
     assert_eq!((it.len(), lost.len()), (1, 3), "{lost:?}");
@@ -200,8 +200,8 @@ proptest! {
     ) {
         let it = VendorPoint { joints_deg, mode, grab, gripper_deg, pause_s };
         let read = read_points(write_points(&[it]).as_bytes()).unwrap();
-        prop_assert_eq!((&read.it[..], read.warnings.len()), (&[it][..], 0));
-        let play = read_play(write_play(&[it]).as_bytes()).unwrap().it[0];
+        prop_assert_eq!((&read.content[..], read.warnings.len()), (&[it][..], 0));
+        let play = read_play(write_play(&[it]).as_bytes()).unwrap().content[0];
         for (found, expected) in play.joints_deg.iter().zip(joints_deg) {
             prop_assert!((found - expected).abs() <= 0.0005 + 1e-9);
         }

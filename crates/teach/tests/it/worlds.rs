@@ -16,7 +16,7 @@ struct ExampleFiles;
 
 impl Files for ExampleFiles {
     fn program(&mut self, path: &str) -> Result<String, String> {
-        fs::read_to_string(example(&format!("programs/{path}"))).map_err(|it| it.to_string())
+        fs::read_to_string(example(&format!("programs/{path}"))).map_err(|error| error.to_string())
     }
 
     fn drawing(&mut self, path: &str, _: &Drawing) -> Result<Vec<Command>, String> {
@@ -68,7 +68,7 @@ fn carried_out(
     let state = arm.world().unwrap().state();
     let expected = ["picked up", "put "];
     let surprises = state.events.iter().map(ToString::to_string);
-    let surprises = surprises.filter(|it| !expected.iter().any(|word| it.contains(word)));
+    let surprises = surprises.filter(|warning| !expected.iter().any(|word| warning.contains(word)));
     (state.objects.clone(), surprises.collect())
 }
 
@@ -80,10 +80,10 @@ fn ends(program: &str, scene: &str, expected: &[(&str, [f64; 3])]) {
         let (objects, surprises) = carried_out(&compiled, scene, personality);
         assert!(surprises.is_empty(), "{personality}: {surprises:?}");
         for (name, [x, y, bottom]) in expected {
-            let it = objects.iter().find(|it| it.name == *name).unwrap();
+            let it = objects.iter().find(|object| object.name == *name).unwrap();
             let off = [it.at_mm.x - x, it.at_mm.y - y, it.bottom_mm - bottom];
             assert!(
-                off.iter().all(|it| it.abs() < 0.5),
+                off.iter().all(|distance| distance.abs() < 0.5),
                 "{personality}: {it:?}, expected x {x} y {y} bottom {bottom} within 0.5 mm"
             );
         }
@@ -96,7 +96,7 @@ fn nine_cubes_go_from_tray_to_tray() {
     let names: Vec<String> = (1..=9).map(|n| format!("cube {n}")).collect();
     for (n, name) in names.iter().enumerate() {
         #[expect(clippy::cast_precision_loss, reason = "nine")]
-        let [column, row] = [n % 3, n / 3].map(|it| it as f64);
+        let [column, row] = [n % 3, n / 3].map(|value| value as f64);
         expected.push((
             name.as_str(),
             [190.0 + 30.0 * column, -110.0 + 30.0 * row, 0.0],

@@ -5,7 +5,7 @@ pub(super) fn with_objects(blocks: &str, entities: &str, objects: &str) -> Strin
     let objects = format!("0 SECTION 2 OBJECTS {objects} 0 ENDSEC 0 EOF");
     let objects: String = objects
         .split_whitespace()
-        .map(|it| it.to_owned() + "\n")
+        .map(|word| word.to_owned() + "\n")
         .collect();
     file("", blocks, entities).replace("0\nEOF\n", &objects)
 }
@@ -33,7 +33,7 @@ fn a_clipped_block_shows_only_what_lies_in_its_clip() {
     let mut lengths: Vec<f64> = layer
         .strokes
         .iter()
-        .map(|it| it.length_mm().round())
+        .map(|stroke| stroke.length_mm().round())
         .collect();
     lengths.sort_by(f64::total_cmp);
     // The line outside of the block is whole; of the block 10 mm show, and two edges of the solid.
@@ -49,7 +49,7 @@ fn a_clipped_block_shows_only_what_lies_in_its_clip() {
         .map(Stroke::length_mm)
         .collect();
     assert!(
-        lengths.iter().any(|it| (it - 9.0).abs() < 1e-6),
+        lengths.iter().any(|length| (length - 9.0).abs() < 1e-6),
         "{lengths:?}"
     );
 }
@@ -62,13 +62,13 @@ fn every_copy_of_a_block_has_its_attributes() {
     let strokes = &artwork.layers[0].strokes;
     let dots: Vec<Point> = strokes
         .iter()
-        .filter(|it| it.points.len() == 1)
-        .map(|it| it.points[0])
+        .filter(|stroke| stroke.points.len() == 1)
+        .map(|stroke| stroke.points[0])
         .collect();
     let letters: Vec<Point> = strokes
         .iter()
-        .filter(|it| it.points.len() > 1)
-        .map(|it| it.points[0])
+        .filter(|stroke| stroke.points.len() > 1)
+        .map(|stroke| stroke.points[0])
         .collect();
     assert_eq!([dots.len(), letters.len()], [6, 6]);
     // Each letter lies as far from its dot as the first from its own.
@@ -82,7 +82,7 @@ fn every_copy_of_a_block_has_its_attributes() {
             [way.x, way.y].map(|mm| (mm * 1e3).round())
         })
         .collect();
-    assert!(ways.iter().all(|it| *it == ways[0]), "{ways:?}");
+    assert!(ways.iter().all(|way| *way == ways[0]), "{ways:?}");
 }
 
 #[test]
@@ -183,7 +183,7 @@ fn a_mesh_is_drawn_by_the_edges_of_its_faces_each_once() {
 }
 
 #[test]
-fn a_wipeout_is_told_to_cover_nothing() {
+fn a_wipeout_is_meant_to_cover_nothing() {
     let (_, warnings) = draw("0 LINE 10 0 20 0 11 5 21 5 0 WIPEOUT 10 0 20 0 11 1 21 0 12 0 22 1");
     assert!(
         warnings[0].contains("1 WIPEOUT: left out, and what it covers is drawn"),

@@ -24,10 +24,10 @@ fn what_is_so_far_off_that_its_places_run_together_is_refused() {
         "30:1: found \"2e12\" for group 10; expected a number from -1e12 to 1e12"
     );
     let in_metres = line("1e12").replace("70\n4\n", "70\n6\n");
-    let told = error(in_metres.as_bytes());
+    let message = error(in_metres.as_bytes());
     assert!(
-        told.contains("leads to (1000000000000000, 0) mm; at most"),
-        "{told}"
+        message.contains("leads to (1000000000000000, 0) mm; at most"),
+        "{message}"
     );
     // Other numbers are as large as they were.
     let turned = file("", "", "0 CIRCLE 10 0 20 0 40 2e9");

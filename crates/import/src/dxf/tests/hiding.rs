@@ -15,7 +15,7 @@ fn hidden_text(text: &str) -> (Artwork, Vec<String>) {
     (artwork, warnings.iter().map(Warning::to_string).collect())
 }
 
-/// The length of all lines that show.
+/// The length of all visible lines.
 #[track_caller]
 fn shown_mm(entities: &str) -> f64 {
     let (artwork, warnings) = hidden_text(&file("", "", entities));
@@ -24,7 +24,7 @@ fn shown_mm(entities: &str) -> f64 {
 }
 
 fn length_mm(artwork: &Artwork) -> f64 {
-    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     strokes.map(Stroke::length_mm).sum()
 }
 
@@ -189,7 +189,7 @@ fn an_inverted_wipeout_covers_what_lies_outside_its_corners() {
     same(shown_mm(&format!("{near} {wipeout} 290 1")), 40.0);
 }
 
-/// A line, a solid and a polyline of two parts, with handles, and the table that tells their order.
+/// A line, a solid and a polyline of two parts, with handles, and the table with their order.
 fn ordered(places: &str, in_block: bool) -> Artwork {
     let line = LINE.replace("LINE", "LINE 5 A1");
     let solid = SOLID.replace("SOLID", "SOLID 5 A2");
@@ -209,7 +209,7 @@ fn ordered(places: &str, in_block: bool) -> Artwork {
 }
 
 #[test]
-fn entities_hide_each_other_in_the_order_that_the_file_tells() {
+fn entities_hide_each_other_in_the_order_that_the_file_states() {
     for in_block in [false, true] {
         let length_mm = |places: &str| length_mm(&ordered(places, in_block));
         // As they stand: over the line, under the polyline.
@@ -233,8 +233,8 @@ fn a_handle_that_is_none_is_refused() {
         ..ReadOptions::default()
     };
     let error = super::super::read(text.as_bytes(), &hides).unwrap_err();
-    let told = "found \"xyz\" for group 5; expected a handle such as 1F";
-    assert!(error.to_string().contains(told), "{error}");
+    let message = "found \"xyz\" for group 5; expected a handle such as 1F";
+    assert!(error.to_string().contains(message), "{error}");
 }
 
 #[test]

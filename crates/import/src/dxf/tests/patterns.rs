@@ -15,7 +15,7 @@ fn lengths(lines: &str) -> Vec<f64> {
     assert!(artwork.layers[0].areas.is_empty());
     let strokes = artwork.layers[0].strokes.iter();
     strokes
-        .map(|it| (it.length_mm() * 1e3).round() / 1e3)
+        .map(|stroke| (stroke.length_mm() * 1e3).round() / 1e3)
         .collect()
 }
 
@@ -49,7 +49,7 @@ fn the_lines_of_a_pattern_may_be_dashed_and_dotted() {
 
 #[test]
 fn a_pattern_of_too_many_lines_and_a_solid_one_are_areas() {
-    for (text, told) in [
+    for (text, message) in [
         (hatch("53 0 43 0 44 0 45 0 46 0.0001 79 0"), 1),
         (hatch("53 0 43 0 44 0 45 5 46 0 79 0"), 1),
         (
@@ -61,7 +61,7 @@ fn a_pattern_of_too_many_lines_and_a_solid_one_are_areas() {
         let (artwork, warnings) = draw(&text);
         assert_eq!(
             (artwork.layers[0].areas.len(), warnings.len()),
-            (1, told),
+            (1, message),
             "{text}"
         );
     }
@@ -73,7 +73,7 @@ fn a_hatch_may_be_bounded_by_ellipses_and_splines() {
     let (artwork, warnings) = draw(text);
     assert_eq!(warnings, [""; 0]);
     assert!((artwork.width_mm - 20.0).abs() < 0.02 && (artwork.height_mm - 10.0).abs() < 0.02);
-    // A straight spline from 0,0 to 10,0, told by the points that it passes too, and two lines back.
+    // A straight spline from 0,0 to 10,0, also given by its fit points, and two lines back.
     let text = "0 HATCH 2 SOLID 70 1 91 1 92 1 93 3 72 4 94 1 73 0 74 0 95 4 96 2 40 0 40 0 40 1 40 1
         10 0 20 0 10 10 20 0 97 2 11 0 21 0 11 10 21 0 72 1 10 10 20 0 11 10 21 10 72 1 10 10 20 10 11 0 21 0 97 0 75 0";
     let (artwork, warnings) = draw(text);

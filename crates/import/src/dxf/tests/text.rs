@@ -12,7 +12,7 @@ fn written(blocks: &str, entities: &str) -> [f64; 4] {
     let strokes: Vec<Stroke> = artwork
         .layers
         .into_iter()
-        .flat_map(|it| it.strokes)
+        .flat_map(|layer| layer.strokes)
         .collect();
     sides_from_dot(&strokes)
 }
@@ -178,7 +178,7 @@ proptest! {
         let strokes = &draw(&entities).0.layers[0].strokes;
         let origin = strokes[0].points[0];
         let way = Vec2::new(x, -y);
-        let shares = strokes[1..].iter().flat_map(|it| &it.points);
+        let shares = strokes[1..].iter().flat_map(|stroke| &stroke.points);
         let shares: Vec<f64> = shares.map(|&p| (p - origin).dot(way) / way.hypot2()).collect();
         let least = shares.iter().fold(f64::MAX, |a, &b| a.min(b));
         let most = shares.iter().fold(f64::MIN, |a, &b| a.max(b));

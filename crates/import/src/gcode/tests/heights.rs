@@ -25,14 +25,14 @@ fn a_spindle_that_turns_while_z_goes_up_and_down_is_no_laser() {
 }
 
 #[test]
-fn a_laser_that_is_off_on_the_way_is_one_although_its_z_moves_and_this_is_told() {
+fn a_laser_that_is_off_on_the_way_is_one_although_its_z_moves_and_this_is_reported() {
     let switched = "M3 S255\nG0 X0 Z5\nG1 Z0\nG1 X4\nM5\nG1 Z1\nG1 X6\nM3\nG1 Z-1\nG1 X9\nG0 X0";
     assert_eq!(
         corners(switched),
         [[(0.0, 0.0), (4.0, 0.0)], [(6.0, 0.0), (9.0, 0.0)]]
     );
-    let told = "1 laser at several heights: everything with the laser on (M3, M4 or M106) is burned, at any Z";
-    assert_eq!(draw(switched).1, [told]);
+    let message = "1 laser at several heights: everything with the laser on (M3, M4 or M106) is burned, at any Z";
+    assert_eq!(draw(switched).1, [message]);
     let passes =
         "M4 S9\nG0 X0 Z0\nG1 X4\nG0 X0\nG1 Z-1\nG1 X4\nG0 X6 Z0\nG1 X9\nG0 X6\nG1 Z-1\nG1 X9";
     assert_eq!(corners(passes).len(), 4);
@@ -55,7 +55,7 @@ fn shallow_cuts_are_drawn_where_only_moves_along_z_go_above_zero() {
         draw(machine).1,
         ["1 file with travels below Z 0: drawn where Z is below -40.00 mm"]
     );
-    // A hole alone has no line that could tell a height.
+    // A single hole has no line with a height.
     assert_eq!(
         corners_by_pen("G0 X5 Y5\nG0 Z5\nG1 Z-1\nG0 Z5"),
         [[(0.0, 0.0)]]
@@ -63,9 +63,9 @@ fn shallow_cuts_are_drawn_where_only_moves_along_z_go_above_zero() {
 }
 
 #[test]
-fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them_or_told() {
+fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them_or_reported() {
     let pen = "G0 Z5\nX10 Y10\nG1 Z0\nX20\nZ-0.2\nX30\nG0 Z5\nX60\nG1 Z0\nX70\nG0 Z5";
-    let told = |text: &str| draw(text).1.concat();
+    let message = |text: &str| draw(text).1.concat();
     for text in [
         pen.to_owned(),
         pen.replace("G0", "G1"),
@@ -77,7 +77,7 @@ fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them
         ];
         assert_eq!(corners(&text), lines, "{text}");
         assert_eq!(
-            told(&text),
+            message(&text),
             "1 file with lines at Z 0: drawn like those below, because the tool moves down to them"
         );
     }
@@ -86,14 +86,14 @@ fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them
     for text in [relief, above] {
         assert_eq!(corners(text), [[(0.0, 0.0), (5.0, 0.0)]], "{text}");
         assert_eq!(
-            told(text),
+            message(text),
             "1 file with lines at Z 0: left out, because only lines below Z 0 are drawn"
         );
     }
     // A pen that is up at 0.
     let up = "G0 Z0\nG1 X10\nZ-1\nX20\nZ0\nX30";
     assert_eq!(corners(up), [[(0.0, 0.0), (10.0, 0.0)]]);
-    assert_eq!(told(up), "");
+    assert_eq!(message(up), "");
 }
 
 #[test]
@@ -128,8 +128,8 @@ fn a_pen_is_down_where_z_is_high_if_all_travels_lie_below_the_lines() {
     let text = "G21 G90\nG1 Z0.5 F5000\nG0 X10 Y10\nG1 Z5\nG1 X40\nG1 Z0.5\nG0 X60 Y40\nG1 Z5\nG1 X80\nG1 Z0.5\nG0 X0 Y0";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners(text), lines);
-    let told = "1 file with travels (G0) below its lines: drawn where Z is above 2.75 mm";
-    assert_eq!(draw(text).1, [told]);
+    let message = "1 file with travels (G0) below its lines: drawn where Z is above 2.75 mm";
+    assert_eq!(draw(text).1, [message]);
     // The way home may be lower.
     let home = format!("G28\n{text}\nG1 Z0\nG1 X-9");
     assert_eq!(corners(&home), lines);

@@ -1,4 +1,4 @@
-//! What a laser burns: never where the file says that it is off.
+//! The burn of a laser: never where the file switches it off.
 
 mod reference;
 
@@ -17,8 +17,9 @@ fn m5_and_m107_are_off_for_a_laser_even_where_the_first_line_is_on() {
     let fan = SWITCHED.replace("M3", "M106").replace("M5", "M107");
     for text in [SWITCHED, &fan] {
         assert_eq!(corners(text), lines, "{text}");
-        let told = "1 file without powers (S): G1, G2 and G3 draw while M3, M4 or M106 is active";
-        assert_eq!(draw(text).1, [told]);
+        let message =
+            "1 file without powers (S): G1, G2 and G3 draw while M3, M4 or M106 is active";
+        assert_eq!(draw(text).1, [message]);
     }
     let whole = [[(0.0, 0.0), (10.0, 0.0), (20.0, 0.0), (30.0, 0.0)]];
     assert_eq!(corners_by_pen(SWITCHED), whole);
@@ -29,7 +30,7 @@ fn m5_and_m107_are_off_for_a_laser_even_where_the_first_line_is_on() {
 }
 
 #[test]
-fn a_laser_without_power_burns_nothing_and_this_is_told() {
+fn a_laser_without_power_burns_nothing_and_this_is_reported() {
     assert_eq!(error(DRY_RUN), NEVER);
     assert!(error(POWERS_WHILE_OFF).starts_with(NEVER));
     // S0 in a line of its own, beside a move, of a fan, and where Z lifts a pen.
@@ -44,7 +45,7 @@ fn a_laser_without_power_burns_nothing_and_this_is_told() {
 }
 
 #[test]
-fn power_holds_from_the_line_on_that_tells_it_and_no_earlier() {
+fn power_holds_from_the_line_on_that_states_it_and_no_earlier() {
     assert_eq!(
         corners("M3\nG1 X10\nS0\nG1 X20\nS9\nG1 X30\nM5"),
         [[(0.0, 0.0), (10.0, 0.0)]]
@@ -61,10 +62,10 @@ fn a_spindle_that_waits_or_plunges_burns_nothing_and_a_pen_draws_its_holes() {
     let cycle = "M3 S1000\nG4 P2\nG0 Z5\nG0 X4 Y6\nG81 Z-1.5 R1\nX14\nX24\nG80\nM5";
     let holes = [[(0.0, 0.0)], [(10.0, 0.0)], [(20.0, 0.0)]];
     for (text, line) in [(HOLES, 11), (cycle, 5)] {
-        let told = format!(
+        let message = format!(
             "nothing to draw: no line with the laser on; {line}:1: 3 holes: not burned, because Z and drilling cycles do not switch a laser on"
         );
-        assert_eq!(error(text), told, "{text}");
+        assert_eq!(error(text), message, "{text}");
         assert_eq!(corners_by_pen(text), holes, "{text}");
         assert_eq!(draw_by_pen(text).1, <[&str; 0]>::default(), "{text}");
     }
@@ -73,14 +74,14 @@ fn a_spindle_that_waits_or_plunges_burns_nothing_and_a_pen_draws_its_holes() {
 #[test]
 fn a_dwell_before_the_first_line_or_above_all_lines_burns_no_dot() {
     let line = [[(0.0, 0.0), (10.0, 0.0)]];
-    let told =
+    let message =
         "spindle dwell: not burned (G4 before the first line, above all lines or of a drill)";
     let before = "M3 S255\nG0 X5 Y5\nG4 P1\nG0 X10\nG1 X20\nM5";
     assert_eq!(corners(before), line);
-    assert_eq!(draw(before).1, [format!("3:1: 1 {told}")]);
+    assert_eq!(draw(before).1, [format!("3:1: 1 {message}")]);
     let above = "G0 Z0\nM3 S255\nG0 X10\nG1 X20\nG0 Z5\nG0 X30\nG4 P1\nG0 X40\nM5";
     assert_eq!(corners(above), line);
-    assert_eq!(draw(above).1, [format!("7:1: 1 {told}")]);
+    assert_eq!(draw(above).1, [format!("7:1: 1 {message}")]);
     // At the height of the lines it is a dot of the laser.
     let behind = above.replace("Z5", "Z0");
     assert_eq!(corners(&behind).len(), 2);
@@ -115,7 +116,7 @@ fn burned(text: &str) -> Vec<Stroke> {
         ..ReadOptions::default()
     };
     let (sketch, _) = sketch(text.as_bytes(), &options).unwrap();
-    let strokes = sketch.layers().iter().flat_map(|it| &it.strokes);
+    let strokes = sketch.layers().iter().flat_map(|layer| &layer.strokes);
     strokes.cloned().collect()
 }
 

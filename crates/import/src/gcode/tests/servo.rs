@@ -16,13 +16,13 @@ fn a_servo_is_up_as_in_g0_where_the_file_begins_with_a_move() {
     let text = "G0 X10 Y10\nM280 P0 S30\nG1 X40 Y10\nM280 P0 S90\nG0 X60 Y40\nM280 P0 S30\nG1 X80 Y40\nM280 P0 S90";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners(text), lines);
-    let told = |text: &str| draw(text).1.concat();
+    let message = |text: &str| draw(text).1.concat();
     let servo = "1 pen lifted by a servo (M280): S90 read as pen up, ";
-    assert_eq!(told(text), format!("{servo}the angle in G0 moves"));
+    assert_eq!(message(text), format!("{servo}the angle in G0 moves"));
     let only_g1 = text.replace("G0", "G1");
     assert_eq!(corners(&only_g1), lines);
     assert_eq!(
-        told(&only_g1),
+        message(&only_g1),
         format!("{servo}the angle at the end of the program")
     );
     let unlifted = only_g1.replace("Y40\nM280 P0 S90", "Y40");
@@ -30,7 +30,7 @@ fn a_servo_is_up_as_in_g0_where_the_file_begins_with_a_move() {
         .replace("S90", "S90 ; pen UP")
         .replace("S30", "S30 ; not up but down");
     assert_eq!(corners(&commented), lines);
-    assert_eq!(told(&commented), format!("{servo}as a comment states"));
+    assert_eq!(message(&commented), format!("{servo}as a comment states"));
     // One line is enough.
     let single = "G1 X10 Y10\nM280 S30\nG1 X40\nM280 S90";
     assert_eq!(corners(single), [[(0.0, 0.0), (30.0, 0.0)]]);
@@ -70,23 +70,23 @@ fn m3_turns_the_servo_of_a_pen_where_two_angles_hold_in_all_moves_and_the_progra
     let text = "G21 G90\nM3 S90\nG4 P0.2\nG1 X10 Y10 F3000\nM3 S30\nG4 P0.2\nG1 X40 F1000\nM3 S90\nG4 P0.2\nG1 X60 Y40 F3000\nM3 S30\nG4 P0.2\nG1 X80 F1000\nM3 S90\nG4 P0.2\nG1 X0 Y0\nM5\nG0 X5";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners(text), lines);
-    let told = |text: &str| draw(text).1.concat();
+    let message = |text: &str| draw(text).1.concat();
     let up = |reason: &str| format!("1 pen lifted by a servo (M3): S90 read as pen up, {reason}");
-    assert_eq!(told(text), up("the angle in the first move"));
+    assert_eq!(message(text), up("the angle in the first move"));
     assert!(!layers(text)[0].is_burned);
     // In haste where it is up: it need not wait then.
     let in_haste = text.replace("G1 X60", "G0 X60").replace("G1 X10", "G0 X10");
     let in_haste = in_haste.replace("G1 X0", "G0 X0");
     for text in [&in_haste, &in_haste.replace("G4 P0.2\n", "")] {
         assert_eq!(corners(text), lines);
-        assert_eq!(told(text), up("the angle in G0 moves"));
+        assert_eq!(message(text), up("the angle in G0 moves"));
     }
     // The file begins with a move.
     let begun = text.replace("M3 S90\nG4 P0.2\nG1 X10 Y10 F3000", "G1 X10 Y10 F3000");
     assert_eq!(corners(&begun), lines);
-    assert_eq!(told(&begun), up("the angle at the end of the program"));
+    assert_eq!(message(&begun), up("the angle at the end of the program"));
     let commented = text.replace("S30", "S30 (pen up)");
-    assert!(told(&commented).contains("S30 read as pen up, as a comment states"));
+    assert!(message(&commented).contains("S30 read as pen up, as a comment states"));
 }
 
 #[test]
@@ -99,9 +99,9 @@ fn m3_is_the_power_of_a_laser_that_goes_off_on_its_way_or_is_set_beside_the_move
     let twice = "M3 S90\nG4 P1\nG1 X9\nM3 S30\nG4 P1\nG1 X19\nM5";
     let waits_before = "M3 S90\nG4 P1\nG1 X9\nG4 P1\nM3 S30\nG1 X19\nG4 P1\nM3 S90\nG1 X29\nM5";
     for text in [&off_between, &hasty, &beside, &three, twice, waits_before] {
-        assert!(layers(text).iter().all(|it| it.is_burned), "{text}");
-        let told = draw(text).1.concat();
-        assert!(!told.contains("servo"), "{told}");
+        assert!(layers(text).iter().all(|layer| layer.is_burned), "{text}");
+        let message = draw(text).1.concat();
+        assert!(!message.contains("servo"), "{message}");
     }
     assert_eq!(draw(lines).1.len(), 1);
 }
@@ -111,8 +111,8 @@ fn a_servo_may_be_down_at_zero_if_it_is_up_in_all_of_g0() {
     let text = "M3 S90\nG4 P0.3\nG0 X10 Y10\nM3 S0\nG4 P0.3\nG1 X40 F900\nM3 S90\nG4 P0.3\nG0 X60 Y40\nM3 S0\nG4 P0.3\nG1 X80\nM3 S90\nG0 X0 Y0";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners_by_pen(text), lines);
-    let told = "1 pen lifted by a servo (M3): S90 read as pen up, the angle in G0 moves";
-    assert_eq!(draw_by_pen(text).1, [told]);
+    let message = "1 pen lifted by a servo (M3): S90 read as pen up, the angle in G0 moves";
+    assert_eq!(draw_by_pen(text).1, [message]);
     // It is a laser that is off at 0.
     let laser = text
         .replace("S90", "S9")
@@ -124,12 +124,12 @@ fn a_servo_may_be_down_at_zero_if_it_is_up_in_all_of_g0() {
 }
 
 #[test]
-fn m3_and_m5_switch_what_draws_where_no_power_is_told_and_the_first_way_is_off() {
+fn m3_and_m5_switch_what_draws_where_no_power_is_reported_and_the_first_way_is_off() {
     let text = "G21\nG1 X10 Y10 F900\nM3\nG1 X40\nM5\nG1 X60 Y40\nM3\nG1 X80\nM5\nG1 X0 Y0";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners(text), lines);
-    let told = "1 file without powers (S): G1, G2 and G3 draw while M3, M4 or M106 is active";
-    assert_eq!(draw(text).1, [told]);
+    let message = "1 file without powers (S): G1, G2 and G3 draw while M3, M4 or M106 is active";
+    assert_eq!(draw(text).1, [message]);
     // Some pens are up while M3 holds.
     let pen = "M3\nG0 X10 Y10\nM5\nG1 X40\nM3\nG0 X60 Y40\nM5\nG1 X80\nM3\nG0 X0 Y0";
     assert_eq!(corners_by_pen(pen), lines);

@@ -190,7 +190,7 @@ proptest! {
         let strokes = strokes(&file);
         let pen = strokes[0].points[0] + Vec2::new(f64::from(x), -f64::from(y)) * 0.025;
         let cells = f64::from(u32::try_from(text.chars().count()).unwrap());
-        for p in strokes[1..].iter().flat_map(|it| &it.points) {
+        for p in strokes[1..].iter().flat_map(|stroke| &stroke.points) {
             let way = Vec2::new(p.x - pen.x, pen.y - p.y);
             let along = way.dot(Vec2::new(cos, sin)) / (10.0 * width_cm);
             let up = way.dot(Vec2::new(-sin, cos)) / (10.0 * height_cm);

@@ -20,11 +20,11 @@ fn what_lies_outside_of_a_window_is_cut_off_until_it_is_taken_away() {
         [[0.0, 1000.0]]
     );
     assert_eq!(draw(&format!("{window}{line}")).1, [""; 0]);
-    // In the units of the scale, which is told.
+    // In the units of the scale, with a warning.
     let scaled = format!("IP0,0,4000,4000;SC0,100,0,100;IW10,-10,30,10;SC;{line}");
     assert_eq!(found(&scaled)[1..], [cut]);
-    let told = "1:31: 1 window in a scale: read as one in the units of SC, as in HP-GL/2 (IW)";
-    assert_eq!(draw(&scaled).1, [told]);
+    let message = "1:31: 1 window in a scale: read as one in the units of SC, as in HP-GL/2 (IW)";
+    assert_eq!(draw(&scaled).1, [message]);
     let flat = draw(&format!("IW0,0,0,400;{line}")).1;
     assert_eq!(flat, ["1:1: 1 flat window: nothing is clipped (IW)"]);
     assert_eq!(

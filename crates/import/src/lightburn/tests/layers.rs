@@ -5,10 +5,10 @@ fn square(cut: u32, side_mm: f64, x: f64) -> String {
     shape(&it, &format!("1 0 0 1 {x} 0"), "")
 }
 
-/// How many areas a layer has, and how many rings each.
+/// The number of areas of a layer, and of rings of each.
 fn rings(artwork: &Artwork) -> Vec<usize> {
-    let areas = artwork.layers.iter().flat_map(|it| &it.areas);
-    areas.map(|it| it.rings.len()).collect()
+    let areas = artwork.layers.iter().flat_map(|layer| &layer.areas);
+    areas.map(|area| area.rings.len()).collect()
 }
 
 #[test]
@@ -24,7 +24,7 @@ fn layers_have_their_names_and_colours_and_come_as_the_laser_runs_them() {
     let layers: Vec<_> = artwork
         .layers
         .iter()
-        .map(|it| (it.name.as_str(), it.color))
+        .map(|layer| (layer.name.as_str(), layer.color))
         .collect();
     let expected = [
         ("marks (C02)", Some([0xff, 0, 0])),
@@ -81,7 +81,7 @@ fn an_open_line_of_a_fill_layer_is_a_line() {
 }
 
 #[test]
-fn what_a_laser_would_not_burn_is_left_out_and_told() {
+fn what_a_laser_would_not_burn_is_left_out_and_reported() {
     let cuts = cut(0, "Cut", "")
         + &cut(3, "Cut", "<doOutput Value=\"0\"/>")
         + &cut(4, "Cut", "<hide Value=\"1\"/>")
@@ -90,12 +90,12 @@ fn what_a_laser_would_not_burn_is_left_out_and_told() {
         square(3, 9.0, 0.0) + &square(0, 3.0, 0.0) + &square(30, 5.0, 0.0) + &square(3, 2.0, 0.0);
     let (artwork, warnings) = read_text(&project(&(cuts.clone() + &shapes)));
     assert_eq!(strokes(&artwork).len(), 1);
-    let told = warnings.join("\n");
+    let message = warnings.join("\n");
     for part in [
         "2 switched-off shapes: left out, because the output of its layer is off in LightBurn (C03)",
         "1 tool-layer shape: left out, because LightBurn does not output tool layers (C30)",
     ] {
-        assert!(told.contains(part), "{told}");
+        assert!(message.contains(part), "{message}");
     }
     let (artwork, warnings) = read_text(&project(&(cuts + &square(4, 2.0, 0.0))));
     assert_eq!(strokes(&artwork).len(), 1);

@@ -5,7 +5,7 @@ fn path(lists: &str) -> String {
 }
 
 #[test]
-fn both_formats_tell_the_same_path() {
+fn both_formats_state_the_same_path() {
     // A quarter of a circle, and a line back to where it begins.
     let k = 5.522_847_498;
     let new = format!(
@@ -14,7 +14,7 @@ fn both_formats_tell_the_same_path() {
     let old = format!(
         "<V vx=\"10\" vy=\"0\" c0x=\"10\" c0y=\"{k}\" c1x=\"1\"/><V vx=\"0\" vy=\"10\" c0x=\"1\" c1x=\"{k}\" c1y=\"10\"/><P T=\"B\" p0=\"0\" p1=\"1\"/><P T=\"L\" p0=\"1\" p1=\"0\"/>"
     );
-    let [new, old] = [new, old].map(|it| draw(&path(&it)));
+    let [new, old] = [new, old].map(|value| draw(&path(&value)));
     assert_eq!(new, old);
     assert!(strokes(&new)[0].closed);
     same(length_mm(&new), PI * 5.0 + 200.0_f64.sqrt(), 0.05);
@@ -22,7 +22,7 @@ fn both_formats_tell_the_same_path() {
 
 #[test]
 fn a_curve_without_its_pulls_is_straight() {
-    // A lone c0x1 says that nothing pulls.
+    // A single c0x1 means no control point.
     let artwork = draw(&path(
         "<VertList>V0 0c0x1c1x1V9 0c0x1c1x1</VertList><PrimList>B0 1</PrimList>",
     ));
@@ -48,7 +48,10 @@ fn the_keywords_join_all_points_in_order() {
 fn pieces_that_do_not_meet_are_strokes_of_their_own() {
     let lists = "<VertList>V0 0V1 0V1 1V5 5V6 5</VertList><PrimList>L0 1L1 2L2 0L3 4</PrimList>";
     let artwork = draw(&path(lists));
-    let counts: Vec<usize> = strokes(&artwork).iter().map(|it| it.points.len()).collect();
+    let counts: Vec<usize> = strokes(&artwork)
+        .iter()
+        .map(|stroke| stroke.points.len())
+        .collect();
     assert_eq!(counts, [4, 2]);
 }
 
@@ -77,7 +80,7 @@ fn numbers_may_have_exponents_and_points_may_be_marked_as_smooth() {
 }
 
 #[test]
-fn a_path_without_lines_is_told() {
+fn a_path_without_lines_is_reported() {
     let lists = "<VertList>V0 0V4 0</VertList>";
     let line = path("<VertList>V0 0V4 0</VertList><PrimList>L0 1</PrimList>");
     let (artwork, warnings) = read_text(&project(&(path(lists) + &line)));
@@ -96,8 +99,8 @@ proptest! {
         let list: Vec<String> = points.iter().map(|(x, y)| format!("V{x} {y}c0x1c1x1")).collect();
         let list = list.concat();
         let artwork = draw(&path(&format!("<VertList>{list}</VertList><PrimList>LineOpen</PrimList>")));
-        let left = points.iter().map(|it| it.0).fold(f64::INFINITY, f64::min);
-        let top = points.iter().map(|it| it.1).fold(f64::NEG_INFINITY, f64::max);
+        let left = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
+        let top = points.iter().map(|point| point.1).fold(f64::NEG_INFINITY, f64::max);
         let found = &strokes(&artwork)[0].points;
         prop_assert_eq!(found.len(), points.len());
         for (p, (x, y)) in found.iter().zip(&points) {

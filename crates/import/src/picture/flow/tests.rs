@@ -5,7 +5,7 @@ use dobot_geometry::steps;
 use super::*;
 use crate::picture::shading::ShadingStyle;
 
-/// A page of 120 mm by 60 mm, as dark as told.
+/// A page of 120 mm by 60 mm, of this darkness.
 fn page(ink: impl Fn(Point) -> f64) -> Tone {
     let mut tone = Tone {
         width: 480,
@@ -47,7 +47,7 @@ fn stair(p: Point) -> f64 {
     }
 }
 
-/// Points along a stroke, each with its way from the begin.
+/// Points along a stroke, each with its distance from the start.
 fn places(stroke: &Stroke) -> Vec<(f64, Point)> {
     let (mut places, mut before_mm) = (Vec::new(), 0.0);
     for (a, b) in stroke.segments() {
@@ -71,7 +71,9 @@ fn a_line_around_something_is_drawn_once_and_closed() {
         assert!(turn(stroke) < 1.05, "{} times around", turn(stroke));
         assert!(!stroke.closed || stroke.last() == stroke.points.first().copied());
     }
-    let closed = strokes.iter().filter(|it| it.closed && turn(it) > 0.99);
+    let closed = strokes
+        .iter()
+        .filter(|stroke| stroke.closed && turn(stroke) > 0.99);
     assert!(closed.count() >= 12, "of {}", strokes.len());
 }
 
@@ -118,7 +120,10 @@ fn white_stays_empty_and_ink_rises_with_darkness_as_far_as_asked() {
             "{ink_mm} mm at {darkness}, not {wanted_mm} mm"
         );
     }
-    assert!(ink_mm.windows(2).all(|it| it[0] < it[1]), "{ink_mm:?}");
+    assert!(
+        ink_mm.windows(2).all(|pair| pair[0] < pair[1]),
+        "{ink_mm:?}"
+    );
 }
 
 const SPACING_MM: f64 = 1.0;

@@ -1,4 +1,4 @@
-//! What browsers show and the library would draw otherwise.
+//! Differences between browsers and the library.
 
 use super::*;
 
@@ -11,7 +11,7 @@ fn with_root(attributes: &str) -> (Drawing, Vec<Warning>) {
 }
 
 #[test]
-fn a_size_of_the_page_that_browsers_ignore_is_told_and_the_view_box_decides() {
+fn a_size_of_the_page_that_browsers_ignore_is_reported_and_the_view_box_decides() {
     for size in [
         "200 mm",
         "",
@@ -64,7 +64,7 @@ fn a_marker_looks_along_the_other_handle_where_one_lies_on_its_end() {
             <g marker-{which}="url(#m)"><path d="{d}" stroke="blue" fill="none"/></g>"#
         ));
         let [from, to] = *ends.last().unwrap();
-        let round = |it: f64| (10.0 * it).round() / 10.0 + 0.0;
+        let round = |x: f64| (10.0 * x).round() / 10.0 + 0.0;
         (round(to.0 - from.0), round(to.1 - from.1))
     };
     // It begins downwards and ends to the right.
@@ -83,7 +83,9 @@ fn dashes_of_a_line_that_does_not_scale_are_as_long_as_on_a_screen() {
         let (strokes, _) = draw(&format!(
             r#"<path transform="scale(2 1)" d="M0 5H20" stroke="red" {attributes}/>"#
         ));
-        let lengths = strokes.iter().map(|it| (10.0 * it.length_mm()).round());
+        let lengths = strokes
+            .iter()
+            .map(|stroke| (10.0 * stroke.length_mm()).round());
         lengths.collect::<Vec<f64>>()
     };
     let px = 25.4 / 96.0;
@@ -169,7 +171,7 @@ fn rules_mean_elements_by_parts_of_their_attributes_and_by_their_places() {
 }
 
 #[test]
-fn rules_inside_a_rule_are_told_as_not_read() {
+fn rules_inside_a_rule_are_reported_as_not_read() {
     let (strokes, warnings) =
         draw(r#"<style>g { path { stroke: blue } }</style><g><path d="M1 1H9" stroke="red"/></g>"#);
     assert_eq!(strokes.len(), 1);

@@ -92,16 +92,20 @@ fn the_hidden_part_of_an_area_is_not_hatched() {
     );
     let (artwork, _) =
         super::super::draw(&svg, &hides, &super::super::Substitutes::default()).unwrap();
-    let areas: Vec<_> = artwork.layers.iter().flat_map(|it| &it.areas).collect();
-    let sizes = areas.iter().map(|it| {
-        let corners = bounds_of_strokes(&[Stroke::open(it.rings.concat())]);
+    let areas: Vec<_> = artwork
+        .layers
+        .iter()
+        .flat_map(|layer| &layer.areas)
+        .collect();
+    let sizes = areas.iter().map(|area| {
+        let corners = bounds_of_strokes(&[Stroke::open(area.rings.concat())]);
         corners.area().round()
     });
     assert_eq!(sizes.collect::<Vec<f64>>(), [200.0, 400.0]);
 }
 
 #[test]
-fn where_too_many_shapes_lie_over_each_other_all_is_drawn_and_told() {
+fn where_too_many_shapes_lie_over_each_other_all_is_drawn_and_reported() {
     let shapes = 3000_u32;
     let mut svg = String::new();
     for i in 0..shapes {
@@ -110,7 +114,7 @@ fn where_too_many_shapes_lie_over_each_other_all_is_drawn_and_told() {
     }
     let (strokes, warnings) = hidden(&svg);
     // The lowest ones are looked at first, and hardly any of their lines shows.
-    let whole = strokes.iter().filter(|it| it.closed).count();
+    let whole = strokes.iter().filter(|stroke| stroke.closed).count();
     assert!(whole > 2000, "{whole}");
     assert!(
         warnings[0]
@@ -130,7 +134,7 @@ proptest! {
         // Edges of all squares lie on different lines, so that none is along another.
         let box_of = |(i, &(x, y, w, h)): (usize, &(u32, u32, u32, u32))| {
             let off = f64::from(u32::try_from(i).unwrap()) * 0.03;
-            let [x0, y0] = [x, y].map(|it| f64::from(it) + off);
+            let [x0, y0] = [x, y].map(|value| f64::from(value) + off);
             [x0, y0, x0 + f64::from(w) + 0.011, y0 + f64::from(h) + 0.017]
         };
         let boxes: Vec<[f64; 4]> = squares.iter().enumerate().map(box_of).collect();

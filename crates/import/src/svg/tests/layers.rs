@@ -21,15 +21,17 @@ fn read_by(layers: LayersBy, content: &str) -> (Vec<Layer>, Vec<Warning>) {
 
 /// Names with how many strokes and areas.
 fn contents(layers: &[Layer]) -> Vec<(&str, usize, usize)> {
-    let count = |it: &Layer| (it.strokes.len(), it.areas.len());
-    let named = layers.iter().map(|it| (it.name.as_str(), count(it)));
+    let count = |layer: &Layer| (layer.strokes.len(), layer.areas.len());
+    let named = layers
+        .iter()
+        .map(|layer| (layer.name.as_str(), count(layer)));
     named.map(|(name, (s, a))| (name, s, a)).collect()
 }
 
 fn extent(area: &Area) -> [f64; 4] {
     let bounds = bounds(area.rings.iter().flatten().copied());
     let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
-    corners.map(|it| (it * 1e3).round() / 1e3)
+    corners.map(|corner| (corner * 1e3).round() / 1e3)
 }
 
 #[test]
@@ -44,7 +46,7 @@ fn colours_become_layers_in_the_order_of_their_first_shape() {
     let ys: Vec<f64> = layers[0]
         .strokes
         .iter()
-        .map(|it| it.points[0].y.round())
+        .map(|stroke| stroke.points[0].y.round())
         .collect();
     assert_eq!(ys, [0.0, 2.0]);
 }
@@ -94,7 +96,7 @@ fn the_fill_rule_comes_along() {
         LayersBy::Nothing,
         &format!(r#"<path d="{path}"/><path d="{path}" fill-rule="evenodd"/>"#),
     );
-    let rules: Vec<FillRule> = layers[0].areas.iter().map(|it| it.rule).collect();
+    let rules: Vec<FillRule> = layers[0].areas.iter().map(|area| area.rule).collect();
     assert_eq!(rules, [FillRule::NonZero, FillRule::EvenOdd]);
     assert_eq!(layers[0].areas[1].rings.len(), 2);
 }
@@ -151,7 +153,7 @@ fn outermost_groups_become_layers_with_their_labels() {
             ("group 4", 1, 0)
         ]
     );
-    let colors: Vec<Option<[u8; 3]>> = layers.iter().map(|it| it.color).collect();
+    let colors: Vec<Option<[u8; 3]>> = layers.iter().map(|layer| layer.color).collect();
     assert_eq!(
         colors,
         [
@@ -198,10 +200,10 @@ fn letters_are_areas_too() {
 }
 
 #[test]
-fn a_font_that_is_not_here_is_told_with_the_one_taken_for_it() {
+fn a_font_that_is_not_here_is_reported_with_the_one_taken_for_it() {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_system_fonts();
-    let first = fonts.faces().next().map(|it| it.families[0].0.clone());
+    let first = fonts.faces().next().map(|face| face.families[0].0.clone());
     let Some(here) = first else {
         return; // A machine without fonts cannot show this.
     };
@@ -212,11 +214,11 @@ fn a_font_that_is_not_here_is_told_with_the_one_taken_for_it() {
         ..ReadOptions::default()
     };
     let warnings = |families: &[&str]| -> Vec<String> {
-        let text = |it: &&str| {
-            let font = if it.is_empty() {
+        let text = |text: &&str| {
+            let font = if text.is_empty() {
                 String::new()
             } else {
-                format!("font-family=\"{it}\"")
+                format!("font-family=\"{text}\"")
             };
             format!(r#"<text {font} x="10" y="30" font-size="20">o</text>"#)
         };
@@ -242,10 +244,13 @@ fn a_font_that_is_not_here_is_told_with_the_one_taken_for_it() {
 }
 
 #[test]
-fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_tells() {
+fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_states() {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_system_fonts();
-    let mut names: Vec<_> = fonts.faces().map(|it| it.families[0].0.clone()).collect();
+    let mut names: Vec<_> = fonts
+        .faces()
+        .map(|face| face.families[0].0.clone())
+        .collect();
     names.sort();
     names.dedup();
     let [serif, sans, mono, ..] = &names[..] else {
@@ -268,9 +273,9 @@ fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_tells()
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50"><text font-family="{asked}" x="10" y="30" font-size="20">o</text></svg>"#
         );
         let (_, warnings) = read(&svg, &options).unwrap();
-        let told = format!("1 font {asked}: not installed, drawn in {taken}");
+        let message = format!("1 font {asked}: not installed, drawn in {taken}");
         let warnings: Vec<_> = warnings.iter().map(Warning::to_string).collect();
-        assert!(warnings.contains(&told), "{told}: {warnings:?}");
+        assert!(warnings.contains(&message), "{message}: {warnings:?}");
     }
 }
 
@@ -295,7 +300,7 @@ fn the_bundled_drawing_for_three_pens_has_three_layers_either_way() {
         assert_eq!(warnings, []);
         let layers = artwork.layers.into_iter();
         layers
-            .map(|it| (it.name, it.areas.len()))
+            .map(|layer| (layer.name, layer.areas.len()))
             .collect::<Vec<_>>()
     };
     let named = |names: [&str; 3]| names.map(str::to_owned).into_iter().zip([1, 3, 2]);
@@ -380,7 +385,7 @@ proptest! {
         for layers in [LayersBy::Color, LayersBy::Group] {
             let options = ReadOptions { layers, ..ReadOptions::default() };
             if let Ok((artwork, _)) = read(&damaged, &options) {
-                prop_assert!(artwork.layers.iter().all(|it| !it.is_empty()));
+                prop_assert!(artwork.layers.iter().all(|layer| !layer.is_empty()));
             }
         }
     }

@@ -211,11 +211,11 @@ pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Proble
         _ => return Err(BAD_PROGRAM.problem("give either text or data")),
     };
     let program = asked.from.read(&bytes).map_err(bad)?;
-    let written = asked.to.write(&program.it).map_err(bad)?;
+    let written = asked.to.write(&program.content).map_err(bad)?;
     let mut warnings = program.warnings;
     warnings.extend(written.warnings);
     Ok(ConvertedProgram {
-        text: written.it,
+        text: written.content,
         warnings,
     })
 }

@@ -1,4 +1,4 @@
-//! Random programs, and what a laser burns of them by the rules that GRBL publishes for laser mode ($32=1).
+//! Random programs and their burn by the published rules of GRBL's laser mode ($32=1).
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -12,7 +12,7 @@ use proptest::prelude::*;
 /// - G1, G2 and G3 burn while M3, M4 or M106 hold and S is above 0. Before the first of them the laser is off. M5 and M107
 ///   switch it off.
 /// - S holds from its line on, and is 0 before; without any S in the file M3, M4 and M106 have full power.
-/// - A file without any of these words says nothing of a laser: then G1, G2 and G3 burn.
+/// - In a file without any of these words G1, G2 and G3 burn.
 /// - A dwell may burn a dot while the laser is on, if it is neither before the first line that burns nor above all of them,
 ///   and nothing is drilled.
 #[derive(Debug, Default)]
@@ -45,7 +45,7 @@ impl Reference {
     }
 
     pub(super) fn waits_at(&self, p: Point) -> bool {
-        self.dwells.iter().any(|it| it.distance(p) < 1e-6)
+        self.dwells.iter().any(|dwell| dwell.distance(p) < 1e-6)
     }
 
     pub(super) fn length_mm(&self) -> f64 {
@@ -78,7 +78,7 @@ struct Reader {
 
 impl Reader {
     fn line(&mut self, words: &[(char, f64)]) {
-        let value = |letter| words.iter().find(|it| it.0 == letter).map(|it| it.1);
+        let value = |letter| words.iter().find(|word| word.0 == letter).map(|at| at.1);
         let has_g = |code| words.contains(&('G', code));
         for &(letter, code) in words {
             match (letter, code) {
@@ -98,7 +98,7 @@ impl Reader {
             }
             return;
         }
-        if !"XYZIJ".chars().any(|it| value(it).is_some()) {
+        if !"XYZIJ".chars().any(|c| value(c).is_some()) {
             return;
         }
         let target = |letter, here: f64| {
@@ -129,7 +129,8 @@ impl Reader {
                 self.dwells.clear();
             }
             self.lit_heights.extend(z);
-            self.lit.extend(path.windows(2).map(|it| (it[0], it[1])));
+            self.lit
+                .extend(path.windows(2).map(|pair| (pair[0], pair[1])));
         }
     }
 
@@ -145,9 +146,9 @@ impl Reader {
         let dots = self
             .dwells
             .iter()
-            .filter(|it| !self.drills && !is_above(it.1));
+            .filter(|dwell| !self.drills && !is_above(dwell.1));
         Reference {
-            dwells: dots.map(|it| it.0).collect(),
+            dwells: dots.map(|dot| dot.0).collect(),
             lit: self.lit,
         }
     }
@@ -173,19 +174,19 @@ fn uncommented(text: &str) -> String {
 fn words(line: &str) -> Vec<(char, f64)> {
     let starts: Vec<_> = line
         .match_indices(|c: char| c.is_ascii_alphabetic())
-        .map(|it| it.0)
+        .map(|found| found.0)
         .chain([line.len()])
         .collect();
-    let word = |it: &[usize]| {
-        let value = line[it[0] + 1..it[1]].trim().parse().unwrap();
-        (char::from(line.as_bytes()[it[0]]), value)
+    let word = |n: &[usize]| {
+        let value = line[n[0] + 1..n[1]].trim().parse().unwrap();
+        (char::from(line.as_bytes()[n[0]]), value)
     };
     starts.windows(2).map(word).collect()
 }
 
 /// An arc in chords.
 fn arc(from: Point, to: Point, center: Point, clockwise: bool) -> Vec<Point> {
-    let [begin, end] = [from, to].map(|it| (it - center).atan2());
+    let [begin, end] = [from, to].map(|value| (value - center).atan2());
     let sign = if clockwise { -1.0 } else { 1.0 };
     let turn = (sign * (end - begin)).rem_euclid(TAU);
     let turn = if from == to { TAU } else { turn };
@@ -207,7 +208,7 @@ fn distance(p: Point, a: Point, b: Point) -> f64 {
     p.distance(a.lerp(b, t))
 }
 
-/// Which words random programs have.
+/// The words of random programs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Words {
     /// Z, and drilling cycles.
