@@ -191,8 +191,8 @@ impl Session {
         self.client.request(Request::TakeLease).await?;
         let request = Request::Command { command };
         if let Reply::Accepted { command, .. } = self.client.request_at_rest(request).await? {
-            let ears = &self.ears;
-            let see = |state: &State| tell(ears, state);
+            let subscribers = &self.subscribers;
+            let see = |state: &State| publish(subscribers, state);
             self.client.finished_with_states(command, see).await?;
         }
         Ok(())
@@ -202,7 +202,7 @@ impl Session {
     async fn status(&mut self) -> Result<Status, Failure> {
         if self.held.is_none() {
             let state = self.client.first_state().await?;
-            tell(&self.ears, &state);
+            publish(&self.subscribers, &state);
             let arm = state.arm.ok_or(RemoteError::Silent)?;
             return Ok(arm.status);
         }
