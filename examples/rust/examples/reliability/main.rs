@@ -1,6 +1,7 @@
-//! `cargo run -p dobot-examples --example reliability -- --quick`: what becomes of jobs when everything goes wrong.
+//! `cargo run -p dobot-examples --example reliability -- --quick`: the fate of jobs under all
+//! faults.
 //!
-//! Without `--quick`, and with `> docs/reliability.md` behind it, it writes that file anew.
+//! Without `--quick`, and with `> docs/reliability.md`, it updates that file.
 
 #[path = "../../../../crates/host/tests/it/cases/mod.rs"]
 mod cases;
@@ -14,7 +15,7 @@ fn main() -> ExitCode {
         None => false,
         Some("--quick") => true,
         Some(other) => {
-            eprintln!("error: {other} is no argument; --quick is the only one");
+            eprintln!("error: unknown argument {other}; only --quick is allowed");
             return ExitCode::from(2);
         }
     };
