@@ -14,7 +14,7 @@ pub(super) use dobot_mcp::HttpAgents;
 
 use crate::http::access::auth::presented;
 use crate::http::app::{App, Peer};
-use crate::http::exchange::answer::{NotDone, collect};
+use crate::http::exchange::responses::{NotDone, collect};
 
 /// Serves an agent: its calls are made with its own token, as for every client of the station.
 pub(super) async fn agents(

@@ -17,8 +17,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 
 use crate::http::app::App;
-use crate::http::exchange::answer::{BODY, Body, Maybe, NotDone, Nothing, OfJob};
 use crate::http::exchange::requester::Asker;
+use crate::http::exchange::responses::{BODY, Body, Maybe, NotDone, Nothing, OfJob};
 #[cfg(test)]
 use crate::http::exchange::strict_json;
 

@@ -15,7 +15,7 @@ use dobot_api::{Problem, Role};
 
 use crate::http::access::tokens::digest;
 use crate::http::app::{App, Caller, Peer};
-use crate::http::exchange::answer::{self, NotDone, TooSoon};
+use crate::http::exchange::responses::{self, NotDone, TooSoon};
 use crate::http::resources::page;
 use crate::http::routes;
 
@@ -41,7 +41,7 @@ pub(crate) async fn pass(
     };
     let took = app.now().saturating_sub(began);
     log(&peer, &method, &path, answer.status(), took);
-    answer::guarded(answer)
+    responses::guarded(answer)
 }
 
 /// Logs a request: a server error as a warning, a refused one at level info, others at level debug.

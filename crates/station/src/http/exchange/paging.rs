@@ -14,7 +14,7 @@ use schemars::SchemaGenerator;
 use serde::{Deserialize, Serialize};
 
 use crate::http::app::App;
-use crate::http::exchange::answer::NotDone;
+use crate::http::exchange::responses::NotDone;
 use crate::http::route::Query;
 
 /// The requested page of a list.

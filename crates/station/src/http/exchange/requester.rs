@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 use crate::http::access::auth;
 use crate::http::app::{App, Caller};
 use crate::http::arm_facts::ArmFacts;
-use crate::http::exchange::answer::{Body, NotDone, json};
+use crate::http::exchange::responses::{Body, NotDone, json};
 
 /// The header for a lease token that was granted over plain HTTP.
 pub(crate) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");

@@ -10,8 +10,8 @@ use dobot_api::{Problem, Role};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::http::exchange::answer::{Body, NotDone};
 use crate::http::exchange::requester::{Asker, is_name};
+use crate::http::exchange::responses::{Body, NotDone};
 
 /// The progress of a student in a lesson.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]

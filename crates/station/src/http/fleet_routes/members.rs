@@ -19,8 +19,8 @@ use tokio::time::{Interval, MissedTickBehavior, interval};
 
 use crate::http::access::tokens::digest;
 use crate::http::app::{App, Caller, Peer, Stay};
-use crate::http::exchange::answer::{Body, JOB, Maybe, NotDone, Nothing};
 use crate::http::exchange::requester::Asker;
+use crate::http::exchange::responses::{Body, JOB, Maybe, NotDone, Nothing};
 use crate::http::live::events::ALIVE_EVERY;
 use crate::http::routes;
 use crate::{ArmsPort, FleetPort, Members};

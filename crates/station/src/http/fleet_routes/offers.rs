@@ -17,8 +17,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::http::app::{App, Peer};
-use crate::http::exchange::answer::{Body, JOB, NotDone};
 use crate::http::exchange::requester::Asker;
+use crate::http::exchange::responses::{Body, JOB, NotDone};
 use crate::http::resources::drawings::NewDrawing;
 use crate::{FleetPort, UNSETTLED, work_hurdle};
 

@@ -7,8 +7,8 @@ use dobot_api::{GivenArm, GivenArms, Role, is_fleet_name};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::http::exchange::answer::{Body, JOB, NotDone};
 use crate::http::exchange::requester::Asker;
+use crate::http::exchange::responses::{Body, JOB, NotDone};
 use crate::http::fleet_routes::members::not_a_name;
 use crate::{ArmCommand, WantedArm};
 

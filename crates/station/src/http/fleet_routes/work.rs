@@ -10,8 +10,8 @@ use dobot_api::{NewJob, Problem, Role, WorkView, is_fleet_name};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::http::exchange::answer::{Body, JOB, NotDone};
 use crate::http::exchange::requester::{Asker, is_name};
+use crate::http::exchange::responses::{Body, JOB, NotDone};
 use crate::http::fleet_routes::members::not_a_name;
 use crate::http::fleet_routes::offers::FleetOffer;
 use crate::http::resources::drawings::NewDrawing;

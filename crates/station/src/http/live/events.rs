@@ -16,8 +16,8 @@ use schemars::JsonSchema;
 use tokio::sync::{OwnedSemaphorePermit, broadcast};
 
 use crate::http::app::{App, Caller, Stay};
-use crate::http::exchange::answer::NotDone;
 use crate::http::exchange::messages;
+use crate::http::exchange::responses::NotDone;
 use crate::http::live::socket::{StateStream, Wants, state_message};
 
 /// The interval of keep-alive comments, which reveal dead connections.

@@ -17,7 +17,7 @@ use tokio::sync::broadcast::Receiver;
 use tokio::sync::broadcast::error::RecvError;
 
 use crate::http::app::{App, Caller, Stay};
-use crate::http::exchange::answer::NotDone;
+use crate::http::exchange::responses::NotDone;
 use crate::http::live::events::ALIVE_EVERY;
 
 /// A packet between the station and the arm.

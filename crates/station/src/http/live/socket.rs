@@ -23,8 +23,8 @@ pub(crate) use self::state_stream::{StateStream, message as state_message};
 
 use self::connection::SocketConnection;
 use crate::http::app::{App, Caller, Peer};
-use crate::http::exchange::answer::{BODY, JOB, NotDone};
 use crate::http::exchange::requester::is_name;
+use crate::http::exchange::responses::{BODY, JOB, NotDone};
 use crate::http::route::Query;
 
 /// The options of a connecting client.

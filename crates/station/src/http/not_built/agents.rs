@@ -3,7 +3,7 @@
 use dobot_api::problem_kinds::NOT_BUILT;
 use dobot_api::{NotBuilt, StationAddress};
 
-use crate::http::exchange::answer::NotDone;
+use crate::http::exchange::responses::NotDone;
 
 /// A placeholder for the tools for agents.
 #[derive(Debug)]

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 use tokio::sync::{Semaphore, watch};
 use tokio::task::AbortHandle;
 
-use crate::http::exchange::answer::beside;
+use crate::http::exchange::responses::beside;
 
 /// A drawing to be planned: a file, the text in the options or both, or a test card.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{GET, MOVES, POST, PUT};
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, Maybe, NotDone, Nothing};
+use crate::http::exchange::responses::{Body, Maybe, NotDone, Nothing};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {

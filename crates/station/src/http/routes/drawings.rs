@@ -18,8 +18,8 @@ use serde::Deserialize;
 
 use super::{DELETE, GET, POST};
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, Maybe, NotDone, Number, json};
 use crate::http::exchange::requester::Asker;
+use crate::http::exchange::responses::{Body, Maybe, NotDone, Number, json};
 use crate::http::resources::drawings::{self, DrawingPart, DrawingView, MaterialView, NewDrawing};
 use crate::http::route::Route;
 

@@ -16,9 +16,9 @@ use serde::Deserialize;
 
 use super::{ADJUSTS, DELETE, GET, MOVES, POST, PUT};
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, JOB, Maybe, NotDone, Nothing, Number, OfJob};
 use crate::http::exchange::paging::{PAGES, Page};
 use crate::http::exchange::requester::{Asker, queued};
+use crate::http::exchange::responses::{Body, JOB, Maybe, NotDone, Nothing, Number, OfJob};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {

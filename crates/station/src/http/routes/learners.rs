@@ -3,7 +3,7 @@
 use dobot_api::problem_kinds::{INVALID, ROLE, TOO_MANY};
 
 use super::{GET, POST};
-use crate::http::exchange::answer::{BODY, Body};
+use crate::http::exchange::responses::{BODY, Body};
 use crate::http::fleet_routes::learners::{self, LearnerView, Progress};
 use crate::http::route::Route;
 

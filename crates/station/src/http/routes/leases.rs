@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 use super::{DELETE, GET, POST, PUT};
 use crate::http::access::http_leases::LASTS;
 use crate::http::app::Caller;
-use crate::http::exchange::answer::{Body, Maybe, NotDone, Nothing};
 use crate::http::exchange::requester::{Asker, is_name};
+use crate::http::exchange::responses::{Body, Maybe, NotDone, Nothing};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {

@@ -19,8 +19,8 @@ use tokio::sync::broadcast::error::RecvError;
 
 use super::{DELETE, MOVES, POST, STOP};
 use crate::http::app::Peer;
-use crate::http::exchange::answer::{Body, Maybe, NotDone, Nothing};
 use crate::http::exchange::requester::Asker;
+use crate::http::exchange::responses::{Body, Maybe, NotDone, Nothing};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {

@@ -11,8 +11,8 @@ use dobot_api::problem_kinds::{
 
 use super::POST;
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, JOB, NotDone, beside};
 use crate::http::exchange::requester::Asker;
+use crate::http::exchange::responses::{Body, JOB, NotDone, beside};
 use crate::http::resources::programs::{
     self, ConvertProgram, ConvertedProgram, EditProgram, EditedProgram, NewProgram, ProgramReport,
     ProgramText,

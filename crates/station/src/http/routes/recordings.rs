@@ -10,8 +10,8 @@ use schemars::SchemaGenerator;
 
 use super::GET;
 use crate::http::app::App;
-use crate::http::exchange::answer::NotDone;
 use crate::http::exchange::paging::{PAGES, Page};
+use crate::http::exchange::responses::NotDone;
 use crate::http::resources::recordings::{RecordedStates, RecordingView, Stretch};
 use crate::http::route::{Query, Route};
 

@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{DELETE, GET, POST};
 use crate::http::access::tokens::{Token, Tokens, TokensError};
-use crate::http::exchange::answer::{Body, NotDone};
 use crate::http::exchange::requester::Asker;
+use crate::http::exchange::responses::{Body, NotDone};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {

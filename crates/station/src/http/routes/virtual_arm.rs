@@ -14,8 +14,8 @@ use serde::Deserialize;
 
 use super::{GET, PUT};
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, NotDone};
 use crate::http::exchange::requester::Asker;
+use crate::http::exchange::responses::{Body, NotDone};
 use crate::http::route::{Query, Route};
 
 pub(super) fn all() -> Vec<Route> {

@@ -15,8 +15,8 @@ use tokio::time::timeout;
 use super::connection::{End, Owed};
 use crate::http::access::rate::{Rate, Used};
 use crate::http::app::App;
-use crate::http::exchange::answer;
 use crate::http::exchange::messages;
+use crate::http::exchange::responses;
 
 /// The time of silence after which a client is considered gone.
 const SILENCE: Duration = Duration::from_secs(6);
@@ -81,7 +81,7 @@ async fn answer(client: &Client, message: Message) -> Option<Owed> {
         _ => return None,
     };
     Some(
-        match answer::read_beside(Bytes::from(text), messages::read).await {
+        match responses::read_beside(Bytes::from(text), messages::read).await {
             Err(problem) => Owed::problem(None, problem),
             Ok(Err((id, problem))) => Owed::problem(id, problem),
             Ok(Ok(FromClient { id, request })) => match client.ask(request).await {
