@@ -10,8 +10,8 @@ use dobot_api::{Problem, Role};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::http::exchange::requester::{Asker, is_name};
-use crate::http::exchange::responses::{Body, NotDone};
+use crate::http::exchange::requester::{Requester, is_name};
+use crate::http::exchange::responses::{Body, RequestFailed};
 
 /// The progress of a student in a lesson.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -138,18 +138,18 @@ impl Progress {
 
 /// Handles the progress of a student.
 pub(crate) async fn tell(
-    asker: Asker,
+    requester: Requester,
     Body(progress): Body<Progress>,
-) -> Result<Json<LearnerView>, NotDone> {
-    asker.check_role(Role::Queue)?;
-    let now = asker.app.now();
-    Ok(Json(asker.app.learners().tell(now, progress)?))
+) -> Result<Json<LearnerView>, RequestFailed> {
+    requester.check_role(Role::Queue)?;
+    let now = requester.app.now();
+    Ok(Json(requester.app.learners().tell(now, progress)?))
 }
 
 /// Returns all students in lessons.
-pub(crate) async fn all(asker: Asker) -> Json<Vec<LearnerView>> {
-    let now = asker.app.now();
-    Json(asker.app.learners().views(now))
+pub(crate) async fn all(requester: Requester) -> Json<Vec<LearnerView>> {
+    let now = requester.app.now();
+    Json(requester.app.learners().views(now))
 }
 
 /// The maximum number of students.

@@ -17,7 +17,7 @@ use tokio::sync::{OwnedSemaphorePermit, broadcast};
 
 use crate::http::app::{App, Caller, Stay};
 use crate::http::exchange::messages;
-use crate::http::exchange::responses::NotDone;
+use crate::http::exchange::responses::RequestFailed;
 use crate::http::live::socket::{StateStream, Wants, state_message};
 
 /// The interval of keep-alive comments, which reveal dead connections.
@@ -53,7 +53,7 @@ pub(crate) async fn events(
     Extension(caller): Extension<Caller>,
     uri: Uri,
     headers: HeaderMap,
-) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
+) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, RequestFailed> {
     let wants = Wants::of_one_who_watches(&uri)?;
     let seen = last_seen(&headers)?;
     let place = app.place()?;

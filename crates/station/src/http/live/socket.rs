@@ -24,7 +24,7 @@ pub(crate) use self::state_stream::{StateStream, message as state_message};
 use self::connection::SocketConnection;
 use crate::http::app::{App, Caller, Peer};
 use crate::http::exchange::requester::is_name;
-use crate::http::exchange::responses::{BODY, JOB, NotDone};
+use crate::http::exchange::responses::{BODY, JOB, RequestFailed};
 use crate::http::route::Query;
 
 /// The options of a connecting client.
@@ -111,7 +111,7 @@ pub(crate) async fn upgrade(
     Extension(peer): Extension<Peer>,
     uri: Uri,
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
-) -> Result<Response, NotDone> {
+) -> Result<Response, RequestFailed> {
     let wants = Wants::of(&uri)?;
     let upgrade = upgrade.map_err(|error| UPGRADE.problem(error.body_text()))?;
     let place = app.place()?;
