@@ -12,24 +12,24 @@ use super::*;
 use crate::fake::FakeDriver;
 
 /// A client of the published protocol.
-struct Onlooker {
+struct FoxgloveClient {
     socket: Socket,
     /// The channel id of each topic.
     channels: HashMap<String, u64>,
     advertised: Vec<Value>,
 }
 
-impl Onlooker {
+impl FoxgloveClient {
     async fn come(address: SocketAddr) -> Self {
         let socket = connect(address, None).await.expect("it listens");
         let (channels, advertised) = (HashMap::new(), Vec::new());
-        let mut onlooker = Self {
+        let mut client = Self {
             socket,
             channels,
             advertised,
         };
-        while onlooker.channels.is_empty() {
-            let said = onlooker.said().await;
+        while client.channels.is_empty() {
+            let said = client.said().await;
             let advertised = said
                 .as_ref()
                 .and_then(|message| message["channels"].as_array());
@@ -39,11 +39,11 @@ impl Onlooker {
                     .expect("a topic has a name")
                     .to_owned();
                 let id = channel["id"].as_u64().expect("a channel has a number");
-                onlooker.channels.insert(name, id);
-                onlooker.advertised.push(channel.clone());
+                client.channels.insert(name, id);
+                client.advertised.push(channel.clone());
             }
         }
-        onlooker
+        client
     }
 
     /// Returns the next text message, if the message is text.
@@ -143,8 +143,8 @@ const OUT_MM: f32 = 215.07;
 #[tokio::test]
 async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
     let (_driver, address) = served().await;
-    let onlooker = Onlooker::come(address).await;
-    let mut names: Vec<_> = onlooker.channels.keys().map(String::as_str).collect();
+    let client = FoxgloveClient::come(address).await;
+    let mut names: Vec<_> = client.channels.keys().map(String::as_str).collect();
     names.sort_unstable();
     let recorded = [
         "/arm/ink",
@@ -159,7 +159,7 @@ async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
         "/wire/to_arm",
     ];
     assert_eq!(names, recorded);
-    let transform = onlooker
+    let transform = client
         .advertised
         .iter()
         .find(|channel| channel["topic"] == "/tf");
@@ -170,7 +170,7 @@ async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
         .expect("it is JSON");
     assert_eq!(schema["type"], "object");
     for topic in ["/arm/ink", "/arm/target"] {
-        let scene = onlooker
+        let scene = client
             .advertised
             .iter()
             .find(|channel| channel["topic"] == topic);
@@ -211,15 +211,15 @@ async fn pages_of_other_sites_are_refused() {
 #[tokio::test]
 async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
     let (driver, address) = served().await;
-    let mut onlooker = Onlooker::come(address).await;
-    onlooker.want("/tf").await;
+    let mut client = FoxgloveClient::come(address).await;
+    client.want("/tf").await;
     let mut base_deg = 30.0;
     let again = || {
         // Each status has another angle, until one is published.
         base_deg += 0.25;
         driver.tell_passed(turned(base_deg));
     };
-    let (_, told) = onlooker.told("/tf", again).await;
+    let (_, told) = client.told("/tf", again).await;
     // The turret turns with the base only: rear arm upright, forearm level.
     let turret = &told["transforms"][0];
     assert_eq!(turret["parent_frame_id"], "base");
@@ -235,10 +235,10 @@ async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
 #[tokio::test]
 async fn foxglove_is_told_the_state_of_the_station_at_its_time() {
     let (driver, address) = served().await;
-    let mut onlooker = Onlooker::come(address).await;
-    onlooker.want("/station/state").await;
+    let mut client = FoxgloveClient::come(address).await;
+    client.want("/station/state").await;
     let begun = Timestamp::now().as_nanosecond();
-    let (at_ns, state) = onlooker
+    let (at_ns, state) = client
         .told("/station/state", || driver.tell(crate::sample::state(60.0)))
         .await;
     assert_eq!(state["at_s"], 60.0);

@@ -30,7 +30,7 @@ use crate::http::route::Query;
 /// The options of a connecting client.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Wants {
+pub(crate) struct SocketOptions {
     states: Option<f64>,
     notices: Option<bool>,
     name: Option<String>,
@@ -58,7 +58,7 @@ pub(crate) const QUERIES: &[Query] = &[
 /// The parameters for clients that only watch.
 pub(crate) const WATCH_QUERIES: &[Query] = QUERIES.split_at(2).0;
 
-impl Wants {
+impl SocketOptions {
     /// Parses the options of a client that only watches, which needs no name.
     pub(crate) fn of_one_who_watches(uri: &Uri) -> Result<Self, Problem> {
         let wants = Self::of(uri)?;
@@ -112,7 +112,7 @@ pub(crate) async fn upgrade(
     uri: Uri,
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
 ) -> Result<Response, RequestFailed> {
-    let wants = Wants::of(&uri)?;
+    let wants = SocketOptions::of(&uri)?;
     let upgrade = upgrade.map_err(|error| UPGRADE.problem(error.body_text()))?;
     let place = app.place()?;
     let name = wants.name.clone().unwrap_or_else(|| caller.name.clone());
