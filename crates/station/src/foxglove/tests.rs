@@ -65,7 +65,7 @@ impl FoxgloveClient {
     /// Returns the next message of a topic with its time, in nanoseconds since 1970. `again` is
     /// repeated until it arrives, since a subscription is only effective after the station has read
     /// it.
-    async fn told(&mut self, topic: &str, mut again: impl FnMut()) -> (u64, Value) {
+    async fn message(&mut self, topic: &str, mut again: impl FnMut()) -> (u64, Value) {
         let id = self.channels[topic];
         loop {
             again();
@@ -219,9 +219,9 @@ async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
         base_deg += 0.25;
         driver.tell_passed(turned(base_deg));
     };
-    let (_, told) = client.told("/tf", again).await;
+    let (_, message) = client.message("/tf", again).await;
     // The turret turns with the base only: rear arm upright, forearm level.
-    let turret = &told["transforms"][0];
+    let turret = &message["transforms"][0];
     assert_eq!(turret["parent_frame_id"], "base");
     assert_eq!(turret["child_frame_id"], "turret");
     let part = |name: &str| turret["rotation"][name].as_f64().expect("it is a number");
@@ -239,7 +239,7 @@ async fn foxglove_is_told_the_state_of_the_station_at_its_time() {
     client.want("/station/state").await;
     let begun = Timestamp::now().as_nanosecond();
     let (at_ns, state) = client
-        .told("/station/state", || driver.tell(crate::sample::state(60.0)))
+        .message("/station/state", || driver.tell(crate::sample::state(60.0)))
         .await;
     assert_eq!(state["at_s"], 60.0);
     // The sample station has run for a minute by then: the time is that of the state, not that of
@@ -261,5 +261,7 @@ async fn others_on_the_network_cannot_look_on() {
 async fn a_port_that_another_program_has_is_told() {
     let (_driver, address) = served().await;
     let refused = FoxglovePort::bind(address).await.expect_err("it is taken");
-    assert!(matches!(refused, FoxglovePortError::Listen { address: it, .. } if it == address));
+    assert!(
+        matches!(refused, FoxglovePortError::Listen { address: refused, .. } if refused == address)
+    );
 }

@@ -125,8 +125,8 @@ async fn press(stations: &Stations) -> Result<Press, Box<dyn Error + Send + Sync
 }
 
 /// Whether a station did not respond in time; it may stop later.
-fn is_late(it: &MemberAnswer) -> bool {
-    it.answer.body["type"] == "/api/v1/problems/member-away"
+fn is_late(answer: &MemberAnswer) -> bool {
+    answer.answer.body["type"] == "/api/v1/problems/member-away"
 }
 
 /// Waits for the response without a timeout: with a thousand stations on two cores it takes longer

@@ -141,10 +141,10 @@ mod tests {
     }
 
     #[test]
-    fn a_page_behind_what_was_forgotten_begins_anew() {
+    fn a_page_behind_what_was_forgotten_begins_again() {
         let error = page(Some(2), Some("x"))
             .of(&ALL, |page| (*page).to_owned())
             .unwrap_err();
-        assert!(error.0.detail.contains("begin anew"), "{error:?}");
+        assert!(error.0.detail.contains("start again without"), "{error:?}");
     }
 }

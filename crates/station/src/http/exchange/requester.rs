@@ -181,8 +181,8 @@ pub(crate) async fn policy_text(State(app): State<Arc<App>>) -> Response {
     let kept = std::fs::read_to_string(&app.policy_file).ok();
     let same = |text: &String| Policy::from_toml(text).is_ok_and(|parsed| parsed == *policy);
     let text = kept.filter(same).unwrap_or_else(|| match policy {
-        it if *it == Policy::default() => Policy::DEFAULT_TOML.to_owned(),
-        it => it.to_toml(),
+        policy if *policy == Policy::default() => Policy::DEFAULT_TOML.to_owned(),
+        policy => policy.to_toml(),
     });
     text.into_response()
 }

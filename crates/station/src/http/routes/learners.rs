@@ -21,7 +21,7 @@ pub(super) fn all() -> Vec<Route> {
             "/api/v1/learners",
             "Reports the progress of a student in a lesson, for the board of the fleet. It expires after a minute unless it is \
                 repeated",
-            learners::tell,
+            learners::report,
         )
         .brings::<Body<Progress, BODY>>()
         .example(r#"{"student": "Anna", "lesson": "tour", "done": 2, "steps": 12}"#)
