@@ -23,7 +23,7 @@ pub(crate) fn profiles() -> String {
         c.title([0.0, 66.0], Anchor::Left, title);
         if profile.end_speed() < end {
             c.line([0.0, end], [1.9, end], &dashed(ORANGE, 1.3));
-            c.note([1.9, end + 3.2], Anchor::Right, "requested end speed");
+            c.note([1.9, end + 3.2], Anchor::Right, "end speed asked for");
         }
     }
     c.finish()
