@@ -48,9 +48,9 @@ impl<'py> Columns<'py> {
     }
 
     /// Adds a column of a recording.
-    pub(crate) fn column(self, it: TableColumn) -> PyResult<Self> {
-        let name = it.name.as_str();
-        match it.values {
+    pub(crate) fn column(self, column: TableColumn) -> PyResult<Self> {
+        let name = column.name.as_str();
+        match column.values {
             Values::Times(all) => self.times(name, all.into_iter()),
             Values::Floats(all) => self.floats(name, all.into_iter()),
             Values::Truths(all) => self.truths(name, all.into_iter()),

@@ -178,7 +178,9 @@ fn grouped(json: &str) -> PyResult<Options> {
     let known = Options::fields();
     let mut asked = Map::new();
     for (name, value) in flat {
-        let group = known.iter().find(|(_, it)| it.get(&name).is_some());
+        let group = known
+            .iter()
+            .find(|(_, options)| options.get(&name).is_some());
         let Some((group, _)) = group else {
             let names = known
                 .values()

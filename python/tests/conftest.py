@@ -1,4 +1,4 @@
-"""What several tests need."""
+"""Shared fixtures."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ import dobot_arm as dobot
 
 @pytest.fixture
 def station(tmp_path: Path) -> Iterator[str]:
-    """The address of a station with a virtual arm, run by the program that ``DOBOT`` names."""
+    """The address of a station with a virtual arm, run by the program in ``DOBOT``."""
     program = os.environ.get("DOBOT")
     if program is None:
-        pytest.skip("the environment variable DOBOT names no `dobot` program")
+        pytest.skip("the environment variable DOBOT is not set to a `dobot` program")
     command = [
         program, "up", "--virtual", "--raw", "off",
         "--data", str(tmp_path), "--http", "127.0.0.1:0",
@@ -42,7 +42,7 @@ def recording(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]
     """The recording of a move from (200, 0, 60) to (220, 40, 20)."""
     program = os.environ.get("DOBOT")
     if program is None:
-        pytest.skip("the environment variable DOBOT names no `dobot` program")
+        pytest.skip("the environment variable DOBOT is not set to a `dobot` program")
     monkeypatch.setenv("DOBOT_DATA", str(tmp_path / "data"))
     monkeypatch.setenv("PATH", str(Path(program).parent))
     with dobot.serve("specification", speed=20) as served:

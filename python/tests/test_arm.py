@@ -1,4 +1,4 @@
-"""What a user of an arm relies on."""
+"""The behaviour of arms."""
 
 import asyncio
 import json
@@ -294,10 +294,10 @@ def test_an_arm_is_told_to_stop_when_the_interpreter_that_jogs_it_is_killed(
         with interpreter(JOGS, station, "jogs") as jogger:
             assert any(it.y_mm > 3 for it in islice(statuses, 200))
             jogger.kill()
-        # The recording is written a little later.
+        # The recording is written with a delay.
         assert any(jogs_sent(tmp_path)[-1] == "released" for _ in islice(statuses, 200))
         assert "y_plus" in jogs_sent(tmp_path)
-        # It runs down, as its motors need, and then it rests.
+        # It decelerates, and then rests.
         told = (it.y_mm for it in islice(statuses, 200))
         ended = next((y_mm for y_mm, next_mm in pairwise(told) if y_mm == next_mm), None)
         watcher.wait(0.5)
@@ -322,14 +322,14 @@ def test_the_laser_goes_off_when_the_interpreter_that_burns_is_killed(station: s
         statuses = watcher.statuses()
         with interpreter(BURNS, station, "burns") as burner:
             burner.kill()
-        # The recording is written a little later.
+        # The recording is written with a delay.
         assert any(lights_sent(tmp_path)[-1] == "laser_off" for _ in islice(statuses, 200))
         assert "laser_on" in lights_sent(tmp_path)
 
 
 @contextmanager
 def interpreter(script: str, station: str, says: str) -> Iterator[subprocess.Popen[str]]:
-    """Another interpreter with a script for a station, which has said that it is at it."""
+    """Another interpreter with a running script for a station."""
     command = [sys.executable, "-c", script, station]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None and process.stdout.readline() == f"{says}\n"
@@ -337,7 +337,7 @@ def interpreter(script: str, station: str, says: str) -> Iterator[subprocess.Pop
 
 
 def allow_standing_light(station: str) -> None:
-    """Puts a policy in force by which the laser may burn while the arm stands."""
+    """Sets a policy that allows the laser while the arm stands."""
     with urllib.request.urlopen(f"{station}/api/v1/policy/text") as answer:
         text = answer.read().decode()
     allowed = text.replace("standing = false", "standing = true")
@@ -350,17 +350,17 @@ def allow_standing_light(station: str) -> None:
 
 
 def jogs_sent(folder: Path) -> list[str]:
-    """The axes of the linear jogs that went to the arm, by the station's recording."""
+    """The axes of the linear jogs in the station's recording."""
     return sent(folder, "linear_jog")
 
 
 def lights_sent(folder: Path) -> list[str]:
-    """How the laser was switched, by the station's recording."""
+    """The laser packets in the station's recording."""
     return [it for it in sent(folder, "joint_jog") if it in ("none", "laser_on", "laser_off")]
 
 
 def sent(folder: Path, kind: str) -> list[str]:
-    """The axes of all packets of one kind that went to the arm."""
+    """The axes of all packets of one kind to the arm."""
     file = max((folder / "recordings").glob("*.mcap"))
     log = subprocess.run(
         [os.environ["DOBOT"], "log", str(file), "--json"], capture_output=True, text=True, check=True
@@ -403,7 +403,7 @@ def test_loops_may_share_an_arm_one_after_the_other_and_at_once() -> None:
 
     with ThreadPoolExecutor() as threads:
         told = list(threads.map(in_a_loop_of_its_own, (0, 30)))
-    # Each waits for its own motion, or for that and the one behind it.
+    # Each waits for its own motion, or for that and the next one.
     assert {round(it) for it in told} <= {0, 30}
     assert round(asyncio.run(arm.status()).y_mm) in (0, 30)
     asyncio.run(arm.close())
@@ -452,7 +452,7 @@ def test_an_arm_at_an_address_has_its_rules_and_its_watchdog_here(
 ) -> None:
     program = os.environ.get("DOBOT")
     if program is None:
-        pytest.skip("the environment variable DOBOT names no `dobot` program")
+        pytest.skip("the environment variable DOBOT is not set to a `dobot` program")
     monkeypatch.setenv("DOBOT_DATA", str(tmp_path))
     monkeypatch.setenv("PATH", str(Path(program).parent))
     command = [program, "arm", "--tcp", "127.0.0.1:0"]
@@ -515,12 +515,12 @@ print((peak - before) / points.nbytes)
 """
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells how much memory a process has now")
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux reports the current memory of a process")
 def test_a_million_points_are_planned_with_two_copies_of_them() -> None:
     pytest.importorskip("numpy")
-    # In a process of its own, whose memory nothing else has raised.
+    # In a separate process, without other memory use.
     found = subprocess.run([sys.executable, "-c", SPIRAL], capture_output=True, text=True, check=True)
-    # The two copies, and what the planner needs while it looks for vectors: 4.6 arrays. One copy more is one too many.
+    # The two copies, and the planner's memory: 4.6 arrays. One more copy fails the test.
     assert float(found.stdout) < 4.9
 
 

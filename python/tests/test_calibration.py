@@ -13,7 +13,7 @@ WORLD = "[pen]\ndown_z_mm = -40\n"
 
 
 def touches(arm: dobot.Arm) -> list[dobot.Touch]:
-    """Touches of the points of the sheet, by looking where the arm truly is."""
+    """Touches of the points of the sheet, from the true position of the arm."""
     found = []
     for x, y in dobot.SHEET:
         told = [x, y, -20.0]
@@ -25,7 +25,7 @@ def touches(arm: dobot.Arm) -> list[dobot.Touch]:
                 break
             told = [a - b for a, b in zip(told, off)]
         else:
-            pytest.fail(f"it does not get to {x}, {y}")
+            pytest.fail(f"it does not reach {x}, {y}")
         found.append(dobot.Touch(x, y, arm.status()))
     return found
 
@@ -36,7 +36,7 @@ def test_zeros_are_found_from_nine_touches(virtual_arm: dobot.Arm) -> None:
     assert found.zeros_deg == pytest.approx((0, 1.5, -2), abs=0.2)
     assert found.trust == "good" and found.left_out is None
     assert max(found.residuals_mm) < 0.3 and found.expected_mm < 0.5
-    # What it says to tell leads where it should.
+    # The raw position leads to the calibrated one.
     virtual_arm.move_to(*found.told_place(230, 40, 0), path="movj")
     true = virtual_arm.world().state["arm"]
     assert math.dist((true["x_mm"], true["y_mm"], true["z_mm"]), (230, 40, 0)) < 0.5

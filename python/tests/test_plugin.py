@@ -1,4 +1,4 @@
-"""The fixture for the tests of others."""
+"""The pytest plugin."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ def test_the_rules_hold_in_a_test_too(virtual_arm: dobot.Arm) -> None:
 
 
 def tried(folder: Path, test: str, *words: str) -> str:
-    """What pytest says of a test in a process of its own."""
+    """The output of pytest for a test in a separate process."""
     (folder / "test_it.py").write_text(test)
-    # The plugin comes with the package.
+    # The plugin is part of the package.
     run = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "--strict-markers", str(folder), *words]
     return subprocess.run(run, capture_output=True, text=True, cwd=folder, check=False).stdout
 

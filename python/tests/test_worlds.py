@@ -114,7 +114,7 @@ def test_an_arm_that_is_askew_is_elsewhere_than_it_says(virtual_arm: dobot.Arm) 
     truly = virtual_arm.world().state["arm"]
     assert (there.x_mm, there.z_mm) == pytest.approx((220, 20), abs=0.5)
     assert truly["fore_deg"] == pytest.approx(there.fore_deg + 2, abs=0.1)
-    # 160 mm of forearm, turned by two degrees.
+    # 160 mm of forearm, rotated by two degrees.
     off = math.dist((truly["x_mm"], truly["z_mm"]), (there.x_mm, there.z_mm))
     assert off == pytest.approx(160 * math.radians(2), rel=0.05)
 
@@ -124,7 +124,7 @@ def test_faults_come_and_go() -> None:
         arm.move_to(220, 0, 20)
         arm.set_faults("reset@1s")
         arm.wait(5)
-        # Nobody knows where it is after a reset until somebody has looked.
+        # After a reset the pose must be confirmed.
         with pytest.raises(dobot.Refused):
             arm.move_to(220, 40, 20)
         arm.confirm_pose()
@@ -138,7 +138,7 @@ def test_faults_come_and_go() -> None:
 
 def test_the_same_seed_does_the_same() -> None:
     def time_s(seed: int) -> float:
-        """How long thirty statuses take, of which some are lost."""
+        """The time of thirty statuses, some of which are lost."""
         with dobot.connect("virtual:firmware-1.1", world=DESK, faults=["drop=1%:from"], seed=seed) as arm:
             assert sum(1 for _ in islice(arm.statuses(), 30)) == 30
             return arm.world().time_s
@@ -164,7 +164,7 @@ def test_a_program_that_speaks_serial_moves_a_served_arm(served_arm: dobot.Serve
             if (served_arm.world.state["arm"] or {"x_mm": 0})["x_mm"] > 239:
                 break
         else:
-            pytest.fail("it does not get there")
+            pytest.fail("it does not arrive")
     dobot.assert_object(served_arm, "cube", at=(200, 60))
 
 
@@ -183,7 +183,7 @@ def test_an_arm_on_a_serial_port_is_moved_under_the_rules(
 ) -> None:
     program = os.environ.get("DOBOT")
     if program is None:
-        pytest.skip("the environment variable DOBOT names no `dobot` program")
+        pytest.skip("the environment variable DOBOT is not set to a `dobot` program")
     monkeypatch.setenv("DOBOT_DATA", str(tmp_path))
     monkeypatch.setenv("PATH", str(Path(program).parent))
     with dobot.serve("firmware-1.1", world=TABLE, speed=10) as served:

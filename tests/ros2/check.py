@@ -61,7 +61,7 @@ class Bridge:
         command = [PROGRAMS / "dobot-ros2", "--domain", str(DOMAIN), *options]
         self.process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=surroundings)
         self.told = []
-        self.until("the station is there")
+        self.until("connected to the station")
 
     def until(self, text):
         for line in self.process.stderr:
@@ -107,7 +107,7 @@ def the_arm_goes_to_a_target_and_gives_control_back(robot, station, bridge):
     half = math.sqrt(0.5)
     robot.go(0.22, 0.05, 0.06, m.Quaternion(z=math.sin(0.2), w=math.cos(0.2)))
     robot.tool_at((0.22, 0.05, 0.06))
-    says("the arm is there", robot.told("target: "))
+    says("the arm has reached the target", robot.told("target: "))
     joints = robot.joints()
     assert abs(joints["base"] + joints["servo"] - 0.4) < 0.002, joints
     robot.diagnosed("control", says="free")
@@ -139,7 +139,7 @@ def a_trajectory_is_followed_thinned_and_told(robot, station, bridge):
             assert abs(wanted - actual - error) < 1e-9
     result = robot.result(goal)
     assert (result.status, result.error_code) == (SUCCEEDED, 0), result
-    assert "targets for 100 points, at most 0.0" in result.error_string, result
+    assert "targets for 100 points, deviation at most 0.0" in result.error_string, result
     robot.joints_at(dict(zip(names, ends)))
     robot.diagnosed("control", says="free")
 
@@ -149,7 +149,7 @@ def a_trajectory_that_makes_no_sense_is_told_why_and_moves_nothing(robot, statio
     here = before["base"]
     for names, points, code, says in [
         (["elbow"], [([0.1], 1.0)], -2, "base, rear, fore, servo"),
-        (["base"], [([here + 0.5], 0.0), ([here], 1.0)], -1, "the arm stands at"),
+        (["base"], [([here + 0.5], 0.0), ([here], 1.0)], -1, "but the arm is at"),
         (["base"], [([math.nan], 1.0)], -1, "NaN"),
         (["base"], [([here], 2.0), ([here], 1.0)], -1, "time_from_start"),
         (["base"], [([here, 1.0], 1.0)], -1, "2 positions"),
@@ -244,7 +244,7 @@ def a_stop_holds_until_a_person_resets_it(robot, station, bridge):
     assert answer.success and "a person" in answer.message, answer
     result = robot.result(goal)
     assert result.status == ABORTED, result
-    robot.diagnosed("stop", ERROR, "a program of ROS 2")
+    robot.diagnosed("stop", ERROR, "a ROS 2 node")
     robot.go(0.22, 0.0, 0.06)
     says("stopped", robot.told("target: "))
     rests(robot)
@@ -280,7 +280,7 @@ def a_station_that_is_killed_is_told_and_found_again(robot, station, bridge):
     robot.diagnosed("station", ERROR)
     assert not robot.stop().success
     station.__init__(station.folder, port)
-    bridge.until("the station is there")
+    bridge.until("connected to the station")
     robot.joints()
 
 

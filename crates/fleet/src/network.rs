@@ -47,7 +47,7 @@ pub(crate) enum Incoming {
     Stops(Query),
     /// A query for this station's state.
     About(Query),
-    StateReport(Sample),
+    State(Sample),
 }
 
 /// The timeout for state queries.

@@ -188,7 +188,7 @@ mod tests {
     async fn state() -> State {
         let power_up = PowerUp::new(Personality::Firmware11);
         let mut station = StationClient::with_virtual_arm(power_up, Policy::default(), "test");
-        station.first_state().await.expect("it tells")
+        station.first_state().await.expect("the station reports")
     }
 
     fn level(found: &DiagnosticArray, name: &str) -> u8 {
@@ -204,7 +204,7 @@ mod tests {
     #[tokio::test]
     async fn an_arm_in_order_is_ok_in_everything() {
         let mut state = state().await;
-        // A virtual arm can harm nobody, so its laser is armed.
+        // A virtual arm is harmless, so its laser is armed.
         state.laser.armed_for_s = 0.0;
         let found = of_state("dobot", &state, Some(&Policy::default()));
         assert!(

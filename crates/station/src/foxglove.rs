@@ -79,7 +79,7 @@ impl FoxglovePort {
         let inner = front::hidden_address().map_err(|error| failed(FoxgloveError::Bind(error)))?;
         let server = context
             .websocket_server()
-            .listener(Arc::new(Door(came)))
+            .listener(Arc::new(InkSubscribers(came)))
             .name(concat!("dobot ", env!("CARGO_PKG_VERSION")))
             .bind(inner.to_string(), 0);
         let server = server.start().await.map_err(failed)?;
@@ -110,7 +110,7 @@ impl FoxglovePort {
     /// A message if the clock of this machine is before 1970 or a channel cannot be created; then
     /// nothing is published.
     pub async fn serve(mut self, handle: &StationHandle) -> Result<(), String> {
-        let mut teller = Teller::new(&self.context, &handle.state())?;
+        let mut publisher = Publisher::new(&self.context, &handle.state())?;
         let (mut passed, mut states, mut notices) =
             (handle.passed(), handle.states(), handle.notices());
         // The current state is new to subscribers.
@@ -123,20 +123,20 @@ impl FoxglovePort {
                 changed = states.changed() => match changed {
                     Ok(()) => {
                         let state = states.borrow_and_update().clone();
-                        teller.policy(&handle.rules().policy);
-                        teller.state(&state);
+                        publisher.policy(&handle.rules().policy);
+                        publisher.state(&state);
                     }
                     Err(_) => break,
                 },
-                Some(who) = self.late.recv() => teller.ink_so_far(who),
+                Some(who) = self.late.recv() => publisher.ink_so_far(who),
                 packet = passed.recv() => match packet {
-                    Ok(packet) => teller.packet(&packet),
+                    Ok(packet) => publisher.packet(&packet),
                     // Foxglove also drops data that arrive too fast.
                     Err(RecvError::Lagged(_)) => {}
                     Err(RecvError::Closed) => break,
                 },
                 notice = notices.recv() => match notice {
-                    Ok(notice) => teller.tell(notice.at_s, &teller.notices.clone(), &*notice),
+                    Ok(notice) => publisher.publish(notice.at_s, &publisher.notices.clone(), &*notice),
                     Err(RecvError::Lagged(_)) => {}
                     Err(RecvError::Closed) => break,
                 },
@@ -150,9 +150,9 @@ impl FoxglovePort {
 }
 
 /// Reports new subscribers of the ink, which get what was drawn before.
-struct Door(mpsc::UnboundedSender<SinkId>);
+struct InkSubscribers(mpsc::UnboundedSender<SinkId>);
 
-impl ServerListener for Door {
+impl ServerListener for InkSubscribers {
     fn on_subscribe(&self, client: Client, channel: ChannelView) {
         if let Some(sink) = client.sink_id().filter(|_| channel.topic() == INK) {
             // The receiver is gone when the station ends.
@@ -162,7 +162,7 @@ impl ServerListener for Door {
 }
 
 /// Converts events to messages and publishes them to subscribers.
-struct Teller {
+struct Publisher {
     live: Live,
     channels: HashMap<String, Arc<RawChannel>>,
     states: Arc<Topic>,
@@ -176,7 +176,7 @@ struct Teller {
     now: Duration,
 }
 
-impl Teller {
+impl Publisher {
     fn new(context: &Arc<Context>, now: &Snapshot) -> Result<Self, String> {
         let since = SignedDuration::from_secs_f64(now.state().at_s);
         let live = Live::new(Timestamp::now() - since).map_err(|error| error.to_string())?;
@@ -254,11 +254,11 @@ impl Teller {
             };
             self.record(Duration::ZERO, &Record::About(Box::new(about)));
         }
-        self.tell(state.at_s, &self.states.clone(), state);
+        self.publish(state.at_s, &self.states.clone(), state);
     }
 
     /// Publishes one of the station's own messages, if it has subscribers.
-    fn tell(&mut self, at_s: f64, topic: &Arc<Topic>, value: &impl Serialize) {
+    fn publish(&mut self, at_s: f64, topic: &Arc<Topic>, value: &impl Serialize) {
         let is_wanted = self.channels.get(topic.name());
         if !is_wanted.is_some_and(|channel| channel.has_sinks()) {
             return;

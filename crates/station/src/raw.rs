@@ -93,18 +93,18 @@ impl RawPort {
     }
 
     /// Serves programs, one after the other, until the station ends.
-    pub async fn serve(self, handle: &StationHandle, mut tell: impl FnMut(ProgramNews)) {
+    pub async fn serve(self, handle: &StationHandle, mut report: impl FnMut(ProgramNews)) {
         let mut next = None;
         loop {
             let program = if let Some(program) = next.take() {
                 program
             } else {
                 tokio::select! {
-                    program = accept(&self.listener, &mut tell) => program,
+                    program = accept(&self.listener, &mut report) => program,
                     () = handle.ended() => return,
                 }
             };
-            match self.serve_one(program, handle, &mut tell).await {
+            match self.serve_one(program, handle, &mut report).await {
                 Ok(waiting) => next = waiting,
                 Err(_) => return,
             }
@@ -120,18 +120,18 @@ impl RawPort {
         &self,
         program: Program,
         handle: &StationHandle,
-        tell: &mut impl FnMut(ProgramNews),
+        report: &mut impl FnMut(ProgramNews),
     ) -> Result<Option<Program>, Refusal> {
         let Program { mut stream, name } = program;
         // Sends small packets immediately; otherwise they are only later.
         let _ = stream.set_nodelay(true);
         let statuses = handle.packets();
         let client = handle.client(&name, Role::Control).await?;
-        tell(ProgramNews::Came { name: name.clone() });
+        report(ProgramNews::Came { name: name.clone() });
         let (reader, writer) = stream.split();
         let bridge = pin!(bridge(reader, writer, &client, statuses));
-        let (traffic, waiting) = self.attend(bridge, &name, tell).await;
-        tell(ProgramNews::Left { name, traffic });
+        let (traffic, waiting) = self.attend(bridge, &name, report).await;
+        report(ProgramNews::Left { name, traffic });
         Ok(waiting)
     }
 
@@ -140,7 +140,7 @@ impl RawPort {
         &self,
         mut bridge: Pin<&mut impl Future<Output = Traffic>>,
         served: &str,
-        tell: &mut impl FnMut(ProgramNews),
+        report: &mut impl FnMut(ProgramNews),
     ) -> (Traffic, Option<Program>) {
         let mut waiting = None;
         let mut grace = pin!(sleep(GRACE));
@@ -148,7 +148,7 @@ impl RawPort {
             tokio::select! {
                 biased;
                 traffic = &mut bridge => return (traffic, waiting),
-                program = accept(&self.listener, tell), if waiting.is_none() => {
+                program = accept(&self.listener, report), if waiting.is_none() => {
                     waiting = Some(program);
                     grace.as_mut().reset(Instant::now() + GRACE);
                 }
@@ -156,7 +156,7 @@ impl RawPort {
                     if let Some(program) = waiting.take() {
                         let (name, by) = (program.name.clone(), served.to_owned());
                         tokio::spawn(program.turn_away(reason(served)));
-                        tell(ProgramNews::TurnedAway { name, by });
+                        report(ProgramNews::TurnedAway { name, by });
                     }
                 }
             }
@@ -175,18 +175,18 @@ impl Program {
     /// Sends the reason and closes; data from the program are read for a moment, so that the
     /// closing does not overtake the reason.
     async fn turn_away(mut self, reason: String) {
-        let told = async {
+        let message = async {
             self.stream.write_all(reason.as_bytes()).await?;
             self.stream.shutdown().await?;
             tokio::io::copy(&mut self.stream, &mut tokio::io::sink()).await
         };
         // The program may not read it.
-        let _ = timeout(TIME_TO_READ, told).await;
+        let _ = timeout(TIME_TO_READ, message).await;
     }
 }
 
 /// Waits for a program.
-async fn accept(listener: &TcpListener, tell: &mut impl FnMut(ProgramNews)) -> Program {
+async fn accept(listener: &TcpListener, report: &mut impl FnMut(ProgramNews)) -> Program {
     loop {
         match listener.accept().await {
             Ok((stream, from)) => {
@@ -196,7 +196,7 @@ async fn accept(listener: &TcpListener, tell: &mut impl FnMut(ProgramNews)) -> P
             // It left before it was accepted; wait for the next one.
             Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => {}
             Err(error) => {
-                tell(ProgramNews::Trouble(format!(
+                report(ProgramNews::Trouble(format!(
                     "the raw port cannot accept another program: {error}"
                 )));
                 sleep(AGAIN_AFTER).await;

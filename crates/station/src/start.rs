@@ -251,7 +251,7 @@ fn policy_file(config: &Config) -> PathBuf {
 fn serve_raw(port: RawPort, host: &Host) -> SocketAddr {
     let (address, handle) = (port.address(), host.handle().clone());
     host.spawn(async move {
-        port.serve(&handle, |news| tell(&handle, &news)).await;
+        port.serve(&handle, |news| report(&handle, &news)).await;
     });
     address
 }
@@ -269,7 +269,7 @@ fn serve_foxglove(port: FoxglovePort, host: &Host) -> SocketAddr {
 }
 
 /// Reports the problem of a legacy program to the observers.
-fn tell(handle: &StationHandle, news: &ProgramNews) {
+fn report(handle: &StationHandle, news: &ProgramNews) {
     if let Some(trouble) = news.trouble() {
         handle.try_report_trouble(trouble);
     }
@@ -301,7 +301,7 @@ fn open_pty(config: &Config) -> Result<Option<VirtualPort>, StartError> {
 fn serve_pty(port: VirtualPort, host: &Host) -> PathBuf {
     let (path, handle) = (port.path().to_owned(), host.handle().clone());
     host.spawn(async move {
-        let served = port.serve(&handle, |news| tell(&handle, &news)).await;
+        let served = port.serve(&handle, |news| report(&handle, &news)).await;
         if let Err(error) = served {
             let text = format!("the virtual serial port cannot be served any more: {error}");
             handle.report_trouble(text).await;

@@ -48,18 +48,18 @@ impl VirtualPort {
     pub async fn serve(
         mut self,
         handle: &StationHandle,
-        mut tell: impl FnMut(ProgramNews),
+        mut report: impl FnMut(ProgramNews),
     ) -> io::Result<()> {
         loop {
             let program = tokio::select! {
                 program = self.program() => program?,
                 () = handle.ended() => return Ok(()),
             };
-            if self.serve_one(program, handle, &mut tell).await.is_err() {
+            if self.serve_one(program, handle, &mut report).await.is_err() {
                 return Ok(());
             }
             if let Some(path) = self.pty.renew()? {
-                tell(ProgramNews::PortMoved(path.to_owned()));
+                report(ProgramNews::PortMoved(path.to_owned()));
             }
         }
     }
@@ -85,15 +85,15 @@ impl VirtualPort {
         &self,
         program: PtyClient,
         handle: &StationHandle,
-        tell: &mut impl FnMut(ProgramNews),
+        report: &mut impl FnMut(ProgramNews),
     ) -> Result<(), Refusal> {
         let name = format!("serial program {}", self.path().display());
         let statuses = handle.packets();
         let client = handle.client(&name, Role::Control).await?;
-        tell(ProgramNews::Came { name: name.clone() });
+        report(ProgramNews::Came { name: name.clone() });
         let (reader, writer) = tokio::io::split(program);
         let traffic = bridge(reader, writer, &client, statuses).await;
-        tell(ProgramNews::Left { name, traffic });
+        report(ProgramNews::Left { name, traffic });
         Ok(())
     }
 }

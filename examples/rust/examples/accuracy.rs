@@ -1,12 +1,13 @@
-//! `cargo run -p dobot-examples --example accuracy`: how exact arms are before and after a calibration.
+//! `cargo run -p dobot-examples --example accuracy`: the accuracy of arms before and after a
+//! calibration.
 //!
-//! It prints the table of `docs/calibration.md`, for a hundred random arms.
+//! Prints the table of `docs/calibration.md`, for a hundred random arms.
 
 use dobot_arm::{Calibration, Degrees, Joints, Plane, Position, Tool};
 use dobot_calibrate::{Fit, SHEET_POINTS, Touch, fit};
 use dobot_geometry::Random;
 
-/// An arm with all that may be wrong with one, and its paper.
+/// An arm with all its errors, and its paper.
 struct Arm {
     truth: Calibration,
     backlash_deg: [f64; 3],
@@ -28,9 +29,9 @@ fn main() {
     }
 }
 
-/// The first points of the sheet, each so often.
+/// The first points of the sheet, each touched this many times.
 fn touched(points: usize, times: usize) -> Vec<[f64; 2]> {
-    // Four corners serve better than the middle and three of them.
+    // The four corners are better than the middle and three corners.
     let from = usize::from(points == 4);
     SHEET_POINTS[from..from + points].repeat(times)
 }
@@ -99,8 +100,8 @@ impl Arm {
         }
     }
 
-    /// A person brings the tool to the point, each joint from the same side as always, and misses it
-    /// by a little.
+    /// A person moves the tool to the point, each joint always from the same side, with a small
+    /// error.
     fn touch(&self, place_mm: [f64; 2], random: &mut Random) -> Touch {
         let [x_mm, y_mm] = place_mm;
         let z_mm = self.paper.z_at(place_mm);
@@ -110,7 +111,7 @@ impl Arm {
             .truth
             .told_joints(place, TOOL)
             .expect("the sheet is in reach");
-        // The play of each joint is on the same side each time: it becomes part of the zero.
+        // The backlash of each joint is on the same side each time: it becomes part of the zero.
         let [base, rear, fore] = self.backlash_deg;
         Touch {
             place_mm,
@@ -124,8 +125,8 @@ impl Arm {
         }
     }
 
-    /// How far from a place the tool comes down, in the plane and in height, when each joint comes
-    /// from the side from which it touched.
+    /// Returns the error of a position, in the plane and in height, if each joint approaches from
+    /// the side from which it touched.
     fn error_mm(&self, place_mm: [f64; 2], found: &Fit) -> [f64; 2] {
         let [x_mm, y_mm] = place_mm;
         let wanted = Position::new(x_mm, y_mm, found.paper.z_at(place_mm));
@@ -145,7 +146,7 @@ impl Arm {
         [(came.x.0 - x_mm).hypot(came.y.0 - y_mm), z_mm.abs()]
     }
 
-    /// The same with an arm that is believed; `None` where it could not go there at all.
+    /// Returns the error of an uncalibrated arm; `None` if it could not reach the position at all.
     fn error_before_mm(&self, [x_mm, y_mm]: [f64; 2]) -> Option<f64> {
         let wanted = Position::new(x_mm, y_mm, self.paper.z_at([x_mm, y_mm]));
         let came = self.truth.true_place(wanted, TOOL).ok()?;
@@ -153,13 +154,13 @@ impl Arm {
     }
 }
 
-/// All of the paper that is for drawing.
+/// The whole drawing area of the paper.
 fn grid() -> impl Iterator<Item = [f64; 2]> {
     let forward = (0..=8).map(|x| 150.0 + 15.0 * f64::from(x));
     forward.flat_map(|x_mm| (0..=10).map(move |y| [x_mm, -100.0 + 20.0 * f64::from(y)]))
 }
 
-/// A number of the normal distribution (Box and Muller).
+/// A normally distributed random number (Box and Muller).
 fn normal(random: &mut Random) -> f64 {
     let radius = (-2.0 * (1.0 - random.share()).ln()).sqrt();
     radius * (std::f64::consts::TAU * random.share()).cos()

@@ -95,7 +95,7 @@ fn crates(root: &Path) -> Result<BTreeMap<String, Crate>, Box<dyn Error>> {
     Ok(crates)
 }
 
-/// The folders of all crates that are a part of the product.
+/// Returns the folders of all crates that are part of the product.
 fn folders(root: &Path) -> io::Result<Vec<String>> {
     let mut folders = vec!["page".to_owned(), "python".to_owned()];
     for entry in fs::read_dir(root.join("crates"))? {
@@ -105,7 +105,7 @@ fn folders(root: &Path) -> io::Result<Vec<String>> {
     Ok(folders)
 }
 
-/// The number of crates below each one, on the longest path down.
+/// Returns the number of crates below each one, on the longest path down.
 fn levels(crates: &BTreeMap<String, Crate>) -> BTreeMap<String, usize> {
     fn level(name: &str, crates: &BTreeMap<String, Crate>) -> usize {
         let below = crates[name].uses.iter().map(|used| level(used, crates) + 1);
@@ -117,7 +117,7 @@ fn levels(crates: &BTreeMap<String, Crate>) -> BTreeMap<String, usize> {
         .collect()
 }
 
-/// The dependencies of a crate that none of its other dependencies implies.
+/// Returns the dependencies of a crate that are not implied by its other dependencies.
 fn direct<'a>(name: &str, crates: &'a BTreeMap<String, Crate>) -> Vec<&'a str> {
     fn reaches(from: &str, to: &str, crates: &BTreeMap<String, Crate>) -> bool {
         crates[from]

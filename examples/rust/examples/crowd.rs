@@ -1,14 +1,15 @@
-//! `cargo run -p dobot-examples --example crowd`: many clients that listen to an arm each.
+//! `cargo run -p dobot-examples --example crowd`: many clients, each connected to an arm.
 //!
-//! How much does it cost to serve a crowd? Serve one, and watch that process while this one listens:
+//! Measures the cost of serving many clients: serve arms in one process, and watch it while this
+//! one receives:
 //!
 //! ```text
 //! dobot arm --count 1000 --tcp 127.0.0.1:20000
 //! cargo run --release -p dobot-examples --example crowd -- 1000 30 127.0.0.1:20000
 //! ```
 //!
-//! Arguments: how many, for how many seconds, and where the first arm is; without an address the
-//! arms are served by this process too.
+//! Arguments: the number of clients, the seconds, and the address of the first arm; without an
+//! address this process also serves the arms.
 
 use std::error::Error;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -48,7 +49,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Serves that many arms, and says where.
+/// Serves this many arms, and returns their addresses.
 async fn serve(count: u16) -> std::io::Result<Vec<SocketAddr>> {
     let mut addresses = Vec::new();
     for _ in 0..count {
@@ -61,13 +62,13 @@ async fn serve(count: u16) -> std::io::Result<Vec<SocketAddr>> {
     Ok(addresses)
 }
 
-/// That many addresses, with ports one after the other.
+/// Returns this many addresses, with consecutive ports.
 fn from(first: SocketAddr, count: u16) -> Vec<SocketAddr> {
     let at = |number| SocketAddr::new(first.ip(), first.port() + number);
     (0..count).map(at).collect()
 }
 
-/// Counts the bytes that come in a while.
+/// Counts the bytes received within a time.
 async fn listen(mut stream: TcpStream, time: Duration) -> usize {
     let end = Instant::now() + time;
     let mut bytes = 0;

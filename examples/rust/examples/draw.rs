@@ -1,7 +1,8 @@
 //! `cargo run -p dobot-examples --example draw -- examples/drawings/square.svg`
 //!
 //! Draws a file: `draw FILE [ADDRESS]`. The arm is a virtual one, an arm at `serial:PORT` or
-//! `tcp:HOST:PORT`, or that of a station at `http://HOST:PORT`. A real arm moves: it asks first.
+//! `tcp:HOST:PORT`, or that of a station at `http://HOST:PORT`. A real arm moves: the example asks
+//! first.
 
 mod support;
 
@@ -19,19 +20,17 @@ async fn main() -> Result<(), Box<dyn Error>> {
     let file = arguments.next().ok_or("usage: draw FILE [ADDRESS]")?;
     let mut station = support::reach(arguments.next()).await?;
     let state = support::ready(&mut station).await?;
-    let dialect = state
-        .dialect
-        .ok_or("nobody knows which dialect it speaks")?;
+    let dialect = state.dialect.ok_or("the dialect of the arm is unknown")?;
 
     let settings = Settings {
-        // The pen stands on the paper, or where a virtual arm has it.
+        // The pen touches the paper now, or the virtual arm has its own paper.
         paper: Paper::level(state.arm.map_or(-40.0, |arm| arm.status.z_mm.into())),
         arm_limits: ArmLimits::of(dialect),
         ..Settings::default()
     };
     let source = Source::of_file(&file, fs::read(&file)?)?;
     let plan = prepare(&source, &settings, |_| Ok::<(), String>(()))?.plan;
-    #[expect(clippy::cast_possible_truncation, reason = "as a job holds it")]
+    #[expect(clippy::cast_possible_truncation, reason = "the precision of a job")]
     let job = NewJob {
         title: file,
         kind: JobKind::Drawing,
@@ -44,7 +43,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
         .request(Request::SubmitJob { job, key: None })
         .await?
     else {
-        return Err("a job was expected".into());
+        return Err("expected a job".into());
     };
     station.request(Request::StartJob { job: job.job }).await?;
     loop {

@@ -1,12 +1,12 @@
 //! `cargo run -p dobot-examples --example fuzz -- --requests 20000`
 //!
-//! Asks the whole station anything, until the arm is lost. A million take some minutes (`--release`).
-//! It prints the figures as the table of docs/reliability.md (`reliability/fuzz.md`).
+//! Sends random requests to the whole station, until the arm is lost. A million take some minutes
+//! (`--release`). Prints the figures as the table of docs/reliability.md (`reliability/fuzz.md`).
 
 #[path = "../../../crates/host/tests/it/cases/mod.rs"]
 #[allow(
     dead_code,
-    reason = "the other cases are those of the reliability example"
+    reason = "the other cases are used by the reliability example"
 )]
 mod cases;
 
@@ -22,7 +22,7 @@ fn main() -> ExitCode {
         [name, count] if name == "--requests" => (0, count.parse().unwrap_or(0)),
         [name, seed] if name == "--seed" => (seed.parse().unwrap_or(0), 1),
         _ => {
-            eprintln!("error: expected is --requests COUNT, or --seed NUMBER for one case");
+            eprintln!("error: expected --requests COUNT, or --seed NUMBER for one case");
             return ExitCode::from(2);
         }
     };

@@ -1,7 +1,7 @@
-//! `cargo run -p dobot-examples --example hello`: what an arm tells of itself.
+//! `cargo run -p dobot-examples --example hello`: prints the state of an arm.
 //!
-//! With an address behind it, `-- serial:/dev/ttyUSB0` or `-- tcp:HOST:PORT`, that arm is asked. It
-//! moves nothing; but opening its port makes a stock arm say that its base is at 0.
+//! With an address, `-- serial:/dev/ttyUSB0` or `-- tcp:HOST:PORT`, it prints the state of that
+//! arm. It moves nothing, but opening its port makes a stock arm report its base at 0.
 
 mod connect;
 
@@ -17,8 +17,8 @@ async fn main() -> Result<(), Box<dyn Error>> {
     println!("joints base {base:.2}, rear {rear:.2}, fore {fore:.2} degrees");
     let session = arm.connection().session();
     match session.distrust_reason() {
-        None => println!("it is trusted to stand there"),
-        Some(reason) => println!("it need not stand there: {reason}"),
+        None => println!("the pose is trusted"),
+        Some(reason) => println!("the pose is not trusted: {reason}"),
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
-//! `cargo run -p dobot-examples --example jog`: a button is held for a second, and released.
+//! `cargo run -p dobot-examples --example jog`: holds a jog button for a second.
 //!
-//! With an address behind it, `-- serial:/dev/ttyUSB0` or `-- tcp:HOST:PORT`, **a real arm moves**, up
-//! and down by 3 cm: it says so before, and waits for Enter.
+//! With an address, `-- serial:/dev/ttyUSB0` or `-- tcp:HOST:PORT`, **a real arm moves**, up and
+//! down by 3 cm: it says so first, and waits for Enter.
 
 mod connect;
 

@@ -1,6 +1,6 @@
 //! `cargo run -p dobot-examples --example layers -- examples/drawings/sailing.svg`
 //!
-//! Reads a drawing and tells what its layers hold. Moves nothing.
+//! Reads a drawing and prints the contents of its layers. Moves nothing.
 
 use std::error::Error;
 use std::fs;

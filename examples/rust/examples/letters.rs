@@ -1,6 +1,6 @@
 //! `cargo run -p dobot-examples --example letters -- "Grüße, Zoë!" target/letters.svg`
 //!
-//! Writes a text in every single-stroke font, as an SVG file. Moves nothing.
+//! Writes a text in every single-line font, as an SVG file. Moves nothing.
 
 use std::error::Error;
 use std::fmt::Write as _;

@@ -1,7 +1,7 @@
 //! `cargo run -p dobot-examples --example move_and_jog`
 //!
-//! Goes to a point, and jogs from there for a second: `move_and_jog [ADDRESS]`, with addresses as in the
-//! example `draw`. A real arm moves: it asks first.
+//! Moves to a point, and jogs from there for a second: `move_and_jog [ADDRESS]`, with addresses as
+//! in the example `draw`. A real arm moves: the example asks first.
 
 mod support;
 
@@ -23,7 +23,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
     }
 
     let jog = Jog::Linear(LinearJog::new(LinearJogAxis::YPlus, 50.0));
-    // Hold to run: a button that is not said again for 150 ms is let go.
+    // Hold to run: a button that is not repeated for 150 ms is released.
     for _ in 0..20 {
         station.request(Request::Jog { jog }).await?;
         station.wait(Duration::from_millis(50)).await;

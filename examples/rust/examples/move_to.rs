@@ -1,7 +1,8 @@
-//! `cargo run -p dobot-examples --example move_to`: an arm goes to two points, in a straight line and above it.
+//! `cargo run -p dobot-examples --example move_to`: moves to two points, in a straight line and
+//! with a jump.
 //!
-//! With an address behind it, `-- serial:/dev/ttyUSB0` or `-- tcp:HOST:PORT`, **a real arm moves**, 8 cm
-//! to either side in front of it: it says so before, and waits for Enter.
+//! With an address, `-- serial:/dev/ttyUSB0` or `-- tcp:HOST:PORT`, **a real arm moves**, 8 cm to
+//! either side in front of it: it says so first, and waits for Enter.
 
 mod connect;
 

@@ -1,8 +1,8 @@
 //! `cargo run -p dobot-examples --example order_drawings -- length 1000 1 examples/drawings/harbour.svg`
 //!
-//! Puts the strokes of SVG files in order and prints, a line of JSON for each, how far the pen
-//! travels before and after and how much processor time that took. Arguments: what is to be small
-//! (`length` or `time`), kicks, seed, files.
+//! Orders the strokes of SVG files and prints, as a line of JSON for each, the pen's travel before
+//! and after and the CPU time of the ordering. Arguments: the objective (`length` or `time`),
+//! kicks, seed, files.
 
 use std::error::Error;
 use std::fs;
@@ -53,14 +53,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the ways between the strokes cost, without the way to the first one.
+/// Returns the cost of the travel between the strokes, without the travel to the first one.
 fn between(travel: Travel, strokes: &[Stroke]) -> f64 {
     let way_mm = |pair: &[Stroke]| Some(pair[0].last()?.distance(*pair[1].points.first()?));
     let ways_mm = strokes.windows(2).filter_map(way_mm);
     ways_mm.fold(0.0, |sum, way_mm| sum + travel.cost(way_mm))
 }
 
-/// The processor time used so far; where the system does not tell, the time that passed.
+/// Returns the CPU time used so far, or the elapsed time if the system does not report it.
 fn cpu_s() -> f64 {
     thread_local!(static BEGIN: Instant = Instant::now());
     let told = fs::read_to_string("/proc/thread-self/schedstat").ok();

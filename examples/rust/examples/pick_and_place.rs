@@ -1,7 +1,8 @@
-//! `cargo run -p dobot-examples --example pick_and_place`: a virtual arm takes something and puts it down elsewhere.
+//! `cargo run -p dobot-examples --example pick_and_place`: a virtual arm picks something up and
+//! puts it down elsewhere.
 //!
-//! With `Connection::open` instead of `Connection::over_peer`, and `Session::confirm_pose` when a person
-//! has looked where it stands, the same lines move a real arm.
+//! With `Connection::open` instead of `Connection::over_peer`, and `Session::confirm_pose` after a
+//! person has checked the pose, the same lines move a real arm.
 
 use std::error::Error;
 

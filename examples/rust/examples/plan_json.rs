@@ -1,7 +1,7 @@
 //! `cargo run -p dobot-examples --example plan_json -- examples/drawings/harbour.svg specification link`
 //!
-//! Plans a drawing and prints, as JSON for `tests/compare/toppra_time.py`, how long the plan takes, how
-//! much the motion accelerates, and the strokes with their speeds. Moves nothing.
+//! Plans a drawing and prints, as JSON for `tests/compare/toppra_time.py`, the duration of the
+//! plan, the acceleration of the motion, and the strokes with their speeds. Moves nothing.
 
 use std::error::Error;
 use std::fmt::Write as _;

@@ -1,6 +1,6 @@
 //! `cargo run -p dobot-examples --example plan_svg -- examples/drawings/harbour.svg target/plan.png`
 //!
-//! Plans a drawing, prints its figures and makes the picture of a perfect arm. Moves nothing.
+//! Plans a drawing, prints its figures and draws the picture of a perfect arm. Moves nothing.
 
 use std::error::Error;
 use std::fs;

@@ -1,6 +1,8 @@
-//! `cargo run -p dobot-examples --example poses -- pen`: a thousand places of the arm, as CSV, to check a model by.
+//! `cargo run -p dobot-examples --example poses -- pen`: a thousand poses of the arm, as CSV, to
+//! verify a model.
 //!
-//! Each has joint angles, the place and the turn of the tool that they lead to, and whether the stock arm may be there.
+//! Each has joint angles, the resulting position and rotation of the tool, and whether the stock
+//! arm may be there.
 
 use dobot_arm::{Joints, Limits, Span, Tool, forward};
 use dobot_geometry::Random;
@@ -15,7 +17,7 @@ fn main() {
     };
     println!("base_deg,rear_deg,fore_deg,servo_deg,x_mm,y_mm,z_mm,rotation_deg,allowed");
     let mut random = Random::new(1);
-    // A little more than the joints may turn, so that there is something to refuse.
+    // Slightly beyond the ranges of the joints, to include refused poses.
     let mut within = |span: Span<_>| {
         let (min, max): (dobot_arm::Degrees, dobot_arm::Degrees) = (span.min, span.max);
         (max - min) * (1.1 * random.share() - 0.05) + min

@@ -1,7 +1,7 @@
-//! `cargo run -p dobot-examples --example residuals`: how far the touches of an arm are from where they should be, with
-//! one that is wrong.
+//! `cargo run -p dobot-examples --example residuals`: the residuals of an arm's touches, one of
+//! them wrong.
 //!
-//! It prints `docs/pictures/residuals.svg`.
+//! Prints `docs/pictures/residuals.svg`.
 
 use dobot_arm::{Calibration, Position, Tool};
 use dobot_calibrate::{SHEET_POINTS, Touch, fit, residuals_svg};

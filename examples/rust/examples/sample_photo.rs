@@ -1,7 +1,7 @@
 //! `cargo run -p dobot-examples --example sample_photo -- target/still-life.jpg`
 //!
-//! Makes the photo of examples/drawings: a sphere, a cone and a cube on a table, lit by a window on
-//! the left. Rays are followed from the camera to what they hit, and from there to window and room.
+//! Renders the photo of examples/drawings: a sphere, a cone and a cube on a table, lit by a window
+//! on the left. Rays are traced from the camera to objects, and from there to window and room.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -20,8 +20,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A pixel as a film shows it: bright light saturates, the corners are a little darker, and there
-/// is some grain.
+/// A pixel as on film: bright light saturates, the corners are slightly darker, and there is some
+/// grain.
 fn pixel(x: u16, y: u16, random: &mut Random) -> u8 {
     let mut light = 0.0;
     for _ in 0..RAYS {
@@ -51,7 +51,7 @@ fn towards(right: f64, up: f64) -> V {
     (forward * (1.72 * f64::from(WIDTH)) + side * right + top * up).unit()
 }
 
-/// The light that comes to a place from a direction.
+/// Returns the light that reaches a point from a direction.
 fn seen(from: V, way: V, random: &mut Random, bounces: u32) -> f64 {
     let Some(hit) = hit(from, way) else {
         return ROOM * (0.6 + 0.4 * way.2);
@@ -61,7 +61,7 @@ fn seen(from: V, way: V, random: &mut Random, bounces: u32) -> f64 {
     let around = if bounces == 0 {
         0.35 * ROOM
     } else {
-        // Directions come as often as they count.
+        // Directions are sampled by their contribution.
         let way = (hit.normal + random.direction()).unit();
         seen(place, way, random, bounces - 1)
     };
@@ -81,11 +81,11 @@ fn from_window(place: V, normal: V, random: &mut Random) -> f64 {
 struct Hit {
     far: f64,
     normal: V,
-    /// The share of the light that goes on.
+    /// The reflected share of the light.
     white: f64,
 }
 
-/// What a ray meets first.
+/// Returns the first object that a ray meets.
 fn hit(from: V, way: V) -> Option<Hit> {
     let hits = [
         plane(from.2, way.2, V(0.0, 0.0, 1.0), 0.62),
@@ -103,8 +103,7 @@ fn plane(above: f64, rise: f64, normal: V, white: f64) -> Option<Hit> {
     (rise.abs() > 1e-9).then_some(Hit { far, normal, white })
 }
 
-/// A graded backdrop, as photographers hang it: dark where things are light, light where they are
-/// dark.
+/// A graded backdrop, as in photography: dark behind light objects, light behind dark ones.
 fn wall(from: V, way: V) -> Option<Hit> {
     let hit = plane(WALL - from.1, -way.1, V(0.0, -1.0, 0.0), 1.0)?;
     let across = (from.0 + way.0 * hit.far) / 7.5 + 0.55;
@@ -128,7 +127,7 @@ fn sphere(from: V, way: V) -> Option<Hit> {
     })
 }
 
-/// With its tip at the origin.
+/// A cone with its tip at the origin.
 fn cone(from: V, way: V) -> Option<Hit> {
     let slope2 = (CONE_RADIUS / CONE.2).powi(2);
     let flat = |a: V, b: V| a.0 * b.0 + a.1 * b.1 - slope2 * a.2 * b.2;
@@ -143,7 +142,7 @@ fn cone(from: V, way: V) -> Option<Hit> {
     })
 }
 
-/// The smaller root above 0 of a t^2 + 2 b t + c that is wanted.
+/// Returns the smallest positive root of a t^2 + 2 b t + c that satisfies `wanted`.
 fn first_root(a: f64, b: f64, c: f64, wanted: impl Fn(f64) -> bool) -> Option<f64> {
     let root = (b * b - a * c).sqrt();
     let mut roots = [(-b - root) / a, (-b + root) / a];
@@ -151,7 +150,7 @@ fn first_root(a: f64, b: f64, c: f64, wanted: impl Fn(f64) -> bool) -> Option<f6
     roots.into_iter().find(|&far| far > 1e-5 && wanted(far))
 }
 
-/// A cube around the origin, turned about the vertical.
+/// A cube around the origin, rotated about the vertical.
 fn cube(from: V, way: V) -> Option<Hit> {
     let (sin, cos) = CUBE_TURN.sin_cos();
     let turned = |v: V| V(v.0 * cos + v.1 * sin, v.1 * cos - v.0 * sin, v.2);
@@ -224,7 +223,7 @@ impl Mul<f64> for V {
 struct Random(u64);
 
 impl Random {
-    /// From 0 to below 1.
+    /// A random number from 0 to below 1.
     fn share(&mut self) -> f64 {
         self.0 = self
             .0
@@ -252,14 +251,14 @@ const GRAIN: f64 = 5.0;
 
 const CAMERA: V = V(0.3, -11.0, 3.9);
 const AIM: V = V(0.2, 0.0, 1.2);
-/// The middle of the window, the light it gives, and how wide and high it is.
+/// The centre of the window, its light, and its width and height.
 const WINDOW: V = V(-6.0, -4.5, 6.0);
 const BRIGHT: f64 = 78.0;
 const WINDOW_WIDE: f64 = 1.8;
 const WINDOW_HIGH: f64 = 2.2;
-/// The light that comes from the room.
+/// The ambient light of the room.
 const ROOM: f64 = 0.15;
-/// How far behind the things the wall is.
+/// The distance of the wall behind the objects.
 const WALL: f64 = 4.5;
 
 const SPHERE: V = V(-1.35, -0.9, 0.95);
@@ -267,6 +266,6 @@ const SPHERE_RADIUS: f64 = 0.95;
 /// The tip.
 const CONE: V = V(0.3, 1.1, 2.8);
 const CONE_RADIUS: f64 = 0.95;
-/// Its half side is its height above the table.
+/// Half of its side is its height above the table.
 const CUBE: V = V(1.75, -0.75, 0.68);
 const CUBE_TURN: f64 = 0.55;

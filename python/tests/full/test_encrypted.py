@@ -1,4 +1,4 @@
-"""A station that encrypts, and why its certificate is trusted."""
+"""A station with TLS, and the check of its certificate."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ import dobot_arm as dobot
 
 @pytest.fixture
 def encrypted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple[str, str, str]]:
-    """The address of a station that other machines can reach, the fingerprint that it tells, and a token for it."""
+    """The address of a station for other machines, its fingerprint, and a token for it."""
     program = os.environ.get("DOBOT")
     if program is None:
-        pytest.skip("the environment variable DOBOT names no `dobot` program")
-    # The client is somebody else, who knows no token of this station.
+        pytest.skip("the environment variable DOBOT is not set to a `dobot` program")
+    # The client belongs to another user, without a token of this station.
     monkeypatch.setenv("DOBOT_DATA", str(tmp_path / "elsewhere"))
     monkeypatch.delenv("DOBOT_TOKEN", raising=False)
     data = ["--data", str(tmp_path / "station")]

@@ -274,7 +274,7 @@ pub(crate) async fn stopped(up: &Up) {
     let other = Agent::new(up, &[]).await;
     let seen = Agent::done(other.call("look", json!({})).await);
     let alarms = seen["alarms"].to_string();
-    assert!(alarms.contains("the agent gave up"), "{seen}");
+    assert!(alarms.contains("the agent cancelled"), "{seen}");
     assert_ne!(seen["job"]["phase"], "running", "{seen}");
 }
 

@@ -63,7 +63,7 @@ fn arms_that_would_wait_for_ever_are_told_before_anything_is_rehearsed() {
     for part in [
         "2 problems",
         "step 2 (line 4, barrier \"x\")",
-        "wait for ever",
+        "deadlock",
         "same order",
     ] {
         assert!(

@@ -242,8 +242,8 @@ impl Engine {
         self.parts[part].trouble = Some(why.to_owned());
         let ahead: Vec<_> = self.parts.iter().map(PartState::ahead).collect();
         let with = dependents(&ahead, part);
-        for &it in with.iter().chain([&part]) {
-            self.parts[it].is_held = true;
+        for &index in with.iter().chain([&part]) {
+            self.parts[index].is_held = true;
         }
         self.news.push_back(EngineEvent::Held {
             part,

@@ -110,7 +110,7 @@ pub fn rehearse(
         }
         stage.step()?;
     }
-    Ok(stage.told())
+    Ok(stage.rehearsal())
 }
 
 /// All parts on one clock.
@@ -281,7 +281,7 @@ impl Stage<'_> {
         actors.all(|actor| actor.over.is_some() || actor.has_shown_its_cycle())
     }
 
-    fn told(self) -> Rehearsal {
+    fn rehearsal(self) -> Rehearsal {
         let parts = self.actors.into_iter().map(|actor| PartTime {
             arm: actor.part.arm.clone(),
             over_s: actor.over.map(|time| time.as_secs_f64()),

@@ -212,7 +212,7 @@ impl Run {
 
     /// Carries out the pending actions.
     async fn act(&mut self, say: &mut impl FnMut(RunEvent)) {
-        self.tell(say);
+        self.report_events(say);
         let actions: Vec<Action> = std::iter::from_fn(|| self.engine.poll_action()).collect();
         let pauses = actions.iter().filter_map(|action| match action {
             Action::Pause(part) => Some(*part),
@@ -226,10 +226,10 @@ impl Run {
                 say(RunEvent::Started { barrier, within_ms });
             }
         }
-        self.tell(say);
+        self.report_events(say);
     }
 
-    fn tell(&mut self, say: &mut impl FnMut(RunEvent)) {
+    fn report_events(&mut self, say: &mut impl FnMut(RunEvent)) {
         while let Some(news) = self.engine.poll_news() {
             say(RunEvent::News(news));
         }

@@ -5,7 +5,7 @@
 //!
 //! 1. The station and the key of an offer are on the disk before the offer is sent.
 //! 2. An offered ticket is offered to no other station before the first one has refused it for
-//! good, or a person decides so. After any other response, or none, the same request is sent again.
+//!    good, or a person decides so. After any other response, or none, the same request is sent again.
 //! 3. The response of a station to a key is final (the journal's `take`, `refuse` and `withdraw`).
 
 mod views;

@@ -139,7 +139,7 @@ impl WorkTasks {
             }
             Ok(Done::Kept(outcome)) => {
                 self.engine.handle_written(now, outcome.is_ok());
-                self.tell(outcome.as_ref().err());
+                self.report_writes(outcome.as_ref().err());
                 let was = std::mem::replace(&mut self.trouble, outcome.err());
                 return self.trouble.clone().filter(|_| was.is_none());
             }
@@ -152,7 +152,7 @@ impl WorkTasks {
     }
 
     /// Reports to the submitters whether their tickets are on the disk.
-    fn tell(&mut self, trouble: Option<&String>) {
+    fn report_writes(&mut self, trouble: Option<&String>) {
         let engine = &self.engine;
         let ready = |(id, _): &mut (String, Reply)| trouble.is_some() || engine.is_kept(id);
         for (id, reply) in self.waiting.extract_if(.., ready) {
@@ -223,10 +223,10 @@ impl WorkTasks {
 
 /// Returns whether a write succeeded, or why it failed.
 fn written(outcome: Result<std::io::Result<()>, JoinError>) -> Result<(), String> {
-    let told = |why: String| format!("jobs for the fleet cannot be written: {why}");
+    let failed = |why: String| format!("jobs for the fleet cannot be written: {why}");
     match outcome {
-        Ok(outcome) => outcome.map_err(|error| told(error.to_string())),
-        Err(error) => Err(told(error.to_string())),
+        Ok(outcome) => outcome.map_err(|error| failed(error.to_string())),
+        Err(error) => Err(failed(error.to_string())),
     }
 }
 

@@ -167,9 +167,9 @@ impl Ticket {
             }
             Place::Waiting if !self.refused.is_empty() || self.returned.is_some() => {
                 let refused = self.refused.iter().chain(&self.returned);
-                let told =
+                let reasons =
                     refused.map(|refused| format!("{}: {}", refused.member.name, refused.reason));
-                Some(told.collect::<Vec<_>>().join("; "))
+                Some(reasons.collect::<Vec<_>>().join("; "))
             }
             _ => None,
         }

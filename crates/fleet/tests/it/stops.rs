@@ -197,7 +197,7 @@ async fn an_arm_that_a_person_lets_go_moves_and_the_stop_does_not_come_back_to_i
     let two = Desk::in_folder("desk-2", &at, None, folder).await;
     two.sees("both", present(&["desk-1", "desk-2"])).await;
     let knows = |state: &State| state.fleet_stops.iter().any(FleetWideStop::holds);
-    two.is("told of it", knows).await;
+    two.is("informed of the stop", knows).await;
     let (status, moved) = two.moves().await;
     assert_eq!(status, 202, "{moved}");
     one.refuses_to_move().await;

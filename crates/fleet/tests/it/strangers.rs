@@ -104,7 +104,7 @@ async fn a_member_that_answers_for_others_reads_no_token_and_its_answers_do_not_
         assert!(!heard.iter().any(|(_, payload)| reads(payload)));
     }
     // A replayed request has no effect.
-    for (key, payload) in heard.into_iter().filter(|(_, it)| it.len() > 32) {
+    for (key, payload) in heard.into_iter().filter(|(_, payload)| payload.len() > 32) {
         if !key.ends_with("/sealed") {
             continue;
         }
@@ -221,8 +221,8 @@ async fn a_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping(
     assert_eq!(answers[0].answer.status, 200, "{answers:?}");
     let stopped = one.stop_all().await;
     let has_stopped = |name: &str| {
-        let it = stopped.iter().find(|answer| answer.member == name).unwrap();
-        it.answer.is_success()
+        let answer = stopped.iter().find(|answer| answer.member == name).unwrap();
+        answer.answer.is_success()
     };
     assert!(
         has_stopped("desk-1") && has_stopped("desk-2"),

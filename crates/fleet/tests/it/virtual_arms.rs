@@ -149,8 +149,8 @@ async fn what_is_no_name_or_taken_or_too_much_is_told_and_nothing_is_started() {
         "gives-no-arms"
     );
     assert_eq!(desk.refused("GET", ARMS, None).await, "gives-no-arms");
-    let nobody = format!("{ARMS}/anna");
-    assert_eq!(hall.refused("DELETE", &nobody, None).await, "no-such-arm");
+    let unknown = format!("{ARMS}/anna");
+    assert_eq!(hall.refused("DELETE", &unknown, None).await, "no-such-arm");
     let watching = {
         let mut tokens = Tokens::open(&Folders::at(hall.folder.path()).tokens()).unwrap();
         tokens

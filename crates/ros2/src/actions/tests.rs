@@ -19,7 +19,7 @@ async fn planned(
     station: &mut StationClient,
     points: &[(&[f64], f64)],
 ) -> (Wanted, Result<FollowPlan, Fault>) {
-    let Stand { status, period } = take_at_rest(station).await.expect("it tells");
+    let Stand { status, period } = take_at_rest(station).await.expect("the station reports");
     let goal = goal(&["base", "rear", "fore"], points);
     let wanted = Wanted::new(&goal, degrees_of(&status), Time::ZERO).expect("it makes sense");
     let plan = FollowPlan::new(&wanted, &status, period, 1.0);
@@ -27,7 +27,7 @@ async fn planned(
 }
 
 async fn where_it_stands(station: &mut StationClient) -> [f64; 4] {
-    degrees_of(&stands(station).await.expect("it tells").status)
+    degrees_of(&stands(station).await.expect("the station reports").status)
 }
 
 fn near(found: [f64; 4], expected: [f64; 4], tolerance: f64) {
@@ -127,7 +127,10 @@ async fn pump_and_gripper_do_as_they_are_told_and_the_arm_stays() {
     gripper(&mut station, true, &mut never())
         .await
         .expect("it is allowed");
-    let status = stands(&mut station).await.expect("it tells").status;
+    let status = stands(&mut station)
+        .await
+        .expect("the station reports")
+        .status;
     assert!(status.suction, "{status:?}");
     assert!((status.gripper_deg + 90.0).abs() < 0.1, "{status:?}");
     near(degrees_of(&status), before, 0.05);

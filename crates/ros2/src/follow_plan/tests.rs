@@ -55,7 +55,7 @@ fn a_straight_way_of_many_points_is_one_target_in_the_time_that_was_wanted() {
     let points: Vec<(&[f64], f64)> = places
         .iter()
         .zip(1..)
-        .map(|(it, n): (_, u32)| (&it[..], f64::from(n) * 0.05))
+        .map(|(place, n): (_, u32)| (&place[..], f64::from(n) * 0.05))
         .collect();
     let plan = plan(&wanted(&points)).expect("it can be followed");
     let [target] = targets(&plan)[..] else {
@@ -98,7 +98,7 @@ fn a_path_tolerance_that_the_link_cannot_keep_is_told_before_anything_moves() {
 fn a_time_that_the_arm_cannot_keep_is_told_before_anything_moves_where_it_matters() {
     // 90 degrees in a second: 100 degrees/s2 reach only 25 in that time.
     let mut fast = wanted(&[(&[90.0, 45.0, 45.0, 0.0], 1.0)]);
-    let late = plan(&fast).expect("nobody said that it matters");
+    let late = plan(&fast).expect("without a tolerance");
     // 90 degrees at 100 degrees/s and 100 degrees/s2: acceleration and deceleration only.
     let expected = 2.0 * (90.0_f64 / 100.0).sqrt();
     assert!((late.takes_s - expected).abs() < 1e-6, "{}", late.takes_s);
@@ -199,9 +199,9 @@ proptest! {
         let plan = plan(&wanted).expect("it can be followed");
         // A last pause of less than a tick of 20 ms is left out.
         prop_assert!(plan.takes_s > wanted.duration_s() - 0.021, "{} of {}", plan.takes_s, wanted.duration_s());
-        for it in &plan.job.commands {
-            if let Command::PlaybackAdjustment(it) = it {
-                prop_assert!((1.0..=50.0).contains(&it.speed_percent));
+        for command in &plan.job.commands {
+            if let Command::PlaybackAdjustment(speed) = command {
+                prop_assert!((1.0..=50.0).contains(&speed.speed_percent));
             }
         }
         let last = targets(&plan).last().copied().expect("it moves");

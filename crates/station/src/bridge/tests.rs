@@ -44,65 +44,88 @@ fn refusal() -> Result<(), Refusal> {
 
 #[tokio::test]
 async fn packets_go_to_the_driver_and_statuses_to_the_program_byte_for_byte() {
-    let mut it = bridged(4096).await;
-    it.program.write_all(&packet(1)).await.expect("it is open");
-    assert_eq!(it.driver.grant().await, packet(1));
+    let mut bridged = bridged(4096).await;
+    bridged
+        .program
+        .write_all(&packet(1))
+        .await
+        .expect("it is open");
+    assert_eq!(bridged.driver.grant().await, packet(1));
     let any_bytes: [u8; 42] = std::array::from_fn(|n| u8::try_from(n * 6).expect("it fits"));
-    it.driver.send_status(any_bytes);
+    bridged.driver.send_status(any_bytes);
     let mut got = [0; 42];
-    it.program.read_exact(&mut got).await.expect("it comes");
+    bridged
+        .program
+        .read_exact(&mut got)
+        .await
+        .expect("it comes");
     assert_eq!(got, any_bytes);
-    drop(it.program);
-    let traffic = it.bridge.await.expect("it runs");
+    drop(bridged.program);
+    let traffic = bridged.bridge.await.expect("it runs");
     assert_eq!((traffic.packets, traffic.statuses), (1, 1));
     assert_eq!((traffic.refused, traffic.damaged_bytes), (0, 0));
 }
 
 #[tokio::test]
 async fn a_program_that_leaves_is_a_client_that_leaves() {
-    let mut it = bridged(4096).await;
-    drop(it.program);
-    it.driver.left().await;
-    it.bridge.await.expect("it runs");
+    let mut bridged = bridged(4096).await;
+    drop(bridged.program);
+    bridged.driver.left().await;
+    bridged.bridge.await.expect("it runs");
 }
 
 #[tokio::test]
 async fn the_bridge_ends_with_the_station() {
-    let mut it = bridged(4096).await;
-    drop(it.driver);
-    it.program.write_all(&packet(1)).await.expect("it is open");
-    it.bridge.await.expect("it runs");
-    assert_eq!(it.program.read(&mut [0]).await.expect("it is its end"), 0);
-    drop(it.handle);
+    let mut bridged = bridged(4096).await;
+    drop(bridged.driver);
+    bridged
+        .program
+        .write_all(&packet(1))
+        .await
+        .expect("it is open");
+    bridged.bridge.await.expect("it runs");
+    assert_eq!(
+        bridged.program.read(&mut [0]).await.expect("it is its end"),
+        0
+    );
+    drop(bridged.handle);
 }
 
 #[tokio::test]
 async fn statuses_come_while_a_packet_waits_for_the_driver() {
-    let mut it = bridged(4096).await;
-    it.program.write_all(&packet(1)).await.expect("it is open");
-    let (_, _, unanswered) = it.driver.asked().await;
-    it.driver.send_status([7; 42]);
+    let mut bridged = bridged(4096).await;
+    bridged
+        .program
+        .write_all(&packet(1))
+        .await
+        .expect("it is open");
+    let (_, _, unanswered) = bridged.driver.asked().await;
+    bridged.driver.send_status([7; 42]);
     let mut got = [0; 42];
-    it.program.read_exact(&mut got).await.expect("it comes");
+    bridged
+        .program
+        .read_exact(&mut got)
+        .await
+        .expect("it comes");
     drop(unanswered);
 }
 
 #[tokio::test]
 async fn what_is_read_ahead_while_the_driver_has_not_answered_has_an_end() {
-    let mut it = bridged(420).await;
+    let mut bridged = bridged(420).await;
     let flood = tokio::spawn(async move {
         let mut sent = 0_u64;
-        while it.program.write_all(&packet(1)).await.is_ok() {
+        while bridged.program.write_all(&packet(1)).await.is_ok() {
             sent += 1;
         }
         sent
     });
-    let (_, _, unanswered) = it.driver.asked().await;
+    let (_, _, unanswered) = bridged.driver.asked().await;
     for _ in 0..100_000 {
         tokio::task::yield_now().await;
     }
-    assert!(it.driver.idle(), "one packet at a time");
-    it.bridge.abort();
+    assert!(bridged.driver.idle(), "one packet at a time");
+    bridged.bridge.abort();
     drop(unanswered);
     // The packets read ahead, at most one read of 4096 bytes, and the contents of the stream.
     let sent = flood.await.expect("it runs");
@@ -115,20 +138,24 @@ async fn what_is_read_ahead_while_the_driver_has_not_answered_has_an_end() {
 
 #[tokio::test(start_paused = true)]
 async fn what_waits_of_a_program_that_is_gone_is_forgotten_at_once() {
-    let mut it = bridged(1 << 20).await;
+    let mut bridged = bridged(1 << 20).await;
     for _ in 0..3000 {
-        it.program.write_all(&packet(1)).await.expect("it is open");
+        bridged
+            .program
+            .write_all(&packet(1))
+            .await
+            .expect("it is open");
     }
-    drop(it.program);
+    drop(bridged.program);
     let gone = Instant::now();
     let answers = tokio::spawn(async move {
         let mut refused = 0;
-        while it.driver.answer_unless_left(refusal()).await.is_some() {
+        while bridged.driver.answer_unless_left(refusal()).await.is_some() {
             refused += 1;
         }
         refused
     });
-    let traffic = it.bridge.await.expect("it runs");
+    let traffic = bridged.bridge.await.expect("it runs");
     assert!(gone.elapsed().is_zero(), "{:?}", gone.elapsed());
     let refused = answers.await.expect("it runs");
     assert_eq!(traffic.refused, refused);
@@ -137,86 +164,112 @@ async fn what_waits_of_a_program_that_is_gone_is_forgotten_at_once() {
 
 #[tokio::test]
 async fn what_a_program_sent_before_it_left_is_passed_on_if_it_need_not_wait() {
-    let mut it = bridged(4096).await;
-    it.program.write_all(&packet(1)).await.expect("it is open");
-    it.program.write_all(&packet(2)).await.expect("it is open");
-    drop(it.program);
-    assert_eq!(it.driver.grant().await, packet(1));
-    assert_eq!(it.driver.grant().await, packet(2));
-    it.driver.left().await;
+    let mut bridged = bridged(4096).await;
+    bridged
+        .program
+        .write_all(&packet(1))
+        .await
+        .expect("it is open");
+    bridged
+        .program
+        .write_all(&packet(2))
+        .await
+        .expect("it is open");
+    drop(bridged.program);
+    assert_eq!(bridged.driver.grant().await, packet(1));
+    assert_eq!(bridged.driver.grant().await, packet(2));
+    bridged.driver.left().await;
 }
 
 #[tokio::test(start_paused = true)]
 async fn refused_packets_are_counted_and_taken_no_faster_than_a_line_carries_them() {
-    let mut it = bridged(4096).await;
+    let mut bridged = bridged(4096).await;
     let started = Instant::now();
     let flood =
-        tokio::spawn(async move { while it.program.write_all(&packet(1)).await.is_ok() {} });
+        tokio::spawn(async move { while bridged.program.write_all(&packet(1)).await.is_ok() {} });
     let mut refused = 0_u32;
     while started.elapsed().as_secs() < 60 {
-        it.driver.answer(refusal()).await;
+        bridged.driver.answer(refusal()).await;
         refused += 1;
     }
     // 960 bytes/s are 22.9 packets, and half a second is free.
     assert!((1300..=1390).contains(&refused), "{refused} in a minute");
-    it.bridge.abort();
+    bridged.bridge.abort();
     flood.await.expect("it runs");
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_program_whose_every_packet_is_refused_is_served_at_the_pace_of_statuses() {
-    let mut it = bridged(4096).await;
+    let mut bridged = bridged(4096).await;
     for status in 0..200 {
         let started = Instant::now();
-        it.driver.send_status([status; 42]);
+        bridged.driver.send_status([status; 42]);
         let mut got = [0; 42];
-        it.program.read_exact(&mut got).await.expect("it comes");
-        it.program.write_all(&packet(1)).await.expect("it is open");
-        it.driver.answer(refusal()).await;
+        bridged
+            .program
+            .read_exact(&mut got)
+            .await
+            .expect("it comes");
+        bridged
+            .program
+            .write_all(&packet(1))
+            .await
+            .expect("it is open");
+        bridged.driver.answer(refusal()).await;
         assert!(started.elapsed().is_zero(), "{:?}", started.elapsed());
         tokio::time::advance(std::time::Duration::from_millis(80)).await;
     }
-    drop(it.program);
-    let traffic = it.bridge.await.expect("it runs");
+    drop(bridged.program);
+    let traffic = bridged.bridge.await.expect("it runs");
     assert_eq!((traffic.packets, traffic.refused), (200, 200));
 }
 
 #[tokio::test(start_paused = true)]
 async fn a_program_that_does_not_read_loses_statuses_and_goes_on_with_the_newest() {
     // The stream holds two statuses, the bridge one, the driver four.
-    let mut it = bridged(84).await;
+    let mut bridged = bridged(84).await;
     for status in 0..100 {
-        it.driver.send_status([status; 42]);
+        bridged.driver.send_status([status; 42]);
         tokio::task::yield_now().await;
     }
     let mut got = Vec::new();
     let mut status = [0; 42];
     let backoff = std::time::Duration::from_secs(1);
-    while let Ok(read) = tokio::time::timeout(backoff, it.program.read_exact(&mut status)).await {
+    while let Ok(read) =
+        tokio::time::timeout(backoff, bridged.program.read_exact(&mut status)).await
+    {
         read.expect("it is open");
         assert_eq!(status, [status[0]; 42], "it came whole");
         got.push(status[0]);
     }
-    it.driver.send_status([200; 42]);
-    it.program.read_exact(&mut status).await.expect("it comes");
+    bridged.driver.send_status([200; 42]);
+    bridged
+        .program
+        .read_exact(&mut status)
+        .await
+        .expect("it comes");
     assert_eq!(status, [200; 42]);
     assert!(got.is_sorted() && got.len() <= 7, "{got:?}");
-    drop(it.program);
-    let traffic = it.bridge.await.expect("it runs");
+    drop(bridged.program);
+    let traffic = bridged.bridge.await.expect("it runs");
     assert_eq!(traffic.statuses, got.len() as u64 + 1);
     assert_eq!(traffic.statuses + traffic.lost_statuses, 101);
 }
 
 #[tokio::test]
 async fn a_web_page_is_cut_off_before_any_packet_of_its_own() {
-    let mut it = bridged(4096).await;
+    let mut bridged = bridged(4096).await;
     let mut request = b"POST / HTTP/1.1\r\nHost: 127.0.0.1:5555\r\n\r\n".to_vec();
     request.extend(packet(1));
-    it.program.write_all(&request).await.expect("it is open");
-    let traffic = it.bridge.await.expect("it runs");
+    bridged
+        .program
+        .write_all(&request)
+        .await
+        .expect("it is open");
+    let traffic = bridged.bridge.await.expect("it runs");
     assert!(traffic.web);
-    it.driver.left().await;
-    assert!(it.driver.idle());
+    bridged.driver.left().await;
+    assert!(bridged.driver.idle());
 }
 
 /// Runs bytes through a bridge, cut into pieces, and returns the packets that reach the driver.
@@ -227,18 +280,18 @@ fn through(bytes: Vec<u8>, cut: usize) -> (Vec<[u8; 42]>, Traffic) {
         .build()
         .expect("there is memory");
     runtime.block_on(async {
-        let mut it = bridged(4096).await;
+        let mut bridged = bridged(4096).await;
         let sending = tokio::spawn(async move {
             for piece in bytes.chunks(cut) {
-                it.program.write_all(piece).await.expect("it is open");
+                bridged.program.write_all(piece).await.expect("it is open");
             }
         });
         let mut packets = Vec::new();
-        while let Some(packet) = it.driver.answer_unless_left(Ok(())).await {
+        while let Some(packet) = bridged.driver.answer_unless_left(Ok(())).await {
             packets.push(packet);
         }
         sending.await.expect("it runs");
-        (packets, it.bridge.await.expect("it runs"))
+        (packets, bridged.bridge.await.expect("it runs"))
     })
 }
 

@@ -11,19 +11,19 @@ use crate::{ProgramNews, Traffic};
 pub(crate) struct Harness<At> {
     pub(crate) at: At,
     pub(crate) driver: FakeDriver,
-    pub(crate) told: UnboundedReceiver<ProgramNews>,
+    pub(crate) events: UnboundedReceiver<ProgramNews>,
 }
 
 impl<At> Harness<At> {
     /// Returns the harness, the handle of the driver and the callback for events.
     pub(crate) fn new(at: At) -> (Self, StationHandle, impl Fn(ProgramNews) + use<At>) {
         let (handle, driver) = FakeDriver::new(16);
-        let (tell, told) = unbounded_channel();
-        let tell = move |news| {
+        let (report, events) = unbounded_channel();
+        let report = move |news| {
             // The test may have ended.
-            let _ = tell.send(news);
+            let _ = report.send(news);
         };
-        (Self { at, driver, told }, handle, tell)
+        (Self { at, driver, events }, handle, report)
     }
 
     /// Admits the next program and returns its name.
@@ -37,7 +37,7 @@ impl<At> Harness<At> {
 
     /// Returns the next event.
     pub(crate) async fn news(&mut self) -> ProgramNews {
-        self.told.recv().await.expect("the port is served")
+        self.events.recv().await.expect("the port is served")
     }
 
     /// Returns the traffic of a program that has left, which must be the next event.

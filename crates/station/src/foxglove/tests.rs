@@ -12,24 +12,24 @@ use super::*;
 use crate::fake::FakeDriver;
 
 /// A client of the published protocol.
-struct Onlooker {
+struct FoxgloveClient {
     socket: Socket,
     /// The channel id of each topic.
     channels: HashMap<String, u64>,
     advertised: Vec<Value>,
 }
 
-impl Onlooker {
+impl FoxgloveClient {
     async fn come(address: SocketAddr) -> Self {
         let socket = connect(address, None).await.expect("it listens");
         let (channels, advertised) = (HashMap::new(), Vec::new());
-        let mut onlooker = Self {
+        let mut client = Self {
             socket,
             channels,
             advertised,
         };
-        while onlooker.channels.is_empty() {
-            let said = onlooker.said().await;
+        while client.channels.is_empty() {
+            let said = client.said().await;
             let advertised = said
                 .as_ref()
                 .and_then(|message| message["channels"].as_array());
@@ -39,11 +39,11 @@ impl Onlooker {
                     .expect("a topic has a name")
                     .to_owned();
                 let id = channel["id"].as_u64().expect("a channel has a number");
-                onlooker.channels.insert(name, id);
-                onlooker.advertised.push(channel.clone());
+                client.channels.insert(name, id);
+                client.advertised.push(channel.clone());
             }
         }
-        onlooker
+        client
     }
 
     /// Returns the next text message, if the message is text.
@@ -65,7 +65,7 @@ impl Onlooker {
     /// Returns the next message of a topic with its time, in nanoseconds since 1970. `again` is
     /// repeated until it arrives, since a subscription is only effective after the station has read
     /// it.
-    async fn told(&mut self, topic: &str, mut again: impl FnMut()) -> (u64, Value) {
+    async fn message(&mut self, topic: &str, mut again: impl FnMut()) -> (u64, Value) {
         let id = self.channels[topic];
         loop {
             again();
@@ -143,8 +143,8 @@ const OUT_MM: f32 = 215.07;
 #[tokio::test]
 async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
     let (_driver, address) = served().await;
-    let onlooker = Onlooker::come(address).await;
-    let mut names: Vec<_> = onlooker.channels.keys().map(String::as_str).collect();
+    let client = FoxgloveClient::come(address).await;
+    let mut names: Vec<_> = client.channels.keys().map(String::as_str).collect();
     names.sort_unstable();
     let recorded = [
         "/arm/ink",
@@ -159,7 +159,7 @@ async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
         "/wire/to_arm",
     ];
     assert_eq!(names, recorded);
-    let transform = onlooker
+    let transform = client
         .advertised
         .iter()
         .find(|channel| channel["topic"] == "/tf");
@@ -170,7 +170,7 @@ async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
         .expect("it is JSON");
     assert_eq!(schema["type"], "object");
     for topic in ["/arm/ink", "/arm/target"] {
-        let scene = onlooker
+        let scene = client
             .advertised
             .iter()
             .find(|channel| channel["topic"] == topic);
@@ -211,17 +211,17 @@ async fn pages_of_other_sites_are_refused() {
 #[tokio::test]
 async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
     let (driver, address) = served().await;
-    let mut onlooker = Onlooker::come(address).await;
-    onlooker.want("/tf").await;
+    let mut client = FoxgloveClient::come(address).await;
+    client.want("/tf").await;
     let mut base_deg = 30.0;
     let again = || {
         // Each status has another angle, until one is published.
         base_deg += 0.25;
         driver.tell_passed(turned(base_deg));
     };
-    let (_, told) = onlooker.told("/tf", again).await;
+    let (_, message) = client.message("/tf", again).await;
     // The turret turns with the base only: rear arm upright, forearm level.
-    let turret = &told["transforms"][0];
+    let turret = &message["transforms"][0];
     assert_eq!(turret["parent_frame_id"], "base");
     assert_eq!(turret["child_frame_id"], "turret");
     let part = |name: &str| turret["rotation"][name].as_f64().expect("it is a number");
@@ -235,11 +235,11 @@ async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
 #[tokio::test]
 async fn foxglove_is_told_the_state_of_the_station_at_its_time() {
     let (driver, address) = served().await;
-    let mut onlooker = Onlooker::come(address).await;
-    onlooker.want("/station/state").await;
+    let mut client = FoxgloveClient::come(address).await;
+    client.want("/station/state").await;
     let begun = Timestamp::now().as_nanosecond();
-    let (at_ns, state) = onlooker
-        .told("/station/state", || driver.tell(crate::sample::state(60.0)))
+    let (at_ns, state) = client
+        .message("/station/state", || driver.tell(crate::sample::state(60.0)))
         .await;
     assert_eq!(state["at_s"], 60.0);
     // The sample station has run for a minute by then: the time is that of the state, not that of
@@ -261,5 +261,7 @@ async fn others_on_the_network_cannot_look_on() {
 async fn a_port_that_another_program_has_is_told() {
     let (_driver, address) = served().await;
     let refused = FoxglovePort::bind(address).await.expect_err("it is taken");
-    assert!(matches!(refused, FoxglovePortError::Listen { address: it, .. } if it == address));
+    assert!(
+        matches!(refused, FoxglovePortError::Listen { address: refused, .. } if refused == address)
+    );
 }

@@ -14,14 +14,14 @@ pub(super) use dobot_mcp::HttpAgents;
 
 use crate::http::access::auth::presented;
 use crate::http::app::{App, Peer};
-use crate::http::exchange::answer::{NotDone, collect};
+use crate::http::exchange::responses::{RequestFailed, collect};
 
 /// Serves an agent: its calls are made with its own token, as for every client of the station.
 pub(super) async fn agents(
     State(app): State<Arc<App>>,
     Extension(peer): Extension<Peer>,
     request: Request,
-) -> Result<Response, NotDone> {
+) -> Result<Response, RequestFailed> {
     if peer.by_fleet {
         let text = "path: agents must connect to each station directly, not through a fleet";
         return Err(INVALID.problem(text).into());
@@ -38,7 +38,7 @@ pub(super) async fn agents(
 
 /// Converts an error response to a problem document, unless the protocol reports it in its own
 /// message.
-async fn told(answer: Response) -> Result<Response, NotDone> {
+async fn told(answer: Response) -> Result<Response, RequestFailed> {
     let status = answer.status();
     let kind = answer.headers().get(CONTENT_TYPE);
     if !status.is_client_error() || kind.is_some_and(|kind| kind == "application/json") {

@@ -17,8 +17,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 
 use crate::http::app::App;
-use crate::http::exchange::answer::{BODY, Body, Maybe, NotDone, Nothing, OfJob};
-use crate::http::exchange::requester::Asker;
+use crate::http::exchange::requester::Requester;
+use crate::http::exchange::responses::{BODY, Body, Maybe, Nothing, OfJob, RequestFailed};
 #[cfg(test)]
 use crate::http::exchange::strict_json;
 
@@ -104,7 +104,9 @@ pub(super) struct Query {
 }
 
 /// The body of a request to the driver.
-pub(super) trait Entry: FromRequest<Arc<App>, Rejection = NotDone> + Send + 'static {
+pub(super) trait Entry:
+    FromRequest<Arc<App>, Rejection = RequestFailed> + Send + 'static
+{
     /// Returns its description.
     fn takes() -> Takes;
 }
@@ -196,7 +198,9 @@ impl Route {
         summary: &'static str,
         request: fn(E) -> Request,
     ) -> Self {
-        let ask = move |asker: Asker, entry: E| async move { asker.ask(request(entry)).await };
+        let ask = move |requester: Requester, entry: E| async move {
+            requester.ask(request(entry)).await
+        };
         Self::new(method, path, summary, ask).brings::<E>()
     }
 

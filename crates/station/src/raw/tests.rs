@@ -9,8 +9,8 @@ impl Harness<SocketAddr> {
     async fn served() -> Self {
         let any = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
         let port = RawPort::bind(any).await.expect("a port is free");
-        let (harness, handle, tell) = Self::new(port.address());
-        tokio::spawn(async move { port.serve(&handle, tell).await });
+        let (harness, handle, report) = Self::new(port.address());
+        tokio::spawn(async move { port.serve(&handle, report).await });
         harness
     }
 
@@ -159,5 +159,5 @@ async fn the_port_closes_with_the_station() {
     program.write_all(&packet(50)).await.expect("it is open");
     assert_eq!(read_to_end(&mut program).await, "");
     // The callback is dropped with the server.
-    while harness.told.recv().await.is_some() {}
+    while harness.events.recv().await.is_some() {}
 }

@@ -8,9 +8,9 @@ use crate::fake::{Harness, packet};
 impl Harness<PathBuf> {
     fn served() -> Self {
         let port = VirtualPort::open(None).expect("there is one more");
-        let (harness, handle, tell) = Self::new(port.path().to_owned());
+        let (harness, handle, report) = Self::new(port.path().to_owned());
         tokio::spawn(async move {
-            port.serve(&handle, tell).await.expect("the port holds");
+            port.serve(&handle, report).await.expect("the port holds");
         });
         harness
     }
@@ -54,5 +54,5 @@ async fn the_port_goes_with_the_station() {
     drop(harness.driver);
     program.send(&packet(50));
     program.flush().await.expect("it is open");
-    while harness.told.recv().await.is_some() {}
+    while harness.events.recv().await.is_some() {}
 }

@@ -6,17 +6,17 @@ use dobot_draw::Placement;
 use dobot_geometry::{Point, Random, Stroke, Vec2};
 use dobot_lettering::{Anchor, strokes};
 
-/// Strokes to draw, and the curves that they stand for.
+/// Strokes to draw, and the curves that they approximate.
 pub(crate) struct Curves {
-    /// What they are called.
+    /// Their name.
     pub(crate) name: &'static str,
-    /// What is drawn, in the base frame, in mm.
+    /// The strokes, in the base frame, in mm.
     pub(crate) given: Vec<Stroke>,
-    /// The same without noise.
+    /// The curves without noise.
     pub(crate) meant: Vec<Stroke>,
 }
 
-/// All of them.
+/// Returns all curves.
 pub(crate) fn all() -> Vec<Curves> {
     let noiseless = |name, given: Vec<Stroke>| Curves {
         name,
@@ -33,7 +33,7 @@ pub(crate) fn all() -> Vec<Curves> {
     ]
 }
 
-/// A point on a wheel that rolls inside of a ring, 120 mm wide: 20,000 points.
+/// A spirograph, 120 mm wide: 20,000 points.
 fn spirograph(ring: f64, wheel: f64, arm: f64) -> Stroke {
     let scale = 60.0 / (ring - wheel + arm);
     let at = |i: u32| {
@@ -44,7 +44,7 @@ fn spirograph(ring: f64, wheel: f64, arm: f64) -> Stroke {
     closed((0..=20_000).map(at))
 }
 
-/// Circles from 1 to 50 mm, in points 0.01 mm from their chords.
+/// Circles from 1 to 50 mm, with points at a distance of 0.01 mm from their chords.
 fn circles() -> Vec<Stroke> {
     let radii_mm = [1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 30.0, 50.0];
     radii_mm.into_iter().map(circle).collect()
@@ -61,7 +61,7 @@ fn circle(radius_mm: f64) -> Stroke {
     closed((0..=count).map(|i| center() + Vec2::from_angle(at(i)) * radius_mm))
 }
 
-/// Rows of waves that get ever shorter: from almost straight to almost back and forth.
+/// Rows of waves of decreasing length: from almost straight to almost back and forth.
 fn waves() -> Vec<Stroke> {
     let row = |row: u32| {
         let at = move |i: u32| {
@@ -74,7 +74,7 @@ fn waves() -> Vec<Stroke> {
     (0..4).map(row).collect()
 }
 
-/// Smooth lines of a hand, as a tablet gives them: a point each 0.3 mm, up to 0.02 mm off.
+/// Smooth hand-drawn lines, as from a tablet: a point every 0.3 mm, with errors of up to 0.02 mm.
 fn by_hand() -> Curves {
     let mut random = Random::new(5);
     let mut curves = Curves {
@@ -97,7 +97,7 @@ fn by_hand() -> Curves {
     curves
 }
 
-/// 200 mm whose direction swings as chance has it, in steps of 0.01 mm.
+/// A line of 200 mm with a random direction, in steps of 0.01 mm.
 fn wander(random: &mut Random) -> impl Iterator<Item = Point> + use<> {
     let swings = [0.5, 1.3, 3.1, 7.0].map(|count| {
         let size = (0.5 + random.share()) * 2.0 / count;
@@ -120,7 +120,7 @@ fn wander(random: &mut Random) -> impl Iterator<Item = Point> + use<> {
     })
 }
 
-/// Letters of single lines, 3 and 8 mm high.
+/// Single-line letters, 3 and 8 mm high.
 fn text() -> Vec<Stroke> {
     let lines = [
         ("Where one stroke ends, quick joints lift its pen", 3.0),

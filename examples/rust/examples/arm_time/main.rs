@@ -1,8 +1,9 @@
 //! `cargo run -p dobot-examples --example arm_time`
 //!
-//! Plans curves of many kinds and prints as a table, for speeds, accelerations and arms, how long the
-//! pen draws, the bounds of that, how far it is from the curve, and how much it accelerates. Arguments, each optional: tolerance
-//! in mm, name of the curves. The ratio is to the larger bound of each stroke.
+//! Plans curves of many kinds and prints a table of drawing times with their lower bounds,
+//! deviations from the curve and accelerations, for several speeds, accelerations and arms.
+//! Arguments, each optional: tolerance in mm, name of the curves. The ratio is to the larger bound
+//! of each stroke.
 
 use std::error::Error;
 use std::time::Instant;
@@ -45,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the arm is asked for.
+/// The requested speed and acceleration.
 struct Case {
     tolerance_mm: f64,
     acceleration_mm_s2: f64,
@@ -80,7 +81,7 @@ impl Case {
         Ok(())
     }
 
-    /// The same drawn by an arm.
+    /// Plans the curves for an arm.
     fn drawn(
         &self,
         curves: &Curves,
@@ -113,7 +114,7 @@ impl Case {
             arm_limits: ArmLimits {
                 acceleration_mm_s2: self.acceleration_mm_s2,
                 corner_deviation_mm: 2.0 * self.tolerance_mm,
-                // What is measured is the curve, not where it lies before the arm.
+                // Only the curve is measured, not its position relative to the arm.
                 joint_speed_deg_s: 10_000.0,
                 has_ticks,
                 ..ArmLimits::default()
@@ -123,8 +124,8 @@ impl Case {
         }
     }
 
-    /// How long the fastest motion along the curve itself takes, in s: its points are so many that
-    /// arcs between them are the curve.
+    /// Returns the time of the fastest motion along the curve itself, in s: it has so many points
+    /// that arcs between them are the curve.
     fn optimum_s(&self, curve: &Stroke) -> f64 {
         let chain: Vec<ChainVector> = curve
             .segments()
@@ -135,7 +136,7 @@ impl Case {
         cornering.durations_s(&chain).iter().sum()
     }
 
-    /// How long the link takes for the fewest vectors, in s.
+    /// Returns the time that the link takes for the fewest vectors, in s.
     fn link_s(&self, stroke: &Stroke) -> f64 {
         let fewest = simplify(stroke, FEWEST_SHARE * self.tolerance_mm);
         #[expect(clippy::cast_precision_loss, reason = "some thousands")]
@@ -144,7 +145,7 @@ impl Case {
     }
 }
 
-/// How far a plan is from what was wanted, in mm: in the mean and at most.
+/// Returns the mean and maximum deviation of a plan, in mm.
 fn off(wanted: &[Stroke], plan: &Plan) -> (f64, f64) {
     let drawn = plan.paths(MoveKind::Draw);
     let mut wanted_path = PathDistance::new(wanted);
@@ -166,5 +167,5 @@ const CASES: [(f64, f64); 5] = [
     (200.0, 100.0),
     (200.0, 200.0),
 ];
-/// The rest is for reading curves.
+/// The remaining share is for reading curves.
 const FEWEST_SHARE: f64 = 0.9;

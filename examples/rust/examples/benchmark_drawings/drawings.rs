@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use dobot_geometry::{Point, Random};
 use dobot_lettering::{Anchor, strokes, width};
 
-/// All of them.
+/// All drawings.
 pub(crate) const ALL: [Benchmark; 10] = [
     Benchmark::new("hilbert", hilbert),
     Benchmark::new("hilbert-shuffled", || shuffled(hilbert_segments())),
@@ -20,11 +20,11 @@ pub(crate) const ALL: [Benchmark; 10] = [
     Benchmark::new("hatch-shuffled", || shuffled(hatch())),
 ];
 
-/// A drawing to measure with.
+/// A benchmark drawing.
 pub(crate) struct Benchmark {
-    /// What its file is called.
+    /// The name of its file.
     pub(crate) name: &'static str,
-    /// Makes its `path` elements, one for each stroke.
+    /// Returns its `path` elements, one for each stroke.
     paths: fn() -> Vec<String>,
 }
 
@@ -33,7 +33,7 @@ impl Benchmark {
         Self { name, paths }
     }
 
-    /// The drawing as the text of an SVG file.
+    /// Returns the drawing as the text of an SVG file.
     pub(crate) fn svg(&self) -> String {
         format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH_MM}mm" height="{HEIGHT_MM}mm" viewBox="0 0 {WIDTH_MM} {HEIGHT_MM}" fill="none" stroke="black" stroke-width="0.3" stroke-linecap="round">
@@ -50,7 +50,7 @@ fn hilbert() -> Vec<String> {
     vec![path(&hilbert_points(), "")]
 }
 
-/// The same curve, each segment by itself.
+/// The same curve, with each segment as a stroke.
 fn hilbert_segments() -> Vec<String> {
     let segments = hilbert_points();
     segments.windows(2).map(|pair| path(pair, "")).collect()
@@ -64,7 +64,7 @@ fn hilbert_points() -> Vec<[f64; 2]> {
     points.map(|[x, y]| [41.0 + x, 1.0 + y]).collect()
 }
 
-/// Column and row of the i-th cell that the curve goes through.
+/// Returns column and row of the i-th cell on the curve.
 fn hilbert_cell(i: u32) -> [u32; 2] {
     let [mut x, mut y] = [0, 0];
     for level in 0..HILBERT_ORDER {
@@ -79,7 +79,7 @@ fn hilbert_cell(i: u32) -> [u32; 2] {
     [x, y]
 }
 
-/// One closed stroke of 20,000 segments: a point on a wheel that rolls inside of a ring.
+/// One closed stroke of 20,000 segments: a spirograph.
 fn spirograph() -> Vec<String> {
     let mut points = spirograph_points();
     points.pop();
@@ -107,7 +107,7 @@ fn spirograph_points() -> Vec<[f64; 2]> {
     (0..=20_000).map(at).collect()
 }
 
-/// 2,000 strokes of lettering: words in lines, as a letter has them.
+/// 2,000 strokes of lettering: words in lines, in reading order.
 fn text() -> Vec<String> {
     let mut random = Random::new(7);
     let (mut strokes, mut line, mut y) = (Vec::new(), String::new(), 8.0);
@@ -125,7 +125,7 @@ fn text() -> Vec<String> {
     strokes
 }
 
-/// Every stroke of a line of text as an element of its own.
+/// Returns every stroke of a line of text as an element.
 fn letters(line: &str, y: f64) -> Vec<String> {
     strokes(line, Anchor::Left, Point::new(5.0, y), LETTER_MM)
         .iter()
@@ -133,7 +133,7 @@ fn letters(line: &str, y: f64) -> Vec<String> {
         .collect()
 }
 
-/// 10,000 dots that shade two balls, in the order of a scan from the top.
+/// 10,000 dots that shade two spheres, in scanning order from the top.
 fn stipple() -> Vec<String> {
     let mut random = Random::new(11);
     let mut dots = Vec::new();
@@ -152,14 +152,14 @@ fn stipple() -> Vec<String> {
     dots.into_iter().map(element).collect()
 }
 
-/// 5,000 hatch lines that shade the same balls: the darker a place, the more directions cross.
+/// 5,000 hatch lines that shade the same spheres: the darker a spot, the more directions cross.
 fn hatch() -> Vec<String> {
     let mut lines = Vec::new();
     for (family, least) in [0.15, 0.3, 0.45, 0.6, 0.75].into_iter().enumerate() {
         let angle = TAU * (0.08 + 0.1 * f64::from(u8::try_from(family).unwrap_or_default()));
         hatch_family(angle, least, &mut lines);
     }
-    // The longest 5,000, in the order they were found.
+    // The longest 5,000, in the order in which they were found.
     let mut lengths: Vec<f64> = lines.iter().map(length).collect();
     lengths.sort_by(|a, b| b.total_cmp(a));
     let least = lengths[4999];
@@ -168,7 +168,7 @@ fn hatch() -> Vec<String> {
     lines.iter().map(|line| path(line, "")).collect()
 }
 
-/// Parallel lines, broken where it is not dark enough for them.
+/// Parallel lines, interrupted where the picture is too bright for them.
 fn hatch_family(angle: f64, least: f64, lines: &mut Vec<[[f64; 2]; 2]>) {
     let (sin, cos) = angle.sin_cos();
     for row in -200..200 {
@@ -179,7 +179,7 @@ fn hatch_family(angle: f64, least: f64, lines: &mut Vec<[[f64; 2]; 2]>) {
                 100.0 + cos * along - sin * across,
                 60.0 + sin * along + cos * across,
             ];
-            // A grain in the tone breaks the lines up, as the grain of a photograph does.
+            // Noise in the tone interrupts the lines, like the grain of a photograph.
             let grain = 0.2 * ((1.7 * p[0]).sin() * (1.3 * p[1] + 0.4 * p[0]).cos());
             if on_page(p) && darkness(p) + grain > least {
                 let start = from.map_or(p, |line: [[f64; 2]; 2]| line[0]);
@@ -192,7 +192,7 @@ fn hatch_family(angle: f64, least: f64, lines: &mut Vec<[[f64; 2]; 2]>) {
     }
 }
 
-/// How dark the picture is at a place, from 0 to 1: two balls lit from the left and above.
+/// The darkness of the picture at a point, from 0 to 1: two spheres lit from the upper left.
 fn darkness(p: [f64; 2]) -> f64 {
     let ball = |x: f64, y: f64, radius: f64| {
         let [dx, dy] = [(p[0] - x) / radius, (p[1] - y) / radius];
@@ -213,7 +213,7 @@ fn length([a, b]: &[[f64; 2]; 2]) -> f64 {
     (b[0] - a[0]).hypot(b[1] - a[1])
 }
 
-/// A `path` element through these points.
+/// Returns a `path` element through these points.
 fn path(points: &[[f64; 2]], end: &str) -> String {
     let mut element = r#"<path d="M"#.to_owned();
     for [x, y] in points {
@@ -234,7 +234,7 @@ fn below(random: &mut Random, count: usize) -> usize {
     random.below(u32::try_from(count).expect("there are few")) as usize
 }
 
-/// From 0 to 1.
+/// Returns a random number from 0 to 1.
 fn share(random: &mut Random) -> f64 {
     f64::from((random.number() >> 32) as u32) / f64::from(u32::MAX)
 }

@@ -1,7 +1,7 @@
 //! `cargo run -p dobot-examples --example benchmark_drawings -- target/drawings`
 //!
-//! Writes the drawings that the numbers of docs/performance.md are measured with, each as a file
-//! would have them and in shuffled order. The same ones every time.
+//! Writes the drawings used for the numbers of docs/performance.md, each in file order and in
+//! shuffled order. The result is the same every time.
 
 use std::error::Error;
 use std::fs;

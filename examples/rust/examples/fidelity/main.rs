@@ -1,6 +1,7 @@
-//! `cargo run -p dobot-examples --example fidelity` holds the twin against every recording of the stock controller.
+//! `cargo run -p dobot-examples --example fidelity` compares the twin with every recording of the
+//! stock controller.
 //!
-//! With `> docs/fidelity.md` behind it, it writes that file anew.
+//! With `> docs/fidelity.md`, it updates that file.
 
 #[path = "../../../../crates/sim/tests/it/recordings.rs"]
 mod recordings;

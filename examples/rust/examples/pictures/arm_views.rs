@@ -152,7 +152,7 @@ fn axes(c: &mut Canvas) {
     c.text([10.0, 194.0], Anchor::Left, INK, "Z, up");
 }
 
-/// Pivot, elbow, wrist and tool, joined.
+/// Pivot, elbow, wrist and tool, connected.
 fn links(c: &mut Canvas, points: &[[f64; 2]; 4]) {
     let [pivot, elbow, wrist, tool] = *points;
     c.line(pivot, elbow, &ShapeStyle::line(BLUE, 9.0));
@@ -164,7 +164,7 @@ fn links(c: &mut Canvas, points: &[[f64; 2]; 4]) {
     c.dot(tool, 6.0, RED, "#ffffff");
 }
 
-/// The ring in which the tool may be, as far as the manual lets the base turn.
+/// The ring that the tool can reach, within the base's range in the manual.
 fn ring(c: &mut Canvas) {
     let Limits { reach, .. } = Limits::STOCK;
     let arc = |radius: f64, turn: f64| -> Vec<[f64; 2]> {

@@ -1,11 +1,11 @@
-//! Lines, arcs and words in millimetres on a sheet.
+//! Lines, arcs and texts in millimetres on a sheet.
 
 use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 
-/// A picture in the making: the caller's units, x to the right, y up.
+/// A picture in the caller's units: x to the right, y up.
 pub(crate) struct Canvas {
     sheet: Sheet,
-    /// Pixels where the caller's origin is.
+    /// The caller's origin in pixels.
     origin: [f64; 2],
     /// Pixels per unit, right and up.
     scale: [f64; 2],
@@ -23,7 +23,7 @@ impl Canvas {
         }
     }
 
-    /// From now on units are counted from this pixel on, with so many pixels each.
+    /// Sets the origin (in pixels) and the scale of the following units.
     pub(crate) fn place(&mut self, origin: [f64; 2], scale: [f64; 2]) {
         (self.origin, self.scale) = (origin, scale);
     }
@@ -68,23 +68,23 @@ impl Canvas {
             .collect();
         self.path(&points, &ShapeStyle::line(color, 2.0));
         let ahead = to + 90.0_f64.copysign(to - from);
-        // The head of a bent arrow lies along the chord, not the tangent.
+        // The head of a curved arrow follows the chord, not the tangent.
         let bend = (180.0 / std::f64::consts::PI * HEAD_PX / 2.0 / (radius * self.scale[0]))
             .copysign(to - from);
         self.head(self.pixel(points[40]), -(ahead - bend).to_radians(), color);
     }
 
-    /// Words, in the middle of their height.
+    /// A text, vertically centred.
     pub(crate) fn text(&mut self, at: [f64; 2], anchor: Anchor, color: &str, words: &str) {
         self.words(at, anchor, &TextStyle::new(10.0, color), words);
     }
 
-    /// Small words.
+    /// A small text.
     pub(crate) fn note(&mut self, at: [f64; 2], anchor: Anchor, words: &str) {
         self.words(at, anchor, &TextStyle::new(8.8, SOFT), words);
     }
 
-    /// Bold words.
+    /// A bold text.
     pub(crate) fn title(&mut self, at: [f64; 2], anchor: Anchor, words: &str) {
         self.words(at, anchor, &TextStyle::new(10.5, INK).bold(), words);
     }
@@ -98,7 +98,7 @@ impl Canvas {
         self.sheet.text([x, y + 5.0], anchor, kind, words);
     }
 
-    /// A filled arrow head; `direction_rad` as pixels run, clockwise.
+    /// A filled arrow head; `direction_rad` is clockwise, in pixel coordinates.
     fn head(&mut self, tip: [f64; 2], direction_rad: f64, color: &str) {
         let wing = |side: f64| {
             let angle = direction_rad + std::f64::consts::PI + side;
@@ -123,7 +123,7 @@ impl Canvas {
     }
 }
 
-/// A line in dashes.
+/// A dashed line.
 pub(crate) const fn dashed(color: &str, width: f64) -> ShapeStyle<'_> {
     ShapeStyle::line(color, width).dashed("5 5")
 }

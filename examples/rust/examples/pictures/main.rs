@@ -1,7 +1,7 @@
-//! `cargo run -p dobot-examples --example pictures` draws the pictures of `docs/kinematics.md` anew.
+//! `cargo run -p dobot-examples --example pictures` updates the pictures of `docs/kinematics.md`.
 //!
-//! Everything in them is calculated by `dobot-arm` and `dobot-motion`: a picture that looks wrong
-//! shows a formula that is wrong.
+//! Everything in them is computed by `dobot-arm` and `dobot-motion`: a picture that looks wrong
+//! shows a wrong formula.
 
 mod arm_views;
 mod canvas;

@@ -1,4 +1,4 @@
-//! Speed over time, and the ways to move.
+//! Speed over time, and the path types.
 
 use dobot_arm::{Degrees, Limits, Millimeters, Pose, Position, Tool, forward};
 use dobot_motion::{JointMove, Jump, LineMove, Profile, Speeds};
@@ -7,7 +7,7 @@ use dobot_lettering::{Anchor, ShapeStyle};
 
 use crate::canvas::{BLUE, Canvas, FAINT, GREEN, INK, ORANGE, PAPER, PURPLE, SHADE, SOFT, dashed};
 
-/// A trapezoid, a triangle, and an end speed that gives way.
+/// A trapezoid, a triangle, and an end speed that cannot be reached.
 pub(crate) fn profiles() -> String {
     let mut c = Canvas::new(960, 330);
     let plans = [
@@ -82,7 +82,7 @@ pub(crate) fn jump() -> String {
     c.finish()
 }
 
-/// The three ways between the same two places, from above, a dot every 100 ms.
+/// The three paths between the same two positions, from above, with a dot every 100 ms.
 pub(crate) fn ways() -> String {
     let mut c = Canvas::new(820, 520);
     c.place([100.0, 228.0], [1.42, 1.42]);

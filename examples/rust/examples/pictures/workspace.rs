@@ -6,7 +6,7 @@ use dobot_lettering::{Anchor, ShapeStyle};
 
 use crate::canvas::{BLUE, Canvas, FAINT, GREEN, INK, ORANGE, PURPLE, RED, SHADE, SOFT, dashed};
 
-/// Where the stock limits let the suction cup go; the laser's edge is dashed.
+/// The workspace of the suction cup within the stock limits; the laser's edge is dashed.
 pub(crate) fn cross_section() -> String {
     let mut c = Canvas::new(820, 640);
     c.place([70.0, 285.0], [1.55, 1.55]);
@@ -31,10 +31,10 @@ pub(crate) fn cross_section() -> String {
     c.finish()
 }
 
-/// For each millimetre of reach the lowest and the highest z that is allowed.
+/// For each millimetre of reach, the lowest and the highest allowed z.
 fn columns(tool: Tool) -> Vec<[f64; 3]> {
     let within = |reach_mm: f64, z_mm: f64| refusal(reach_mm, z_mm, tool).is_none();
-    // Finer towards the end, where the edge turns round.
+    // Finer towards the end, where the edge turns.
     (1290..=3210)
         .filter(|n| n % 10 == 0 || *n > 3100)
         .map(|n| f64::from(n) * 0.1)
@@ -66,7 +66,7 @@ fn outline(columns: &[[f64; 3]]) -> Vec<[f64; 2]> {
     points
 }
 
-/// The outline cut into edges, each with what forbids to go beyond it.
+/// The outline cut into edges, each with the limit that it represents.
 fn edges(columns: &[[f64; 3]]) -> Vec<(Quantity, Vec<[f64; 2]>)> {
     let mut edges: Vec<(Quantity, Vec<[f64; 2]>)> = Vec::new();
     for pair in outline(columns).windows(2) {
@@ -80,7 +80,7 @@ fn edges(columns: &[[f64; 3]]) -> Vec<(Quantity, Vec<[f64; 2]>)> {
     edges
 }
 
-/// What forbids the place just outside of a piece of the outline, which runs counter-clockwise.
+/// Returns the limit just outside of a piece of the outline, which runs counter-clockwise.
 fn beyond(a: [f64; 2], b: [f64; 2]) -> Quantity {
     let [right, up] = [b[0] - a[0], b[1] - a[1]];
     let length = right.hypot(up);

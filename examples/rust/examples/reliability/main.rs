@@ -14,7 +14,7 @@ fn main() -> ExitCode {
         None => false,
         Some("--quick") => true,
         Some(other) => {
-            eprintln!("error: {other} is no argument; --quick is the only one");
+            eprintln!("error: unknown argument {other}; only --quick is allowed");
             return ExitCode::from(2);
         }
     };

@@ -38,25 +38,29 @@ impl Report {
     }
 
     fn kills(&mut self, kills: u64) {
-        let it = kills::run(usize::try_from(kills).unwrap_or(usize::MAX));
+        let result = kills::run(usize::try_from(kills).unwrap_or(usize::MAX));
         self.line(KILLS);
         self.table(["", ""], &[]);
-        self.row("kills", it.times);
-        self.row("while a job had the arm", it.at_work);
-        self.row("while the laser burned", it.burning);
-        self.row("jobs, all completed", it.jobs);
-        self.row("**commands lost**", it.lost);
-        self.row("**commands repeated**", it.repeated);
-        self.row("positions that a person had to give", it.unclear);
+        self.row("kills", result.times);
+        self.row("while a job had the arm", result.at_work);
+        self.row("while the laser burned", result.burning);
+        self.row("jobs, all completed", result.jobs);
+        self.row("**commands lost**", result.lost);
+        self.row("**commands repeated**", result.repeated);
+        self.row("positions that a person had to give", result.unclear);
         self.row(
             "first packet after the start not laser off",
-            it.not_off_first,
+            result.not_off_first,
         );
-        self.row("laser on after the arm had come to rest", it.burnt_at_rest);
+        self.row(
+            "laser on when the arm had come to rest",
+            result.burnt_at_rest,
+        );
+        self.row("laser on after the arm had come to rest", result.burnt_at_rest);
         self.line("");
         self.times("From the start of the new station to the end of the light, if it burned");
-        self.row("light", &it.off_after_s);
-        self.wrong(it.wrong);
+        self.row("light", &result.off_after_s);
+        self.wrong(result.wrong);
     }
 
     fn watchdogs(&mut self, times: u64) {
@@ -77,38 +81,41 @@ impl Report {
                 "**light at the end**",
             ],
         );
-        for it in all {
+        for result in all {
             let most = [
-                &it.packet_s,
-                &it.rest_s,
-                &it.went_mm,
-                &it.went_deg,
-                &it.lit_s,
-                &it.stood_s,
+                &result.packet_s,
+                &result.rest_s,
+                &result.went_mm,
+                &result.went_deg,
+                &result.lit_s,
+                &result.stood_s,
             ];
             let most = most.map(|row| format!("{:.2}", row.most())).join(" | ");
-            let cells = format!("{} | {most} | {} | {}", it.doing, it.unasked, it.burnt);
-            self.row(it.fate, cells);
-            self.wrong(it.wrong);
+            let cells = format!(
+                "{} | {most} | {} | {}",
+                result.doing, result.unasked, result.burnt
+            );
+            self.row(result.fate, cells);
+            self.wrong(result.wrong);
         }
         self.line(WATCHDOGS_END);
     }
 
     fn carries(&mut self, cycles: u64) {
-        let it = carries::run(cycles);
+        let result = carries::run(cycles);
         self.line(CARRIES);
         self.table(["", ""], &[]);
-        self.row("cycles", it.cycles);
-        self.row("grips", it.cycles * 4);
-        self.row("kills", it.kills);
-        self.row("lost commands, resent", it.again);
-        let hours = format!("{:.1} h", it.took.as_secs_f64() / 3600.0);
+        self.row("cycles", result.cycles);
+        self.row("grips", result.cycles * 4);
+        self.row("kills", result.kills);
+        self.row("lost commands, resent", result.again);
+        let hours = format!("{:.1} h", result.took.as_secs_f64() / 3600.0);
         self.row("on the arm's clock", hours);
-        self.row("final state of the program", &it.state);
-        self.row("**cubes lost or misplaced**", u8::from(!it.is_right));
+        self.row("final state of the program", &result.state);
+        self.row("**cubes lost or misplaced**", u8::from(!result.is_right));
         self.line(CARRIES_END);
-        if !it.is_right || it.state != "done" {
-            self.wrong(vec![format!("{it:?}")]);
+        if !result.is_right || result.state != "done" {
+            self.wrong(vec![format!("{result:?}")]);
         }
     }
 
@@ -124,18 +131,18 @@ impl Report {
                 "laser off after reconnection, at most",
             ],
         );
-        for it in cables::run(pulls) {
+        for result in cables::run(pulls) {
             let cells = format!(
                 "{} | {} | {} | {} | {} | {:.2} s",
-                it.pulls,
-                it.paused,
-                it.looks_reset,
-                it.lost,
-                it.repeated,
-                it.dark_s.most()
+                result.pulls,
+                result.paused,
+                result.looks_reset,
+                result.lost,
+                result.repeated,
+                result.dark_s.most()
             );
-            self.row(it.during, cells);
-            self.wrong(it.wrong);
+            self.row(result.during, cells);
+            self.wrong(result.wrong);
         }
     }
 
@@ -151,35 +158,40 @@ impl Report {
                 "wrong without a report",
             ],
         );
-        for it in lines::run(drawings) {
+        for result in lines::run(drawings) {
             let cells = format!(
                 "{} | {} | {} | {} | {} | {}",
-                it.drawings, it.done, it.paused, it.spoilt, it.failed, it.silently_wrong
+                result.drawings,
+                result.done,
+                result.paused,
+                result.spoilt,
+                result.failed,
+                result.silently_wrong
             );
-            self.row(format!("`{}`", it.fault), cells);
-            if it.fault.ends_with(":from") {
-                self.wrong(it.example.into_iter().collect());
+            self.row(format!("`{}`", result.fault), cells);
+            if result.fault.ends_with(":from") {
+                self.wrong(result.example.into_iter().collect());
             }
-            self.wrong(it.wrong);
+            self.wrong(result.wrong);
         }
         self.line(LINES_END);
     }
 
     fn clients(&mut self, times: u64) {
         self.line(CLIENTS);
-        for it in clients::run(times) {
+        for result in clients::run(times) {
             self.line("");
-            self.times(&format!("{} ({} times)", it.how, it.times));
-            self.row("to the stopping packet, s", &it.packet_s);
-            self.row("to rest, or the end of the light, s", &it.over_s);
-            if it.went_mm.most() > 0.0 {
-                self.row("distance from there, mm", &it.went_mm);
+            self.times(&format!("{} ({} times)", result.how, result.times));
+            self.row("to the stopping packet, s", &result.packet_s);
+            self.row("to rest, or the end of the light, s", &result.over_s);
+            if result.went_mm.most() > 0.0 {
+                self.row("distance from there, mm", &result.went_mm);
             }
             self.row(
                 "control not free afterwards",
-                format!("{} | | |", it.not_free),
+                format!("{} | | |", result.not_free),
             );
-            self.wrong(it.wrong);
+            self.wrong(result.wrong);
         }
     }
 
@@ -194,30 +206,34 @@ impl Report {
                 "others not served",
             ],
         );
-        for it in floods::run(floods) {
+        for result in floods::run(floods) {
             let cells = format!(
                 "{} | {} | {} | {} | {}",
-                it.sent, it.passed_on, it.overrun, it.most_waiting, it.not_served
+                result.sent,
+                result.passed_on,
+                result.overrun,
+                result.most_waiting,
+                result.not_served
             );
-            self.row(it.who, cells);
-            self.wrong(it.wrong);
+            self.row(result.who, cells);
+            self.wrong(result.wrong);
         }
     }
 
     fn disks(&mut self, jobs: u64) {
-        let it = disks::run(jobs);
+        let result = disks::run(jobs);
         self.line(DISKS);
         self.table(["", ""], &[]);
-        self.row("jobs, all completed", it.jobs);
-        self.row("paused for it, with the reason", it.paused);
-        self.row("did not need the disk again", it.done);
-        self.row("**commands lost**", it.lost);
-        self.row("**commands repeated**", it.repeated);
+        self.row("jobs, all completed", result.jobs);
+        self.row("paused for it, with the reason", result.paused);
+        self.row("did not need the disk again", result.done);
+        self.row("**commands lost**", result.lost);
+        self.row("**commands repeated**", result.repeated);
         self.row(
             "laser off after the pause, at most",
-            format!("{:.2} s", it.dark_s.most()),
+            format!("{:.2} s", result.dark_s.most()),
         );
-        self.wrong(it.wrong);
+        self.wrong(result.wrong);
     }
 
     fn stops(&mut self, stops: u64) {
@@ -240,30 +256,30 @@ impl Report {
                 "most",
             ],
         );
-        for it in all {
+        for result in all {
             let cells = format!(
                 "{} | {} | {} | {} | {}",
-                it.times, it.late, it.burnt, it.promised_s, it.took_s
+                result.times, result.late, result.burnt, result.promised_s, result.took_s
             );
-            self.row(it.doing, cells);
-            self.wrong(it.wrong);
+            self.row(result.doing, cells);
+            self.wrong(result.wrong);
         }
     }
 
     fn sessions(&mut self, sessions: u64) {
-        let it = sessions::run(sessions);
+        let result = sessions::run(sessions);
         self.line(SESSIONS);
         self.table(["", ""], &[]);
         self.row("sessions", sessions);
-        self.row("**sessions with an error**", it.wrong.len());
-        self.row("incidents before the last stop", it.incidents);
-        self.row("jobs completed", it.jobs);
-        self.row("stops without a link", it.undelivered);
+        self.row("**sessions with an error**", result.wrong.len());
+        self.row("incidents before the last stop", result.incidents);
+        self.row("jobs completed", result.jobs);
+        self.row("stops without a link", result.undelivered);
         self.line("");
         self.times("From the last stop");
-        self.row("rest", &it.rest_s);
-        self.row("end of the light, if it burned", &it.dark_s);
-        self.wrong(it.wrong);
+        self.row("rest", &result.rest_s);
+        self.row("end of the light, if it burned", &result.dark_s);
+        self.wrong(result.wrong);
     }
 
     fn long_lines(&mut self, times: u64) {
@@ -278,15 +294,17 @@ impl Report {
             .chain(["**later**"])
             .collect();
         self.table(["material or pen", "what goes on"], &columns);
-        for it in all {
-            let most = it.ends.map(|(_, took_s)| format!("{:.2}", took_s.most()));
-            let what = if it.burns { "light" } else { "motion" };
-            let cells = format!("{what} | {} | {}", most.join(" | "), it.late);
-            self.row(it.material, cells);
-            if it.late > 0 {
-                self.wrong(vec![format!("one long line: {} too late", it.late)]);
+        for result in all {
+            let most = result
+                .ends
+                .map(|(_, took_s)| format!("{:.2}", took_s.most()));
+            let what = if result.burns { "light" } else { "motion" };
+            let cells = format!("{what} | {} | {}", most.join(" | "), result.late);
+            self.row(result.material, cells);
+            if result.late > 0 {
+                self.wrong(vec![format!("one long line: {} too late", result.late)]);
             }
-            self.wrong(it.wrong);
+            self.wrong(result.wrong);
         }
         self.line(LONG_LINES_END);
     }
@@ -319,14 +337,18 @@ impl Report {
                 "most",
             ],
         );
-        for it in stands::run(programs) {
-            let link = if it.link.is_empty() { "good" } else { it.link };
+        for result in stands::run(programs) {
+            let link = if result.link.is_empty() {
+                "good"
+            } else {
+                result.link
+            };
             let cells = format!(
                 "`{link}` | {} | {} | {} | {} | {}",
-                it.programs, it.late, it.switched_off, it.displaced, it.stood_s
+                result.programs, result.late, result.switched_off, result.displaced, result.stood_s
             );
-            self.row(it.sender, cells);
-            self.wrong(it.wrong);
+            self.row(result.sender, cells);
+            self.wrong(result.wrong);
         }
     }
 
@@ -423,7 +445,7 @@ const LINES: &str = "
 ## The line is bad
 
 The jobs are pen drawings; a paused one is not resumed. `drop=0.1%` loses one byte of a thousand, so one packet of 24. `:from`
-affects statuses from the arm, `:to` commands to it.
+affects statuses from the arm, `:to` commands to result.
 ";
 
 const LINES_END: &str = "

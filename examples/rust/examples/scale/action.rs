@@ -1,4 +1,4 @@
-//! What somebody does on a board to an arm elsewhere.
+//! Actions on one station's board for an arm of another station.
 
 use std::error::Error;
 use std::time::{Duration, Instant};
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::stations::{Desk, Stations};
 use super::times::Times;
 
-/// Moves arms of other stations so many times from the first one's board, one after another.
+/// Moves arms of other stations from the first one's board this many times, one after another.
 pub(crate) async fn of_a_board(
     stations: &Stations,
     actions: usize,
@@ -42,10 +42,10 @@ pub(crate) async fn of_a_board(
     Ok(())
 }
 
-/// So many arms take turns: one that was moved rests before it is moved again.
+/// The number of arms that take turns: a moved arm rests before it is moved again.
 const MOVED: usize = 10;
 
-/// Moves an arm by a few millimetres; says how soon its line was given the packet.
+/// Moves an arm by a few millimetres; returns the time until its line was given the packet.
 async fn move_it(
     board: &StationAddress,
     desk: &Desk,
@@ -74,11 +74,11 @@ async fn move_it(
     });
     let began = Instant::now();
     ask(board, desk, &request).await?;
-    let arrived = listening.await?.ok_or("the arm was not told to move")?;
+    let arrived = listening.await?.ok_or("no packet was sent to the arm")?;
     Ok(arrived - began)
 }
 
-/// Asks one station by the board of another one.
+/// Sends a request to one station through the board of another.
 async fn ask(
     board: &StationAddress,
     desk: &Desk,
@@ -87,9 +87,9 @@ async fn ask(
     let mut request = request.clone();
     request["to"] = json!({"members": [desk.name]});
     let mut answers: Vec<MemberAnswer> = post(board, "/api/v1/fleet/requests", &request).await?;
-    let answer = answers.pop().ok_or("one that is asked answers")?.answer;
+    let answer = answers.pop().ok_or("expected a response")?.answer;
     if !answer.is_success() {
-        return Err(format!("{} refuses: {}", desk.name, answer.body).into());
+        return Err(format!("{} refused: {}", desk.name, answer.body).into());
     }
     Ok(answer.body)
 }

@@ -1,30 +1,30 @@
-//! What is to be measured.
+//! The measurements to make.
 
 use std::time::Duration;
 
-/// How much is to be measured; without arguments only as much as shows that it works.
+/// The extent of the measurements; without arguments only a smoke test.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arguments {
-    /// How many stations.
+    /// The number of stations.
     pub(crate) stations: u16,
-    /// How many of them join by the same session of Zenoh, as the stations of one program do.
+    /// The number of stations that share a Zenoh session, like the stations of one program.
     pub(crate) by_one_session: u16,
-    /// How many stops of all arms at rest.
+    /// The number of stops of all arms at rest.
     pub(crate) presses: usize,
-    /// How many stops of all arms while each burns.
+    /// The number of stops of all arms while each laser is on.
     pub(crate) burning: usize,
-    /// How many actions of a board.
+    /// The number of actions on a board.
     pub(crate) actions: usize,
-    /// For how long nothing is asked while what the processes cost is counted.
+    /// The idle time in which the cost of the processes is measured.
     pub(crate) rest: Duration,
 }
 
 impl Arguments {
-    /// Those of this process.
+    /// Parses the arguments of this process.
     ///
     /// # Errors
     ///
-    /// Which one is none, in one line.
+    /// The invalid argument, in one line.
     pub(crate) fn read() -> Result<Self, String> {
         let mut arguments = Self {
             stations: 5,
@@ -39,7 +39,7 @@ impl Arguments {
             let found = words.next().unwrap_or_default();
             let number: u16 = found
                 .parse()
-                .map_err(|_| format!("{name} is {found:?}; allowed is 0 to 65535"))?;
+                .map_err(|_| format!("{name} is {found:?}; allowed are 0 to 65535"))?;
             match name.as_str() {
                 "--stations" if number > 0 => arguments.stations = number,
                 "--by-one-session" if number > 0 => arguments.by_one_session = number,
@@ -49,7 +49,7 @@ impl Arguments {
                 "--rest" => arguments.rest = Duration::from_secs(number.into()),
                 _ => {
                     return Err(format!(
-                        "{name} {found} is no argument; allowed are --stations and --by-one-session (from 1), --presses, --burning, --actions and --rest (seconds)"
+                        "unknown argument {name} {found}; allowed are --stations and --by-one-session (from 1), --presses, --burning, --actions and --rest (seconds)"
                     ));
                 }
             }

@@ -1,14 +1,16 @@
-//! `cargo run -p dobot-examples --features fleet --example scale`: what a fleet of many stations costs, and how soon all of them stop.
+//! `cargo run -p dobot-examples --features fleet --example scale`: the cost of a fleet of many
+//! stations, and the latency of a stop of all.
 //!
-//! Many stations with virtual arms run in this process, each whole (rules, journal, recording, page, a session of Zenoh
-//! alone or with others), and the router in another one. What they do is measured one step after another:
+//! Many complete stations with virtual arms run in this process (rules, journal, recording, page,
+//! their own or a shared Zenoh session), and the router in another one. They are measured one step
+//! after another:
 //!
 //! ```text
 //! cargo run --release -p dobot-examples --features fleet --example scale -- --stations 100 --presses 300 --burning 20 --actions 300 --rest 20
 //! ```
 //!
-//! The time of a packet is when the station hands it to the arm's line, on which it then takes 43.68 ms at 9600 baud.
-//! Linux only: what a process costs is read in `/proc`.
+//! The time of a packet is when the station hands it to the arm's line, on which it then takes
+//! 43.68 ms at 9600 baud. Linux only: the cost of a process is read from `/proc`.
 
 mod action;
 mod arguments;
@@ -46,7 +48,7 @@ async fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     measured
 }
 
-/// One step after another.
+/// Runs one step after another.
 async fn measure(
     stations: &mut Stations,
     arguments: Arguments,
@@ -67,7 +69,7 @@ async fn measure(
     stations.join(&router.address, by_one_session).await?;
     stations.all_know_all().await;
     let took = began.elapsed();
-    println!("all know all {took:.1?} after the first began to join");
+    println!("all members are known {took:.1?} after the first began to join");
     let joined = Costs::at_rest(own, rest).await?;
     joined.tell("a station that has joined", before, count);
     joined.tell_more("what joining adds", &alone, count);
@@ -78,7 +80,7 @@ async fn measure(
     let began = Instant::now();
     let board = stations.board().await?;
     let took = began.elapsed();
-    println!("a board shows all of them {took:.1?} after it was opened");
+    println!("a board shows all members {took:.1?} after it was opened");
     let watched = Costs::at_rest(own, rest).await?;
     watched.tell_more("what a board adds, for each station", &joined, count);
     let watched = Costs::at_rest(router.pid(), rest).await?;

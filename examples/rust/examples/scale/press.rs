@@ -1,4 +1,4 @@
-//! Stops of all arms, and the packets that the arms got.
+//! Stops of all arms, and their packets.
 
 use std::error::Error;
 use std::time::{Duration, Instant};
@@ -17,7 +17,7 @@ use tokio::time::timeout;
 use super::stations::Stations;
 use super::times::Times;
 
-/// Stops all arms so many times while they rest.
+/// Stops all arms this many times while they rest.
 pub(crate) async fn at_rest(
     stations: &Stations,
     presses: usize,
@@ -31,7 +31,7 @@ pub(crate) async fn at_rest(
     Ok(())
 }
 
-/// Stops all arms so many times while each of them burns.
+/// Stops all arms this many times while each laser is on.
 pub(crate) async fn while_all_burn(
     stations: &Stations,
     presses: usize,
@@ -67,30 +67,30 @@ fn tell(what: &str, presses: &[Press]) {
         .filter_map(|press| press.packets.iter().max().copied());
     Times::new(last.collect()).print(&format!("{what}: the last one"));
     let answered = presses.iter().map(|press| press.answered);
-    Times::new(answered.collect()).print(&format!("{what}: the answer"));
+    Times::new(answered.collect()).print(&format!("{what}: the response"));
     let silent: usize = presses.iter().map(|press| press.silent).sum();
     if silent > 0 {
         let asked: usize = presses.iter().map(|press| press.packets.len()).sum();
         println!(
-            "{what}: {silent} of {asked} stopped after it was answered that they cannot be reached"
+            "{what}: {silent} of {asked} stopped after the response reported them as unreachable"
         );
     }
 }
 
-/// What came of a stop of all arms, counted from before the connection to the station was made.
+/// The result of a stop of all arms; times count from before the connection to the station.
 struct Press {
     /// When each arm's line was given its laser-off packet.
     packets: Vec<Duration>,
-    /// When whoever pressed was told of all of them.
+    /// When the response with all members arrived.
     answered: Duration,
-    /// How many had not answered by then.
+    /// The number of members that had not responded by then.
     silent: usize,
 }
 
-/// So long it is waited for the last packet, however busy the computer is.
+/// The timeout for the last packet, on a busy computer.
 const STOPS_WITHIN: Duration = Duration::from_secs(60);
 
-/// Presses stop once at the first station.
+/// Stops all arms once, through the first station.
 async fn press(stations: &Stations) -> Result<Press, Box<dyn Error + Send + Sync>> {
     let mut listening = JoinSet::new();
     for desk in &stations.all {
@@ -103,15 +103,20 @@ async fn press(stations: &Stations) -> Result<Press, Box<dyn Error + Send + Sync
     let failed = answers.iter().filter(|answer| !answer.answer.is_success());
     let (late, refused): (Vec<_>, Vec<_>) = failed.partition(|answer| is_late(answer));
     if let [first, ..] = &*refused {
-        return Err(format!("{} did not take the stop, as {first:?}", refused.len()).into());
+        return Err(format!("{} refused the stop, for example {first:?}", refused.len()).into());
     }
     if answers.len() != stations.all.len() {
-        return Err(format!("{} of {} were asked", answers.len(), stations.all.len()).into());
+        return Err(format!(
+            "{} of {} received the request",
+            answers.len(),
+            stations.all.len()
+        )
+        .into());
     }
     let arrived = timeout(STOPS_WITHIN, listening.join_all()).await;
-    let arrived = arrived.map_err(|_| "an arm was not told to switch its laser off")?;
+    let arrived = arrived.map_err(|_| "an arm got no laser-off packet")?;
     let arrived: Option<Vec<_>> = arrived.into_iter().collect();
-    let arrived = arrived.ok_or("too many packets passed at once to see all of them")?;
+    let arrived = arrived.ok_or("packets were missed")?;
     Ok(Press {
         packets: arrived.into_iter().map(|at| at - began).collect(),
         answered,
@@ -119,12 +124,13 @@ async fn press(stations: &Stations) -> Result<Press, Box<dyn Error + Send + Sync
     })
 }
 
-/// Whether a station was not heard of in time; it may stop later.
-fn is_late(it: &MemberAnswer) -> bool {
-    it.answer.body["type"] == "/api/v1/problems/member-away"
+/// Whether a station did not respond in time; it may stop later.
+fn is_late(answer: &MemberAnswer) -> bool {
+    answer.answer.body["type"] == "/api/v1/problems/member-away"
 }
 
-/// Waits for the answer as long as it takes: two cores with a thousand stations take longer than a client waits.
+/// Waits for the response without a timeout: with a thousand stations on two cores it takes longer
+/// than that of a client.
 async fn stop(station: &StationAddress) -> Result<Vec<MemberAnswer>, Box<dyn Error + Send + Sync>> {
     let (host, port) = (station.host(), station.port());
     let body = r#"{"reason": "a fire drill"}"#;
@@ -140,7 +146,7 @@ async fn stop(station: &StationAddress) -> Result<Vec<MemberAnswer>, Box<dyn Err
     Ok(serde_json::from_str(answer)?)
 }
 
-/// When the laser-off packet was handed to the arm's line.
+/// Returns when the laser-off packet was handed to the arm's line.
 async fn laser_off(mut packets: Receiver<PassedPacket>) -> Option<Instant> {
     let wanted = LASER_OFF.emit(&Dialect::SPECIFICATION).to_bytes();
     while let Ok(packet) = packets.recv().await {
@@ -151,7 +157,7 @@ async fn laser_off(mut packets: Receiver<PassedPacket>) -> Option<Instant> {
     None
 }
 
-/// Does something as the teacher at each station, all at the same time.
+/// Runs something with the teacher's token at each station, concurrently.
 async fn each<T, F>(
     stations: &Stations,
     does: impl Fn(Client) -> F,
@@ -167,7 +173,7 @@ where
     doing.join_all().await.into_iter().collect()
 }
 
-/// Waits until a stopped arm rests, and lets it move again.
+/// Waits until a stopped arm is at rest, and resets the stop.
 async fn let_move(teacher: &Client) -> Result<(), Box<dyn Error + Send + Sync>> {
     until(teacher.handle(), |state| {
         state.stop.as_ref().is_some_and(|stop| stop.at_rest)
@@ -177,14 +183,14 @@ async fn let_move(teacher: &Client) -> Result<(), Box<dyn Error + Send + Sync>> 
     Ok(())
 }
 
-/// Begins to burn a zigzag, and waits until the laser is on.
+/// Starts to burn a zigzag, and waits until the laser is on.
 async fn burn(teacher: &Client) -> Result<u64, Box<dyn Error + Send + Sync>> {
     teacher.request(Request::TakeLease).await?;
     teacher.request(Request::ArmLaser { for_s: 60.0 }).await?;
     let job = zigzag();
     let submitted = teacher.request(Request::SubmitJob { job, key: None });
     let Reply::Job { job } = submitted.await? else {
-        return Err("a job that was submitted has a number".into());
+        return Err("expected a job number".into());
     };
     teacher.request(Request::StartJob { job: job.job }).await?;
     until(teacher.handle(), |state| state.laser.on).await?;
@@ -202,7 +208,7 @@ async fn until(
     Ok(())
 }
 
-/// Ten minutes of light.
+/// A job of ten minutes with the laser on.
 fn zigzag() -> NewJob {
     let tool = Configuration::EndEffector {
         tool: Tool::Laser.into(),

@@ -1,4 +1,4 @@
-//! The router, in a process of its own: this program once more, with another word.
+//! The router, in a separate process: this program, started with another argument.
 
 use std::error::Error;
 use std::io::{BufRead, BufReader, Read};
@@ -7,11 +7,11 @@ use std::process::{Child, Command, Stdio};
 
 use dobot_fleet::{Credentials, Router};
 
-/// A router in a process of its own; it ends with this.
+/// A router in a separate process; it ends when this is dropped.
 #[derive(Debug)]
 pub(crate) struct RouterProcess {
     child: Child,
-    /// Where it is.
+    /// Its address.
     pub(crate) address: String,
 }
 
@@ -20,7 +20,7 @@ const WORD: &str = "serve-a-router";
 impl RouterProcess {
     /// Starts it, and waits until it listens.
     pub(crate) fn start() -> Result<Self, Box<dyn Error + Send + Sync>> {
-        // Free now; Zenoh does not tell which port it took by itself.
+        // Free at this moment; Zenoh does not report a port that it chose itself.
         let port = TcpListener::bind("127.0.0.1:0")?.local_addr()?.port();
         let address = format!("quic/127.0.0.1:{port}");
         let mut child = Command::new(std::env::current_exe()?)
@@ -40,13 +40,13 @@ impl RouterProcess {
 
 impl Drop for RouterProcess {
     fn drop(&mut self) {
-        // It ends when nobody holds the other end of its standard input.
+        // It ends when its standard input is closed.
         drop(self.child.stdin.take());
         let _ = self.child.wait();
     }
 }
 
-/// Where the router is to listen, if this is the process for it.
+/// Returns the address to listen on, if this is the router's process.
 pub(crate) fn wanted() -> Option<String> {
     let mut words = std::env::args().skip(1);
     words.next().filter(|word| word == WORD)?;

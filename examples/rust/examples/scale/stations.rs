@@ -18,12 +18,12 @@ use tokio::time::interval;
 #[derive(Debug)]
 pub(crate) struct Stations {
     pub(crate) all: Vec<Desk>,
-    /// Opens each of them.
+    /// A token that each of them accepts.
     pub(crate) token: Token,
     _folder: TempDir,
 }
 
-/// A station, and its place in its fleet.
+/// A station, and its membership.
 #[derive(Debug)]
 pub(crate) struct Desk {
     pub(crate) name: String,
@@ -33,7 +33,7 @@ pub(crate) struct Desk {
 }
 
 impl Stations {
-    /// Starts so many, which know nothing of each other.
+    /// Starts this many independent stations.
     pub(crate) async fn start(count: u16) -> Result<Self, Box<dyn Error + Send + Sync>> {
         let folder = tempfile::tempdir()?;
         let mut tokens = Tokens::open(&Folders::at(folder.path()).tokens())?;
@@ -53,14 +53,14 @@ impl Stations {
         })
     }
 
-    /// Lets all of them join by a router, and so many of them by the same session.
+    /// Lets all of them join through a router, this many with the same session.
     pub(crate) async fn join(
         &mut self,
         router: &str,
         by_one_session: usize,
     ) -> Result<(), Box<dyn Error + Send + Sync>> {
         for desks in self.all.chunks_mut(by_one_session) {
-            // They join as virtual arms that the first one gives.
+            // They join as virtual arms hosted by the first one.
             let holder = desks[0].name.clone();
             let credentials = Credentials::of_person(&holder)?;
             let session = FleetSession::open(&[router.to_owned()], &credentials).await?;
@@ -71,10 +71,10 @@ impl Stations {
         Ok(())
     }
 
-    /// Waits until each of them knows each.
+    /// Waits until each of them knows all others.
     pub(crate) async fn all_know_all(&self) {
         let names = self.all.iter().map(|item| item.name.as_str());
-        // Before anybody is asked it is looked whether all are known: the last one never is, so nobody is asked.
+        // The request is only sent if all recipients are known: the last one never is.
         let names: Vec<_> = names.chain([NOBODY]).collect();
         let request = ApiRequest {
             method: "POST".into(),
@@ -91,7 +91,7 @@ impl Stations {
         }
     }
 
-    /// Opens a board at the first station, and waits until it knows what all of them do.
+    /// Opens a board at the first station, and waits until it knows the states of all.
     pub(crate) async fn board(&self) -> Result<Board, Box<dyn Error + Send + Sync>> {
         let first = self.first();
         let mut stream = TcpStream::connect((first.host(), first.port())).await?;
@@ -102,7 +102,7 @@ impl Stations {
         );
         stream.write_all(request.as_bytes()).await?;
         let reads = tokio::spawn(async move {
-            // For as long as it is there.
+            // Until the task is aborted.
             let _ = tokio::io::copy(&mut stream, &mut tokio::io::sink()).await;
         });
         let mut looks = interval(LOOK_EVERY);
@@ -119,12 +119,12 @@ impl Stations {
         }
     }
 
-    /// Where the first one is.
+    /// Returns the address of the first station.
     pub(crate) fn first(&self) -> StationAddress {
         self.all[0].address()
     }
 
-    /// Ends all of them.
+    /// Ends all stations.
     pub(crate) async fn end(self) -> Result<(), Box<dyn Error + Send + Sync>> {
         for desk in self.all {
             if let Some(fleet) = desk.fleet {
@@ -136,7 +136,7 @@ impl Stations {
     }
 }
 
-/// A board, as long as it is open.
+/// An open board.
 #[derive(Debug)]
 pub(crate) struct Board(tokio::task::JoinHandle<()>);
 
@@ -182,7 +182,7 @@ impl Desk {
         Ok(())
     }
 
-    /// Whether nobody is missing but the one who does not exist.
+    /// Whether only the non-existing station is unknown.
     async fn knows_all(&self, request: &ApiRequest) -> bool {
         let answer = self.station.api().call(request).await;
         answer.status == 404
@@ -191,12 +191,12 @@ impl Desk {
                 .is_some_and(|body| body.contains(NOBODY))
     }
 
-    /// Where its API is.
+    /// Returns the address of its API.
     pub(crate) fn address(&self) -> StationAddress {
-        StationAddress::new(self.station.url()).expect("a station says where it is")
+        StationAddress::new(self.station.url()).expect("a station has an address")
     }
 
-    /// One who may do everything there.
+    /// Returns a client with all rights.
     pub(crate) async fn teacher(&self) -> Result<Client, dobot_supervisor::Refusal> {
         self.station.handle().client("teacher", Role::Admin).await
     }

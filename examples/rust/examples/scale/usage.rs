@@ -1,4 +1,4 @@
-//! What a process costs, as Linux tells it.
+//! The cost of a process on Linux.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::times::cpu_time;
 
-/// What a process has and has used.
+/// The resources of a process.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Usage {
     /// Its memory, in KiB.
@@ -17,21 +17,20 @@ pub(crate) struct Usage {
     processor: Duration,
 }
 
-/// What a process costs while nobody asks it for anything.
+/// The cost of an idle process.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Costs {
     usage: Usage,
-    /// How much of one core it takes.
+    /// Its share of one core.
     share: f64,
 }
 
 impl Usage {
-    /// What a process has and has used until now.
+    /// Returns the current resources of a process.
     pub(crate) fn now(pid: u32) -> Result<Self, Box<dyn Error + Send + Sync>> {
         let folder = PathBuf::from(format!("/proc/{pid}"));
-        let status = std::fs::read_to_string(folder.join("status")).map_err(|error| {
-            format!("{} cannot be read: {error}; Linux has it", folder.display())
-        })?;
+        let status = std::fs::read_to_string(folder.join("status"))
+            .map_err(|error| format!("cannot read {} (Linux only): {error}", folder.display()))?;
         let field = |name: &str| {
             let line = status.lines().find_map(|line| line.strip_prefix(name));
             let number = line.and_then(|line| line.split_whitespace().next());
@@ -49,7 +48,7 @@ impl Usage {
 }
 
 impl Costs {
-    /// Looks on for a while.
+    /// Observes a process for a while.
     pub(crate) async fn at_rest(
         pid: u32,
         rest: Duration,
@@ -64,7 +63,7 @@ impl Costs {
         })
     }
 
-    /// Tells what each of so many stations costs, above what the process had before them.
+    /// Prints the cost of each station, above that of the process before.
     pub(crate) fn tell(&self, what: &str, before: &Usage, stations: u16) {
         let each = f64::from(stations);
         println!(
@@ -76,7 +75,7 @@ impl Costs {
         );
     }
 
-    /// Tells how much more each of so many stations costs than before.
+    /// Prints how much more each station costs than before.
     pub(crate) fn tell_more(&self, what: &str, before: &Self, stations: u16) {
         let each = f64::from(stations);
         println!(
@@ -86,7 +85,7 @@ impl Costs {
         );
     }
 
-    /// Tells what a process costs.
+    /// Prints the cost of a process.
     pub(crate) fn tell_all(&self, what: &str) {
         println!(
             "{what}: {:.1} % of a core, {:.1} MB, {} threads, {} files",

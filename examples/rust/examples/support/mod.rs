@@ -1,4 +1,4 @@
-//! What the examples share: the way to an arm, and a person who looks at it.
+//! Shared parts of the examples: the connection to an arm, and its confirmation by a person.
 
 use std::error::Error;
 use std::io::stdin;
@@ -8,7 +8,7 @@ use dobot_controller::{Personality, PowerUp};
 use dobot_host::{LocalArm, StationClient};
 use dobot_safety::Policy;
 
-/// The arm at an address, of a station, or a virtual one.
+/// Connects to the arm at an address, to that of a station, or to a virtual one.
 pub(crate) async fn reach(address: Option<String>) -> Result<StationClient, Box<dyn Error>> {
     let policy = Policy::default();
     Ok(match address.as_deref() {
@@ -24,8 +24,8 @@ pub(crate) async fn reach(address: Option<String>) -> Result<StationClient, Box<
                 address: address.parse()?,
                 dialect: None,
                 policy,
-                folders: Folders::of_person().ok_or("this person has no home folder")?,
-                // This program cannot be one.
+                folders: Folders::of_person().ok_or("this user has no home folder")?,
+                // This program has no watchdog mode.
                 watchdog: None,
             };
             StationClient::open(arm, "example").await?
@@ -33,8 +33,7 @@ pub(crate) async fn reach(address: Option<String>) -> Result<StationClient, Box<
     })
 }
 
-/// Takes control of the arm when it has told where it is; where that is not trusted, a person is
-/// asked.
+/// Takes control of the arm after its first status; if its pose is not trusted, asks a person.
 pub(crate) async fn ready(station: &mut StationClient) -> Result<State, Box<dyn Error>> {
     let mut state = station.state().await?;
     while state.arm.is_none() {
@@ -43,7 +42,7 @@ pub(crate) async fn ready(station: &mut StationClient) -> Result<State, Box<dyn 
     if !state.trust.trusted {
         println!("{}", state.trust.reason.as_deref().unwrap_or_default());
         println!(
-            "The arm is going to move. Does it stand as it says? Enter goes on: {:?}",
+            "The arm is going to move. Is its reported pose correct? Press Enter to continue: {:?}",
             state.arm
         );
         stdin().read_line(&mut String::new())?;

@@ -41,28 +41,31 @@ const STATUSES_S: f64 = 0.35;
 
 #[test]
 fn one_waits_at_the_barrier_for_as_long_as_the_other_pauses_before_it() {
-    let told = rehearsed(&[
+    let rehearsal = rehearsed(&[
         part("one", &there_and_back(0)),
         part("two", &there_and_back(5)),
     ]);
-    let [there, back] = &told.barriers[..] else {
-        panic!("{told:#?}")
+    let [there, back] = &rehearsal.barriers[..] else {
+        panic!("{rehearsal:#?}")
     };
     assert_eq!((&*there.barrier, &*back.barrier), ("there", "back"));
     let waited_s = there.waits[0].waited_s;
-    assert!((waited_s - 5.0).abs() < STATUSES_S, "{told:#?}");
-    assert!(there.waits[1].waited_s < STATUSES_S, "{told:#?}");
+    assert!((waited_s - 5.0).abs() < STATUSES_S, "{rehearsal:#?}");
+    assert!(there.waits[1].waited_s < STATUSES_S, "{rehearsal:#?}");
     // From there on both parts do the same.
     assert!(
         back.waits.iter().all(|wait| wait.waited_s < STATUSES_S),
-        "{told:#?}"
+        "{rehearsal:#?}"
     );
-    let [one, two] = &told.parts[..] else {
-        panic!("{told:#?}")
+    let [one, two] = &rehearsal.parts[..] else {
+        panic!("{rehearsal:#?}")
     };
     let (one_s, two_s) = (one.over_s.unwrap(), two.over_s.unwrap());
-    assert!((one_s - two_s).abs() < STATUSES_S, "{told:#?}");
-    assert!(back.at_s > there.at_s && one_s > back.at_s, "{told:#?}");
+    assert!((one_s - two_s).abs() < STATUSES_S, "{rehearsal:#?}");
+    assert!(
+        back.at_s > there.at_s && one_s > back.at_s,
+        "{rehearsal:#?}"
+    );
 }
 
 #[test]
@@ -71,11 +74,11 @@ fn what_goes_on_for_ever_is_rehearsed_until_it_has_shown_its_cycle() {
                  [[steps.steps]]\ngo = { x = 200, y = 60, z = 0 }\n\
                  [[steps.steps]]\nbarrier = \"there\"\n\
                  [[steps.steps]]\ngo = { x = 200, y = -60, z = 0 }\n";
-    let told = rehearsed(&[part("one", cycle), part("two", cycle)]);
-    assert!(told.barriers.len() >= 2, "{told:#?}");
+    let rehearsal = rehearsed(&[part("one", cycle), part("two", cycle)]);
+    assert!(rehearsal.barriers.len() >= 2, "{rehearsal:#?}");
     assert!(
-        told.parts.iter().all(|part| part.over_s.is_none()),
-        "{told:#?}"
+        rehearsal.parts.iter().all(|part| part.over_s.is_none()),
+        "{rehearsal:#?}"
     );
 }
 

@@ -15,7 +15,7 @@ use dobot_api::{Problem, Role};
 
 use crate::http::access::tokens::digest;
 use crate::http::app::{App, Caller, Peer};
-use crate::http::exchange::answer::{self, NotDone, TooSoon};
+use crate::http::exchange::responses::{self, RateLimited, RequestFailed};
 use crate::http::resources::page;
 use crate::http::routes;
 
@@ -41,7 +41,7 @@ pub(crate) async fn pass(
     };
     let took = app.now().saturating_sub(began);
     log(&peer, &method, &path, answer.status(), took);
-    answer::guarded(answer)
+    responses::guarded(answer)
 }
 
 /// Logs a request: a server error as a warning, a refused one at level info, others at level debug.
@@ -68,13 +68,13 @@ fn look(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Response> {
     };
     match app.addresses.take(peer.from.ip(), app.now(), cost) {
         // A caller who may stop the arm may always stop it.
-        Err(wait) if caller.is_err() || !is_stop(request) => Err(TooSoon(wait).into_response()),
+        Err(wait) if caller.is_err() || !is_stop(request) => Err(RateLimited(wait).into_response()),
         _ => caller.map_err(refused),
     }
 }
 
 fn refused(problem: Problem) -> Response {
-    NotDone(problem).into_response()
+    RequestFailed(problem).into_response()
 }
 
 /// The cost of a file of the page, in requests: a visit requests all of them together.

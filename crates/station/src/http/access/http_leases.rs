@@ -86,7 +86,7 @@ impl HttpLeases {
 
     /// Removes the clients of callers that have lost their rights.
     pub(crate) fn end_where(&self, may_not: impl Fn(&Caller) -> bool) {
-        self.with(|http_leases| http_leases.retain(|_, it| !may_not(&it.caller)));
+        self.with(|http_leases| http_leases.retain(|_, lease| !may_not(&lease.caller)));
     }
 
     /// Removes the clients that have not been used for too long.

@@ -181,9 +181,9 @@ impl Tokens {
             return Some(("local program".into(), Role::Admin));
         }
         let digest = hex(token);
-        let found = self.known.iter().fold(None, |found, it| {
-            if same(it.sha256.as_bytes(), digest.as_bytes()) {
-                Some(it)
+        let found = self.known.iter().fold(None, |found, token| {
+            if same(token.sha256.as_bytes(), digest.as_bytes()) {
+                Some(token)
             } else {
                 found
             }
@@ -374,8 +374,8 @@ struct Known {
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "required by serde")]
-const fn is_not(it: &bool) -> bool {
-    !*it
+const fn is_not(value: &bool) -> bool {
+    !*value
 }
 
 /// Identifies a version of the file.

@@ -21,8 +21,8 @@ use tower::ServiceExt;
 
 use crate::http::access::auth::Proved;
 use crate::http::app::{App, Peer};
-use crate::http::exchange::answer::JOB;
 use crate::http::exchange::requester::{KEY, LEASE};
+use crate::http::exchange::responses::JOB;
 use crate::http::routes;
 use crate::{ArmsPort, FleetPort};
 

@@ -14,7 +14,7 @@ use schemars::SchemaGenerator;
 use serde::{Deserialize, Serialize};
 
 use crate::http::app::App;
-use crate::http::exchange::answer::NotDone;
+use crate::http::exchange::responses::RequestFailed;
 use crate::http::route::Query;
 
 /// The requested page of a list.
@@ -46,9 +46,9 @@ pub(crate) const PAGES: &[Query] = &[
 ];
 
 impl FromRequestParts<Arc<App>> for Page {
-    type Rejection = NotDone;
+    type Rejection = RequestFailed;
 
-    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, RequestFailed> {
         let path = parts.uri.path().to_owned();
         let asked: Result<Queries<Asked>, QueryRejection> =
             Queries::from_request_parts(parts, app).await;
@@ -67,7 +67,7 @@ impl Page {
         self,
         all: &[T],
         name: impl Fn(&T) -> String,
-    ) -> Result<Response, NotDone> {
+    ) -> Result<Response, RequestFailed> {
         let begin = match &self.asked.after {
             None => 0,
             Some(after) => {
@@ -141,10 +141,10 @@ mod tests {
     }
 
     #[test]
-    fn a_page_behind_what_was_forgotten_begins_anew() {
+    fn a_page_behind_what_was_forgotten_begins_again() {
         let error = page(Some(2), Some("x"))
             .of(&ALL, |page| (*page).to_owned())
             .unwrap_err();
-        assert!(error.0.detail.contains("begin anew"), "{error:?}");
+        assert!(error.0.detail.contains("start again without"), "{error:?}");
     }
 }

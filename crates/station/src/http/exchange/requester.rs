@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 use crate::http::access::auth;
 use crate::http::app::{App, Caller};
 use crate::http::arm_facts::ArmFacts;
-use crate::http::exchange::answer::{Body, NotDone, json};
+use crate::http::exchange::responses::{Body, RequestFailed, json};
 
 /// The header for a lease token that was granted over plain HTTP.
 pub(crate) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
@@ -29,7 +29,7 @@ pub(crate) const KEY: HeaderName = HeaderName::from_static("idempotency-key");
 
 /// The caller of a route, with the means to send requests to the driver.
 #[derive(Debug)]
-pub(crate) struct Asker {
+pub(crate) struct Requester {
     pub(crate) app: Arc<App>,
     pub(crate) caller: Caller,
     /// The token of the request, if any.
@@ -40,10 +40,10 @@ pub(crate) struct Asker {
     pub(crate) key: Option<String>,
 }
 
-impl FromRequestParts<Arc<App>> for Asker {
-    type Rejection = NotDone;
+impl FromRequestParts<Arc<App>> for Requester {
+    type Rejection = RequestFailed;
 
-    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, RequestFailed> {
         let caller = parts.extensions.get::<Caller>().cloned();
         // A header that is not text is not a token or key.
         let header = |name| {
@@ -60,7 +60,7 @@ impl FromRequestParts<Arc<App>> for Asker {
     }
 }
 
-impl Asker {
+impl Requester {
     /// Checks the caller's role.
     pub(crate) fn check_role(&self, needed: Role) -> Result<(), Refusal> {
         let found = self.caller.role;
@@ -71,20 +71,20 @@ impl Asker {
     }
 
     /// Sends a request to the driver.
-    pub(crate) async fn ask(&self, request: Request) -> Result<Json<Reply>, NotDone> {
+    pub(crate) async fn ask(&self, request: Request) -> Result<Json<Reply>, RequestFailed> {
         let client = self.client().await?;
         Ok(Json(client.request(request).await?))
     }
 
     /// Queues a job; the header Location contains its path.
-    pub(crate) async fn queue(&self, job: NewJob) -> Result<Response, NotDone> {
+    pub(crate) async fn queue(&self, job: NewJob) -> Result<Response, RequestFailed> {
         let key = self.key.clone();
         let reply = self.ask(Request::SubmitJob { job, key }).await?;
         Ok(queued(reply))
     }
 
     /// Returns the client of the lease token, or one for this request only.
-    pub(crate) async fn client(&self) -> Result<Arc<Client>, NotDone> {
+    pub(crate) async fn client(&self) -> Result<Arc<Client>, RequestFailed> {
         match &self.lease {
             Some(token) => {
                 let (role, now) = (self.caller.role, self.app.now());
@@ -95,7 +95,7 @@ impl Asker {
     }
 
     /// Registers a new client.
-    pub(crate) async fn come(&self, name: &str) -> Result<Arc<Client>, NotDone> {
+    pub(crate) async fn come(&self, name: &str) -> Result<Arc<Client>, RequestFailed> {
         let (role, person) = (self.caller.role, self.caller.person(name));
         let client = self.app.handle.client_of(name, role, person).await?;
         Ok(Arc::new(client))
@@ -158,7 +158,7 @@ pub(crate) struct PolicyDraft {
 /// Changes a keep-out zone in a draft of a policy; the active policy is unchanged.
 pub(crate) async fn edit_policy(
     Body(asked): Body<EditPolicy>,
-) -> Result<Json<PolicyDraft>, NotDone> {
+) -> Result<Json<PolicyDraft>, RequestFailed> {
     let text = asked.edit.apply(&asked.text);
     let text = text.map_err(|error| BAD_POLICY.problem(error.to_string()))?;
     Ok(Json(PolicyDraft { text }))
@@ -181,25 +181,25 @@ pub(crate) async fn policy_text(State(app): State<Arc<App>>) -> Response {
     let kept = std::fs::read_to_string(&app.policy_file).ok();
     let same = |text: &String| Policy::from_toml(text).is_ok_and(|parsed| parsed == *policy);
     let text = kept.filter(same).unwrap_or_else(|| match policy {
-        it if *it == Policy::default() => Policy::DEFAULT_TOML.to_owned(),
-        it => it.to_toml(),
+        policy if *policy == Policy::default() => Policy::DEFAULT_TOML.to_owned(),
+        policy => policy.to_toml(),
     });
     text.into_response()
 }
 
 /// Replaces the active policy and stores the new one.
 pub(crate) async fn set_policy(
-    asker: Asker,
+    requester: Requester,
     Body(new): Body<PolicyText>,
-) -> Result<Json<Policy>, NotDone> {
+) -> Result<Json<Policy>, RequestFailed> {
     let policy = Policy::from_toml(&new.text);
     let policy = policy.map_err(|error| BAD_POLICY.problem(error.to_string()))?;
     if new.check {
         return Ok(Json(policy));
     }
-    let client = asker.client().await?;
+    let client = requester.client().await?;
     client.set_policy(policy.clone()).await?;
-    let file = &asker.app.policy_file;
+    let file = &requester.app.policy_file;
     write_private(file, &new.text).map_err(|error| {
         POLICY_FILE.problem(format!("cannot write {}: {error}", file.display()))
     })?;
@@ -208,7 +208,7 @@ pub(crate) async fn set_policy(
 
 pub(crate) async fn problem(
     Path(name): Path<String>,
-) -> Result<Json<&'static ProblemKind>, NotDone> {
+) -> Result<Json<&'static ProblemKind>, RequestFailed> {
     let unknown = || UNKNOWN_PATH.problem("there is no problem type with this name");
     Ok(Json(problem_kinds::named(&name).ok_or_else(unknown)?))
 }
@@ -217,12 +217,12 @@ pub(crate) async fn document() -> Response {
     json(super::document::TEXT.clone())
 }
 
-pub(crate) async fn unknown_path(uri: Uri) -> NotDone {
+pub(crate) async fn unknown_path(uri: Uri) -> RequestFailed {
     let path: String = uri.path().chars().take(80).collect();
     let hint = "`/api/v1/openapi.json` lists all paths";
-    NotDone(UNKNOWN_PATH.hinted(format!("there is nothing at {path}"), hint))
+    RequestFailed(UNKNOWN_PATH.hinted(format!("there is nothing at {path}"), hint))
 }
 
-pub(crate) async fn method(method: Method, uri: Uri) -> NotDone {
-    NotDone(METHOD.problem(format!("{} does not take {method}", uri.path())))
+pub(crate) async fn method(method: Method, uri: Uri) -> RequestFailed {
+    RequestFailed(METHOD.problem(format!("{} does not take {method}", uri.path())))
 }

@@ -10,8 +10,8 @@ use dobot_api::{Problem, Role};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::http::exchange::answer::{Body, NotDone};
-use crate::http::exchange::requester::{Asker, is_name};
+use crate::http::exchange::requester::{Requester, is_name};
+use crate::http::exchange::responses::{Body, RequestFailed};
 
 /// The progress of a student in a lesson.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -62,7 +62,7 @@ impl Learners {
     /// # Errors
     ///
     /// [`INVALID`] if a field is out of range, [`TOO_MANY`] if [`MOST`] others are listed.
-    fn tell(&mut self, now: Duration, progress: Progress) -> Result<LearnerView, Problem> {
+    fn report(&mut self, now: Duration, progress: Progress) -> Result<LearnerView, Problem> {
         progress.check()?;
         self.forget(now);
         let before = self.0.get(&progress.student);
@@ -92,18 +92,18 @@ impl Learners {
 
     fn forget(&mut self, now: Duration) {
         self.0
-            .retain(|_, it| now.saturating_sub(it.heard) < KEPT_FOR);
+            .retain(|_, learner| now.saturating_sub(learner.heard) < KEPT_FOR);
     }
 }
 
 impl Learner {
     fn view(&self, now: Duration) -> LearnerView {
-        let it = self.progress.clone();
+        let progress = self.progress.clone();
         LearnerView {
-            student: it.student,
-            lesson: it.lesson,
-            done: it.done,
-            steps: it.steps,
+            student: progress.student,
+            lesson: progress.lesson,
+            done: progress.done,
+            steps: progress.steps,
             for_s: now.saturating_sub(self.since).as_secs_f64(),
         }
     }
@@ -137,19 +137,19 @@ impl Progress {
 }
 
 /// Handles the progress of a student.
-pub(crate) async fn tell(
-    asker: Asker,
+pub(crate) async fn report(
+    requester: Requester,
     Body(progress): Body<Progress>,
-) -> Result<Json<LearnerView>, NotDone> {
-    asker.check_role(Role::Queue)?;
-    let now = asker.app.now();
-    Ok(Json(asker.app.learners().tell(now, progress)?))
+) -> Result<Json<LearnerView>, RequestFailed> {
+    requester.check_role(Role::Queue)?;
+    let now = requester.app.now();
+    Ok(Json(requester.app.learners().report(now, progress)?))
 }
 
 /// Returns all students in lessons.
-pub(crate) async fn all(asker: Asker) -> Json<Vec<LearnerView>> {
-    let now = asker.app.now();
-    Json(asker.app.learners().views(now))
+pub(crate) async fn all(requester: Requester) -> Json<Vec<LearnerView>> {
+    let now = requester.app.now();
+    Json(requester.app.learners().views(now))
 }
 
 /// The maximum number of students.
@@ -176,7 +176,7 @@ mod tests {
     }
 
     /// Returns the students with their steps and times in seconds.
-    fn told(learners: &mut Learners, now_s: u64) -> Vec<(String, u32, f64)> {
+    fn progress_of(learners: &mut Learners, now_s: u64) -> Vec<(String, u32, f64)> {
         let views = learners.views(seconds(now_s));
         let plain = |learner_view: LearnerView| {
             (learner_view.student, learner_view.done, learner_view.for_s)
@@ -189,21 +189,21 @@ mod tests {
         let mut learners = Learners::default();
         for (now_s, done) in [(10, 2), (30, 2), (50, 2)] {
             learners
-                .tell(seconds(now_s), at_step("Anna", done))
+                .report(seconds(now_s), at_step("Anna", done))
                 .unwrap();
         }
-        assert_eq!(told(&mut learners, 55), [("Anna".into(), 2, 45.0)]);
-        learners.tell(seconds(60), at_step("Anna", 3)).unwrap();
-        assert_eq!(told(&mut learners, 61), [("Anna".into(), 3, 1.0)]);
+        assert_eq!(progress_of(&mut learners, 55), [("Anna".into(), 2, 45.0)]);
+        learners.report(seconds(60), at_step("Anna", 3)).unwrap();
+        assert_eq!(progress_of(&mut learners, 61), [("Anna".into(), 3, 1.0)]);
     }
 
     #[test]
     fn a_student_of_whom_nothing_is_told_is_forgotten_after_a_minute() {
         let mut learners = Learners::default();
-        learners.tell(seconds(0), at_step("Anna", 2)).unwrap();
-        learners.tell(seconds(30), at_step("Ben", 0)).unwrap();
-        assert_eq!(told(&mut learners, 59).len(), 2);
-        assert_eq!(told(&mut learners, 60), [("Ben".into(), 0, 30.0)]);
+        learners.report(seconds(0), at_step("Anna", 2)).unwrap();
+        learners.report(seconds(30), at_step("Ben", 0)).unwrap();
+        assert_eq!(progress_of(&mut learners, 59).len(), 2);
+        assert_eq!(progress_of(&mut learners, 60), [("Ben".into(), 0, 30.0)]);
     }
 
     #[test]
@@ -211,16 +211,16 @@ mod tests {
         let mut learners = Learners::default();
         for n in 0..MOST {
             learners
-                .tell(seconds(0), at_step(&format!("student {n}"), 0))
+                .report(seconds(0), at_step(&format!("student {n}"), 0))
                 .unwrap();
         }
-        let refused = learners.tell(seconds(1), at_step("Zoë", 0)).unwrap_err();
+        let refused = learners.report(seconds(1), at_step("Zoë", 0)).unwrap_err();
         assert_eq!(refused.status, TOO_MANY.status);
         learners
-            .tell(seconds(1), at_step("student 0", 1))
+            .report(seconds(1), at_step("student 0", 1))
             .expect("she is known");
         learners
-            .tell(seconds(61), at_step("Zoë", 0))
+            .report(seconds(61), at_step("Zoë", 0))
             .expect("the others are gone");
     }
 }

@@ -19,14 +19,14 @@ use tokio::time::{Interval, MissedTickBehavior, interval};
 
 use crate::http::access::tokens::digest;
 use crate::http::app::{App, Caller, Peer, Stay};
-use crate::http::exchange::answer::{Body, JOB, Maybe, NotDone, Nothing};
-use crate::http::exchange::requester::Asker;
+use crate::http::exchange::requester::Requester;
+use crate::http::exchange::responses::{Body, JOB, Maybe, Nothing, RequestFailed};
 use crate::http::live::events::ALIVE_EVERY;
 use crate::http::routes;
 use crate::{ArmsPort, FleetPort, Members};
 
 /// Returns the station's view of its fleet.
-pub(crate) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>, NotDone> {
+pub(crate) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>, RequestFailed> {
     let port = app.fleet()?;
     let members = port.look().await?.borrow().clone();
     Ok(Json(FleetView {
@@ -40,7 +40,7 @@ pub(crate) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>
 pub(crate) async fn events(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
-) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
+) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, RequestFailed> {
     let mut pace = interval(TELL_EVERY);
     pace.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let watching = Watching {
@@ -142,18 +142,18 @@ const fn all() -> Recipients {
 /// Stops the arms of several stations. A stop of all is a stop of the fleet, which each station
 /// keeps.
 pub(crate) async fn stop(
-    asker: Asker,
+    requester: Requester,
     Maybe(wanted): Maybe<FleetStop>,
-) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
-    let port = asker.app.fleet()?;
+) -> Result<Json<Vec<MemberAnswer>>, RequestFailed> {
+    let port = requester.app.fleet()?;
     let reason = wanted.reason;
     let fleet = if wanted.to == Recipients::All {
         let by = StoppedBy {
-            by: asker.at(port),
+            by: requester.at(port),
             reason: reason.clone(),
         };
         // Even if this station is ending, the others are stopped.
-        let stopped = asker.app.handle.stop_fleet(port.id(), by).await;
+        let stopped = requester.app.handle.stop_fleet(port.id(), by).await;
         stopped.ok().map(|(stop, _)| stop)
     } else {
         None
@@ -183,14 +183,14 @@ pub(crate) async fn stop(
 
 /// Resets a stop of the whole fleet.
 pub(crate) async fn reset_stop(
-    asker: Asker,
+    requester: Requester,
     Extension(peer): Extension<Peer>,
     _: Maybe<Nothing>,
-) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
-    let app = &asker.app;
+) -> Result<Json<Vec<MemberAnswer>>, RequestFailed> {
+    let app = &requester.app;
     let port = app.fleet()?;
-    asker.check_role(Role::Control)?;
-    let has_token = asker
+    requester.check_role(Role::Control)?;
+    let has_token = requester
         .caller
         .token
         .is_some_and(|token| !app.tokens().is_local(&token));
@@ -199,7 +199,7 @@ pub(crate) async fn reset_stop(
         let hint = "set DOBOT_TOKEN to a token of this station with the role control; or reset the stop of this arm only with `dobot stop --reset`";
         return Err(UNAUTHORISED.hinted(detail, hint).into());
     }
-    app.handle.reset_fleet_stops(&asker.at(port)).await?;
+    app.handle.reset_fleet_stops(&requester.at(port)).await?;
     let members = port.members().iter().cloned().collect();
     Ok(Json(port.send_stops(members).await?))
 }
@@ -227,9 +227,9 @@ pub(crate) struct FleetRequest {
 
 /// Sends a request to several stations, with the token of the caller.
 pub(crate) async fn request(
-    asker: Asker,
+    requester: Requester,
     Body(wanted): Body<FleetRequest, JOB>,
-) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
+) -> Result<Json<Vec<MemberAnswer>>, RequestFailed> {
     let request = ApiRequest {
         method: wanted.method,
         path: wanted.path,
@@ -237,14 +237,14 @@ pub(crate) async fn request(
         key: wanted.key,
         body: wanted.body,
         // The token of local programs is valid here only.
-        token: asker
+        token: requester
             .token
-            .filter(|token| !asker.app.tokens().is_local(&digest(token))),
+            .filter(|token| !requester.app.tokens().is_local(&digest(token))),
     };
-    Ok(Json(asker.app.fleet()?.ask(&wanted.to, request).await?))
+    Ok(Json(requester.app.fleet()?.ask(&wanted.to, request).await?))
 }
 
-impl Asker {
+impl Requester {
     /// Returns the caller and its station, for other stations.
     fn at(&self, port: &FleetPort) -> String {
         format!("{} at {}", self.caller.name, port.name())

@@ -17,8 +17,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::http::app::{App, Peer};
-use crate::http::exchange::answer::{Body, JOB, NotDone};
-use crate::http::exchange::requester::Asker;
+use crate::http::exchange::requester::Requester;
+use crate::http::exchange::responses::{Body, JOB, RequestFailed};
 use crate::http::resources::drawings::NewDrawing;
 use crate::{FleetPort, UNSETTLED, work_hurdle};
 
@@ -44,33 +44,33 @@ pub(crate) struct FleetOffer {
 /// A caller that may offer jobs: a station of the fleet if the owner of this one has allowed it
 /// (`dobot up --takes-work`), or a caller that may queue jobs.
 #[derive(Debug)]
-pub(crate) struct Offerer(Asker);
+pub(crate) struct Offerer(Requester);
 
 impl FromRequestParts<Arc<App>> for Offerer {
-    type Rejection = NotDone;
+    type Rejection = RequestFailed;
 
-    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, RequestFailed> {
         let by_fleet = parts
             .extensions
             .get::<Peer>()
             .is_some_and(|token| token.by_fleet);
-        let asker = Asker::from_request_parts(parts, app).await?;
+        let requester = Requester::from_request_parts(parts, app).await?;
         if !by_fleet {
-            asker.check_role(Role::Queue)?;
+            requester.check_role(Role::Queue)?;
         }
-        Ok(Self(asker))
+        Ok(Self(requester))
     }
 }
 
 /// Accepts a job if the arm is free for it, or refuses it for good under this key.
 pub(crate) async fn offer(
-    Offerer(asker): Offerer,
+    Offerer(requester): Offerer,
     Body(offered): Body<FleetOffer, JOB>,
-) -> Result<Json<JobView>, NotDone> {
-    let app = &asker.app;
+) -> Result<Json<JobView>, RequestFailed> {
+    let app = &requester.app;
     offered.drawing.as_ref().map_or(Ok(()), NewDrawing::check)?;
     let port = app.fleet()?;
-    let key = asker
+    let key = requester
         .key
         .clone()
         .ok_or_else(|| MALFORMED.problem("an offer needs a key in the header Idempotency-Key"))?;
@@ -101,22 +101,24 @@ pub(crate) async fn offer(
 
 /// Returns the state of an offer.
 pub(crate) async fn look(
-    Offerer(asker): Offerer,
+    Offerer(requester): Offerer,
     Path(key): Path<String>,
-) -> Result<Json<JobView>, NotDone> {
-    let answer = asker.app.handle.offer(&key, OfferRequest::Look).await?;
+) -> Result<Json<JobView>, RequestFailed> {
+    let answer = requester.app.handle.offer(&key, OfferRequest::Look).await?;
     Ok(Json(answered(answer)?))
 }
 
 /// Withdraws an offer: no job is created from it any more, and an existing one ends if it has not
 /// begun.
 pub(crate) async fn withdraw(
-    Offerer(asker): Offerer,
+    Offerer(requester): Offerer,
     Path(key): Path<String>,
-) -> Result<Json<JobView>, NotDone> {
-    let by = asker.caller.name.clone();
+) -> Result<Json<JobView>, RequestFailed> {
+    let by = requester.caller.name.clone();
     let ask = OfferRequest::Withdraw { by };
-    Ok(Json(answered(asker.app.handle.offer(&key, ask).await?)?))
+    Ok(Json(answered(
+        requester.app.handle.offer(&key, ask).await?,
+    )?))
 }
 
 fn answered(answer: OfferAnswer) -> Result<JobView, Problem> {

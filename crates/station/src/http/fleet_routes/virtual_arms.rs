@@ -7,8 +7,8 @@ use dobot_api::{GivenArm, GivenArms, Role, is_fleet_name};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::http::exchange::answer::{Body, JOB, NotDone};
-use crate::http::exchange::requester::Asker;
+use crate::http::exchange::requester::Requester;
+use crate::http::exchange::responses::{Body, JOB, RequestFailed};
 use crate::http::fleet_routes::members::not_a_name;
 use crate::{ArmCommand, ArmSelection};
 
@@ -22,22 +22,22 @@ pub(crate) struct WantedVirtualArm {
 }
 
 /// Lists the hosted arms.
-pub(crate) async fn all(asker: Asker) -> Result<Json<GivenArms>, NotDone> {
-    Ok(Json(asker.app.arms()?.wish(ArmCommand::List).await?))
+pub(crate) async fn all(requester: Requester) -> Result<Json<GivenArms>, RequestFailed> {
+    Ok(Json(requester.app.arms()?.wish(ArmCommand::List).await?))
 }
 
 /// Starts an arm; repeated requests for the same name return the same arm.
 pub(crate) async fn give(
-    asker: Asker,
+    requester: Requester,
     Body(wanted): Body<WantedVirtualArm, JOB>,
-) -> Result<Json<GivenArm>, NotDone> {
-    asker.check_role(Role::Control)?;
+) -> Result<Json<GivenArm>, RequestFailed> {
+    requester.check_role(Role::Control)?;
     let WantedVirtualArm { name } = wanted;
     if !is_fleet_name(&name) {
         return Err(INVALID.problem(not_a_name("name", &name, "anna")).into());
     }
-    let arms = asker.app.arms()?;
-    let seen = asker.app.fleet()?.member(&name);
+    let arms = requester.app.arms()?;
+    let seen = requester.app.fleet()?.member(&name);
     let wanted = ArmSelection { name, seen };
     let given = arms.wish(|reply| ArmCommand::Give(wanted, reply)).await?;
     Ok(Json(given?))
@@ -45,11 +45,11 @@ pub(crate) async fn give(
 
 /// Ends an arm.
 pub(crate) async fn end(
-    asker: Asker,
+    requester: Requester,
     Path(name): Path<String>,
-) -> Result<Json<GivenArms>, NotDone> {
-    asker.check_role(Role::Admin)?;
-    let arms = asker.app.arms()?;
+) -> Result<Json<GivenArms>, RequestFailed> {
+    requester.check_role(Role::Admin)?;
+    let arms = requester.app.arms()?;
     arms.wish(|reply| ArmCommand::End(name, reply)).await??;
     Ok(Json(arms.wish(ArmCommand::List).await?))
 }

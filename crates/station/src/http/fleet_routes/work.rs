@@ -10,8 +10,8 @@ use dobot_api::{NewJob, Problem, Role, WorkView, is_fleet_name};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::http::exchange::answer::{Body, JOB, NotDone};
-use crate::http::exchange::requester::{Asker, is_name};
+use crate::http::exchange::requester::{Requester, is_name};
+use crate::http::exchange::responses::{Body, JOB, RequestFailed};
 use crate::http::fleet_routes::members::not_a_name;
 use crate::http::fleet_routes::offers::FleetOffer;
 use crate::http::resources::drawings::NewDrawing;
@@ -36,29 +36,29 @@ pub(crate) struct FleetWork {
 
 /// Submits a job for any arm.
 pub(crate) async fn submit(
-    asker: Asker,
+    requester: Requester,
     Body(wanted): Body<FleetWork, JOB>,
-) -> Result<(StatusCode, Json<WorkView>), NotDone> {
-    asker.check_role(Role::Queue)?;
+) -> Result<(StatusCode, Json<WorkView>), RequestFailed> {
+    requester.check_role(Role::Queue)?;
     wanted.drawing.as_ref().map_or(Ok(()), NewDrawing::check)?;
-    let port = asker.app.fleet()?;
-    let work = Box::new(wanted.work(&asker, port.name())?);
+    let port = requester.app.fleet()?;
+    let work = Box::new(wanted.work(&requester, port.name())?);
     let view = port.work(|reply| WorkCommand::Submit(work, reply)).await?;
     Ok((StatusCode::CREATED, Json(view)))
 }
 
 /// Lists all jobs that were submitted here.
-pub(crate) async fn all(asker: Asker) -> Result<Json<Vec<WorkView>>, NotDone> {
-    Ok(Json(asker.app.fleet()?.work(WorkCommand::List).await?))
+pub(crate) async fn all(requester: Requester) -> Result<Json<Vec<WorkView>>, RequestFailed> {
+    Ok(Json(requester.app.fleet()?.work(WorkCommand::List).await?))
 }
 
 /// Cancels a job.
 pub(crate) async fn cancel(
-    asker: Asker,
+    requester: Requester,
     Path(work): Path<String>,
-) -> Result<Json<WorkView>, NotDone> {
-    asker.check_role(Role::Queue)?;
-    let port = asker.app.fleet()?;
+) -> Result<Json<WorkView>, RequestFailed> {
+    requester.check_role(Role::Queue)?;
+    let port = requester.app.fleet()?;
     Ok(Json(
         port.work(|reply| WorkCommand::Cancel(work, reply)).await?,
     ))
@@ -66,11 +66,11 @@ pub(crate) async fn cancel(
 
 /// Moves a job that is in doubt or has failed to another arm: a person has checked and decided so.
 pub(crate) async fn give(
-    asker: Asker,
+    requester: Requester,
     Path(work): Path<String>,
-) -> Result<Json<WorkView>, NotDone> {
-    asker.check_role(Role::Control)?;
-    let port = asker.app.fleet()?;
+) -> Result<Json<WorkView>, RequestFailed> {
+    requester.check_role(Role::Control)?;
+    let port = requester.app.fleet()?;
     Ok(Json(
         port.work(|reply| WorkCommand::Give(work, reply)).await?,
     ))
@@ -78,11 +78,13 @@ pub(crate) async fn give(
 
 impl FleetWork {
     /// Returns the stored form of the job.
-    fn work(self, asker: &Asker, home: &str) -> Result<NewWork, Problem> {
-        let student = self.student.unwrap_or_else(|| asker.caller.name.clone());
+    fn work(self, requester: &Requester, home: &str) -> Result<NewWork, Problem> {
+        let student = self
+            .student
+            .unwrap_or_else(|| requester.caller.name.clone());
         check_people(&student, self.group.as_deref())?;
         check_needs(&self.needs)?;
-        if let Some(key) = asker.key.as_deref().filter(|key| !is_name(key)) {
+        if let Some(key) = requester.key.as_deref().filter(|key| !is_name(key)) {
             let characters = key.chars().count();
             return Err(INVALID.problem(format!(
                 "the Idempotency-Key has {characters} characters; allowed are 1 to 60 visible ones"
@@ -97,7 +99,7 @@ impl FleetWork {
                 );
             }
         };
-        let made_for = self.job.as_ref().map(|_| asker.app.planned_for().arm());
+        let made_for = self.job.as_ref().map(|_| requester.app.planned_for().arm());
         let offer = FleetOffer {
             by: home.to_owned(),
             student: student.clone(),
@@ -111,7 +113,7 @@ impl FleetWork {
             group: self.group,
             needs: self.needs,
             submitted_ms: now_ms(),
-            key: asker.key.clone(),
+            key: requester.key.clone(),
             offer: serde_json::to_value(offer)
                 .map_err(|error| INVALID.problem(error.to_string()))?,
         })

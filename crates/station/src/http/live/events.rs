@@ -16,9 +16,9 @@ use schemars::JsonSchema;
 use tokio::sync::{OwnedSemaphorePermit, broadcast};
 
 use crate::http::app::{App, Caller, Stay};
-use crate::http::exchange::answer::NotDone;
 use crate::http::exchange::messages;
-use crate::http::live::socket::{StateStream, Wants, state_message};
+use crate::http::exchange::responses::RequestFailed;
+use crate::http::live::socket::{SocketOptions, StateStream, state_message};
 
 /// The interval of keep-alive comments, which reveal dead connections.
 pub(crate) const ALIVE_EVERY: Duration = Duration::from_secs(5);
@@ -53,8 +53,8 @@ pub(crate) async fn events(
     Extension(caller): Extension<Caller>,
     uri: Uri,
     headers: HeaderMap,
-) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
-    let wants = Wants::of_one_who_watches(&uri)?;
+) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, RequestFailed> {
+    let wants = SocketOptions::of_one_who_watches(&uri)?;
     let seen = last_seen(&headers)?;
     let place = app.place()?;
     let notices = wants.notices().then(|| app.handle.notices());

@@ -17,7 +17,7 @@ use tokio::sync::broadcast::Receiver;
 use tokio::sync::broadcast::error::RecvError;
 
 use crate::http::app::{App, Caller, Stay};
-use crate::http::exchange::answer::NotDone;
+use crate::http::exchange::responses::RequestFailed;
 use crate::http::live::events::ALIVE_EVERY;
 
 /// A packet between the station and the arm.
@@ -63,7 +63,7 @@ struct Listening {
 pub(crate) async fn packets(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
-) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
+) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, RequestFailed> {
     let listening = Listening {
         _place: app.place()?,
         packets: app.handle.passed(),

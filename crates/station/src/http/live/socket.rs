@@ -23,14 +23,14 @@ pub(crate) use self::state_stream::{StateStream, message as state_message};
 
 use self::connection::SocketConnection;
 use crate::http::app::{App, Caller, Peer};
-use crate::http::exchange::answer::{BODY, JOB, NotDone};
 use crate::http::exchange::requester::is_name;
+use crate::http::exchange::responses::{BODY, JOB, RequestFailed};
 use crate::http::route::Query;
 
 /// The options of a connecting client.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Wants {
+pub(crate) struct SocketOptions {
     states: Option<f64>,
     notices: Option<bool>,
     name: Option<String>,
@@ -58,7 +58,7 @@ pub(crate) const QUERIES: &[Query] = &[
 /// The parameters for clients that only watch.
 pub(crate) const WATCH_QUERIES: &[Query] = QUERIES.split_at(2).0;
 
-impl Wants {
+impl SocketOptions {
     /// Parses the options of a client that only watches, which needs no name.
     pub(crate) fn of_one_who_watches(uri: &Uri) -> Result<Self, Problem> {
         let wants = Self::of(uri)?;
@@ -111,8 +111,8 @@ pub(crate) async fn upgrade(
     Extension(peer): Extension<Peer>,
     uri: Uri,
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
-) -> Result<Response, NotDone> {
-    let wants = Wants::of(&uri)?;
+) -> Result<Response, RequestFailed> {
+    let wants = SocketOptions::of(&uri)?;
     let upgrade = upgrade.map_err(|error| UPGRADE.problem(error.body_text()))?;
     let place = app.place()?;
     let name = wants.name.clone().unwrap_or_else(|| caller.name.clone());

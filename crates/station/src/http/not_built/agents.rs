@@ -3,7 +3,7 @@
 use dobot_api::problem_kinds::NOT_BUILT;
 use dobot_api::{NotBuilt, StationAddress};
 
-use crate::http::exchange::answer::NotDone;
+use crate::http::exchange::responses::RequestFailed;
 
 /// A placeholder for the tools for agents.
 #[derive(Debug)]
@@ -22,7 +22,7 @@ impl HttpAgents {
 }
 
 /// Refuses an agent.
-pub(super) async fn agents() -> Result<(), NotDone> {
+pub(super) async fn agents() -> Result<(), RequestFailed> {
     let text = NotBuilt("tools for agents (MCP)").to_string();
     Err(NOT_BUILT.hinted(text, NotBuilt::HINT).into())
 }

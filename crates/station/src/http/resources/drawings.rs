@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 use tokio::sync::{Semaphore, watch};
 use tokio::task::AbortHandle;
 
-use crate::http::exchange::answer::beside;
+use crate::http::exchange::responses::beside;
 
 /// A drawing to be planned: a file, the text in the options or both, or a test card.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -285,7 +285,7 @@ impl Kept {
     /// Deletes the oldest finished drawings beyond the maximum number or memory.
     fn make_room(&mut self) -> Result<(), Problem> {
         while self.drawings.len() >= MOST || self.bytes() > MOST_BYTES {
-            let oldest = self.drawings.iter().find(|(_, it)| it.is_over());
+            let oldest = self.drawings.iter().find(|(_, drawing)| drawing.is_over());
             let oldest = oldest.map(|(&number, _)| number).ok_or_else(|| {
                 TOO_MANY.hinted(
                     format!("{MOST} drawings are being planned, the maximum"),

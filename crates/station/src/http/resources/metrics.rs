@@ -10,10 +10,10 @@ use dobot_api::problem_kinds::ENDING;
 use dobot_api::{self as api, LinkPhase};
 
 use crate::http::app::App;
-use crate::http::exchange::answer::NotDone;
+use crate::http::exchange::responses::RequestFailed;
 
 /// Returns whether the station is alive.
-pub(crate) async fn health(State(app): State<Arc<App>>) -> Result<&'static str, NotDone> {
+pub(crate) async fn health(State(app): State<Arc<App>>) -> Result<&'static str, RequestFailed> {
     if *app.ending.borrow() {
         return Err(ENDING.problem("the station is shutting down").into());
     }

@@ -257,13 +257,13 @@ pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
     }
 }
 
-fn problem(it: dobot_teach::Problem) -> ProgramProblem {
+fn problem(found: dobot_teach::Problem) -> ProgramProblem {
     ProgramProblem {
-        step: Some(it.step),
-        file: it.file,
-        line: Some(it.line),
-        message: it.message,
-        remedy: Some(it.remedy),
+        step: Some(found.step),
+        file: found.file,
+        line: Some(found.line),
+        message: found.message,
+        remedy: Some(found.remedy),
     }
 }
 

@@ -19,7 +19,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tokio::sync::Semaphore;
 
-use crate::http::exchange::answer::beside;
+use crate::http::exchange::responses::beside;
 
 /// The folder of the recordings.
 #[derive(Debug)]

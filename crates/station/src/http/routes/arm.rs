@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{DELETE, MOVES, POST, PUT};
-use crate::http::exchange::answer::{Body, Maybe, Nothing};
+use crate::http::exchange::responses::{Body, Maybe, Nothing};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {

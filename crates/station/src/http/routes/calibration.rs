@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{GET, MOVES, POST, PUT};
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, Maybe, NotDone, Nothing};
+use crate::http::exchange::responses::{Body, Maybe, Nothing, RequestFailed};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
@@ -216,7 +216,7 @@ async fn sheet() -> Response {
     ([(CONTENT_TYPE, "image/svg+xml")], sheet_svg()).into_response()
 }
 
-async fn fit_paper(Body(asked): Body<PaperTouches>) -> Result<Json<PaperReport>, NotDone> {
+async fn fit_paper(Body(asked): Body<PaperTouches>) -> Result<Json<PaperReport>, RequestFailed> {
     let found = paper(&asked.places_mm).map_err(|why| BAD_TOUCHES.problem(why.to_string()))?;
     Ok(Json(PaperReport {
         paper: found.paper,
@@ -225,7 +225,7 @@ async fn fit_paper(Body(asked): Body<PaperTouches>) -> Result<Json<PaperReport>,
     }))
 }
 
-async fn fit_touches(Body(asked): Body<NewTouches>) -> Result<Json<FitReport>, NotDone> {
+async fn fit_touches(Body(asked): Body<NewTouches>) -> Result<Json<FitReport>, RequestFailed> {
     let (touches, fit) = fitted(&asked)?;
     Ok(Json(FitReport {
         calibration: found(&fit, asked.backlash),
@@ -240,7 +240,7 @@ async fn fit_touches(Body(asked): Body<NewTouches>) -> Result<Json<FitReport>, N
     }))
 }
 
-async fn picture(Body(asked): Body<NewTouches>) -> Result<Response, NotDone> {
+async fn picture(Body(asked): Body<NewTouches>) -> Result<Response, RequestFailed> {
     let (touches, fit) = fitted(&asked)?;
     Ok((
         [(CONTENT_TYPE, "image/svg+xml")],
@@ -250,7 +250,7 @@ async fn picture(Body(asked): Body<NewTouches>) -> Result<Response, NotDone> {
 }
 
 /// Returns the touches, and their fit.
-fn fitted(asked: &NewTouches) -> Result<(Vec<Touch>, Fit), NotDone> {
+fn fitted(asked: &NewTouches) -> Result<(Vec<Touch>, Fit), RequestFailed> {
     let bad = |why: &dyn std::fmt::Display| BAD_TOUCHES.problem(why.to_string());
     if let Some(bar_mm) = asked.bar_mm {
         check_bar(bar_mm).map_err(|why| bad(&why))?;

@@ -18,8 +18,8 @@ use serde::Deserialize;
 
 use super::{DELETE, GET, POST};
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, Maybe, NotDone, Number, json};
-use crate::http::exchange::requester::Asker;
+use crate::http::exchange::requester::Requester;
+use crate::http::exchange::responses::{Body, Maybe, Number, RequestFailed, json};
 use crate::http::resources::drawings::{self, DrawingPart, DrawingView, MaterialView, NewDrawing};
 use crate::http::route::Route;
 
@@ -104,31 +104,40 @@ struct DrawingJob {
     part: DrawingPart,
 }
 
-async fn begin(asker: Asker, Body(new): Body<NewDrawing, FILE>) -> Result<Response, NotDone> {
-    asker.check_role(Role::Queue)?;
-    let app = &asker.app;
+async fn begin(
+    requester: Requester,
+    Body(new): Body<NewDrawing, FILE>,
+) -> Result<Response, RequestFailed> {
+    requester.check_role(Role::Queue)?;
+    let app = &requester.app;
     let view = app.drawings.begin(new, app.planned_for())?;
     let place = format!("/api/v1/drawings/{}", view.drawing);
     Ok((StatusCode::ACCEPTED, [(LOCATION, place)], Json(view)).into_response())
 }
 
-async fn view(State(app): State<Arc<App>>, Number(drawing): Number) -> Result<Response, NotDone> {
+async fn view(
+    State(app): State<Arc<App>>,
+    Number(drawing): Number,
+) -> Result<Response, RequestFailed> {
     Ok(json(app.drawings.view(drawing).await?))
 }
 
-async fn forget(asker: Asker, Number(drawing): Number) -> Result<StatusCode, NotDone> {
-    asker.check_role(Role::Queue)?;
-    asker.app.drawings.forget(drawing)?;
+async fn forget(
+    requester: Requester,
+    Number(drawing): Number,
+) -> Result<StatusCode, RequestFailed> {
+    requester.check_role(Role::Queue)?;
+    requester.app.drawings.forget(drawing)?;
     Ok(StatusCode::NO_CONTENT)
 }
 
 async fn submit(
-    asker: Asker,
+    requester: Requester,
     Number(drawing): Number,
     Maybe(DrawingJob { part }): Maybe<DrawingJob>,
-) -> Result<Response, NotDone> {
-    let job = asker.app.drawings.job(drawing, part)?;
-    asker.queue(job).await
+) -> Result<Response, RequestFailed> {
+    let job = requester.app.drawings.job(drawing, part)?;
+    requester.queue(job).await
 }
 
 async fn materials() -> Json<Vec<MaterialView>> {

@@ -9,7 +9,7 @@ use dobot_api::problem_kinds::{
 use dobot_api::{FleetView, GivenArm, GivenArms, JobView, MemberAnswer, WorkView};
 
 use super::{DELETE, FLEET_STOP, GET, POST};
-use crate::http::exchange::answer::{Body, JOB, Maybe, Nothing};
+use crate::http::exchange::responses::{Body, JOB, Maybe, Nothing};
 use crate::http::fleet_routes::members::{self, FleetRequest, FleetStop};
 use crate::http::fleet_routes::offers::{self, FleetOffer};
 use crate::http::fleet_routes::virtual_arms::{self, WantedVirtualArm};

@@ -16,9 +16,9 @@ use serde::Deserialize;
 
 use super::{ADJUSTS, DELETE, GET, MOVES, POST, PUT};
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, JOB, Maybe, NotDone, Nothing, Number, OfJob};
 use crate::http::exchange::paging::{PAGES, Page};
-use crate::http::exchange::requester::{Asker, queued};
+use crate::http::exchange::requester::{Requester, queued};
+use crate::http::exchange::responses::{Body, JOB, Maybe, Nothing, Number, OfJob, RequestFailed};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
@@ -208,28 +208,34 @@ struct Place {
 }
 
 async fn place(
-    asker: Asker,
+    requester: Requester,
     Number(job): Number,
     Body(Place { before }): Body<Place>,
-) -> Result<Json<Reply>, NotDone> {
-    asker.ask(Request::MoveJob { job, before }).await
+) -> Result<Json<Reply>, RequestFailed> {
+    requester.ask(Request::MoveJob { job, before }).await
 }
 
-async fn submit(asker: Asker, Body(job): Body<NewJob, JOB>) -> Result<Response, NotDone> {
-    asker.queue(job).await
+async fn submit(
+    requester: Requester,
+    Body(job): Body<NewJob, JOB>,
+) -> Result<Response, RequestFailed> {
+    requester.queue(job).await
 }
 
-async fn again(asker: Asker, OfJob(job): OfJob) -> Result<Response, NotDone> {
-    let key = asker.key.clone();
-    let reply = asker.ask(Request::QueueAgain { job, key }).await?;
+async fn again(requester: Requester, OfJob(job): OfJob) -> Result<Response, RequestFailed> {
+    let key = requester.key.clone();
+    let reply = requester.ask(Request::QueueAgain { job, key }).await?;
     Ok(queued(reply))
 }
 
-async fn all_jobs(State(app): State<Arc<App>>, page: Page) -> Result<Response, NotDone> {
+async fn all_jobs(State(app): State<Arc<App>>, page: Page) -> Result<Response, RequestFailed> {
     page.of(&app.handle.jobs().await?, |job| job.job.to_string())
 }
 
-async fn one(State(app): State<Arc<App>>, Number(job): Number) -> Result<Json<JobView>, NotDone> {
+async fn one(
+    State(app): State<Arc<App>>,
+    Number(job): Number,
+) -> Result<Json<JobView>, RequestFailed> {
     let found = app
         .handle
         .jobs()
@@ -241,6 +247,9 @@ async fn one(State(app): State<Arc<App>>, Number(job): Number) -> Result<Json<Jo
         .ok_or_else(|| Refusal::NoSuchJob(job).into())
 }
 
-async fn path(State(app): State<Arc<App>>, Number(job): Number) -> Result<Json<JobPath>, NotDone> {
+async fn path(
+    State(app): State<Arc<App>>,
+    Number(job): Number,
+) -> Result<Json<JobPath>, RequestFailed> {
     Ok(Json(app.handle.job_path(job).await?))
 }

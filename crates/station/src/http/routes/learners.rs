@@ -3,7 +3,7 @@
 use dobot_api::problem_kinds::{INVALID, ROLE, TOO_MANY};
 
 use super::{GET, POST};
-use crate::http::exchange::answer::{BODY, Body};
+use crate::http::exchange::responses::{BODY, Body};
 use crate::http::fleet_routes::learners::{self, LearnerView, Progress};
 use crate::http::route::Route;
 
@@ -21,7 +21,7 @@ pub(super) fn all() -> Vec<Route> {
             "/api/v1/learners",
             "Reports the progress of a student in a lesson, for the board of the fleet. It expires after a minute unless it is \
                 repeated",
-            learners::tell,
+            learners::report,
         )
         .brings::<Body<Progress, BODY>>()
         .example(r#"{"student": "Anna", "lesson": "tour", "done": 2, "steps": 12}"#)

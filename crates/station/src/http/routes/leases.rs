@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 use super::{DELETE, GET, POST, PUT};
 use crate::http::access::http_leases::LASTS;
 use crate::http::app::Caller;
-use crate::http::exchange::answer::{Body, Maybe, NotDone, Nothing};
-use crate::http::exchange::requester::{Asker, is_name};
+use crate::http::exchange::requester::{Requester, is_name};
+use crate::http::exchange::responses::{Body, Maybe, Nothing, RequestFailed};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
@@ -133,7 +133,9 @@ struct NewMessage {
 
 /// Returns a route that requests control, and stores the client if it is granted.
 fn holds(path: &'static str, summary: &'static str, what: &'static str, request: Request) -> Route {
-    let hold = move |asker: Asker, Maybe(wanted): Maybe<LeaseRequest>| hold(asker, wanted, request);
+    let hold = move |requester: Requester, Maybe(wanted): Maybe<LeaseRequest>| {
+        hold(requester, wanted, request)
+    };
     Route::new(POST, path, summary, hold)
         .brings::<Maybe<LeaseRequest>>()
         .example(r#"{"name": "my script"}"#)
@@ -171,22 +173,22 @@ struct HandOver {
 
 /// Requests control, and stores the client if it is granted.
 async fn hold(
-    asker: Asker,
+    requester: Requester,
     wanted: LeaseRequest,
     request: Request,
-) -> Result<Json<Granted>, NotDone> {
-    let name = called(wanted, &asker.caller)?;
-    let client = match &asker.lease {
-        Some(_) => asker.client().await?,
-        None => asker.come(&name).await?,
+) -> Result<Json<Granted>, RequestFailed> {
+    let name = called(wanted, &requester.caller)?;
+    let client = match &requester.lease {
+        Some(_) => requester.client().await?,
+        None => requester.come(&name).await?,
     };
     let reply = client.request(request).await?;
-    let app = &asker.app;
-    let token = match &asker.lease {
+    let app = &requester.app;
+    let token = match &requester.lease {
         Some(token) => token.clone(),
         None => app
             .http_leases
-            .keep(client, asker.caller.clone(), app.now())?
+            .keep(client, requester.caller.clone(), app.now())?
             .secret()
             .into(),
     };
@@ -212,12 +214,12 @@ fn called(wanted: LeaseRequest, caller: &Caller) -> Result<String, Problem> {
     Err(INVALID.problem("name: allowed are 1 to 60 printable characters"))
 }
 
-async fn slots(asker: Asker) -> Result<Json<Reply>, NotDone> {
-    asker.ask(Request::ShowSlots).await
+async fn slots(requester: Requester) -> Result<Json<Reply>, RequestFailed> {
+    requester.ask(Request::ShowSlots).await
 }
 
-async fn release(asker: Asker, _: Maybe<Nothing>) -> Result<Json<Reply>, NotDone> {
-    let Some(token) = asker.lease.clone() else {
+async fn release(requester: Requester, _: Maybe<Nothing>) -> Result<Json<Reply>, RequestFailed> {
+    let Some(token) = requester.lease.clone() else {
         return Err(NO_LEASE
             .hinted(
                 "this request requires a lease token",
@@ -225,7 +227,7 @@ async fn release(asker: Asker, _: Maybe<Nothing>) -> Result<Json<Reply>, NotDone
             )
             .into());
     };
-    let reply = asker.ask(Request::ReleaseLease).await;
-    asker.app.http_leases.end(&token);
+    let reply = requester.ask(Request::ReleaseLease).await;
+    requester.app.http_leases.end(&token);
     reply
 }

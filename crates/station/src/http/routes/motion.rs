@@ -19,8 +19,8 @@ use tokio::sync::broadcast::error::RecvError;
 
 use super::{DELETE, MOVES, POST, STOP};
 use crate::http::app::Peer;
-use crate::http::exchange::answer::{Body, Maybe, NotDone, Nothing};
-use crate::http::exchange::requester::Asker;
+use crate::http::exchange::requester::Requester;
+use crate::http::exchange::responses::{Body, Maybe, Nothing, RequestFailed};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
@@ -184,22 +184,25 @@ struct NewStop {
 }
 
 async fn stop(
-    asker: Asker,
+    requester: Requester,
     Extension(peer): Extension<Peer>,
     Maybe(new): Maybe<NewStop>,
-) -> Result<Json<Reply>, NotDone> {
+) -> Result<Json<Reply>, RequestFailed> {
     // Over HTTP nobody can reset or create stops of the fleet this way.
     if let Some(fleet) = new.fleet.filter(|fleet| peer.by_fleet && fleet.holds())
-        && let (_, Some(reply)) = asker.app.handle.adopt_fleet_stops(vec![fleet]).await?
+        && let (_, Some(reply)) = requester.app.handle.adopt_fleet_stops(vec![fleet]).await?
     {
         return Ok(Json(reply));
     }
-    asker.ask(Request::Stop { reason: new.reason }).await
+    requester.ask(Request::Stop { reason: new.reason }).await
 }
 
-async fn command(asker: Asker, Body(new): Body<NewCommand>) -> Result<Response, NotDone> {
-    let mut notices = asker.app.handle.notices();
-    let client = asker.client().await?;
+async fn command(
+    requester: Requester,
+    Body(new): Body<NewCommand>,
+) -> Result<Response, RequestFailed> {
+    let mut notices = requester.app.handle.notices();
+    let client = requester.client().await?;
     let command = new.command;
     let reply = client.request(Request::Command { command }).await?;
     match reply {
@@ -212,7 +215,7 @@ async fn command(asker: Asker, Body(new): Body<NewCommand>) -> Result<Response, 
 async fn over(
     number: u64,
     notices: &mut broadcast::Receiver<Arc<Notice>>,
-) -> Result<Response, NotDone> {
+) -> Result<Response, RequestFailed> {
     loop {
         let notice = notices.recv().await.map_err(|error| match error {
             RecvError::Closed => Problem::from(Refusal::Ending),

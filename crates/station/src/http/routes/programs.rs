@@ -11,8 +11,8 @@ use dobot_api::problem_kinds::{
 
 use super::POST;
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, JOB, NotDone, beside};
-use crate::http::exchange::requester::Asker;
+use crate::http::exchange::requester::Requester;
+use crate::http::exchange::responses::{Body, JOB, RequestFailed, beside};
 use crate::http::resources::programs::{
     self, ConvertProgram, ConvertedProgram, EditProgram, EditedProgram, NewProgram, ProgramReport,
     ProgramText,
@@ -75,24 +75,27 @@ const JOB_EXAMPLE: &str = r#"{"program": {"text": "title = \"there\"\n\n[[steps]
 async fn check(
     State(app): State<Arc<App>>,
     Body(program): Body<ProgramText, JOB>,
-) -> Result<Json<ProgramReport>, NotDone> {
+) -> Result<Json<ProgramReport>, RequestFailed> {
     let report = beside(move || programs::report(&program, &app.planned_for()));
     Ok(Json(report.await?))
 }
 
-async fn edit(Body(asked): Body<EditProgram, JOB>) -> Result<Json<EditedProgram>, NotDone> {
+async fn edit(Body(asked): Body<EditProgram, JOB>) -> Result<Json<EditedProgram>, RequestFailed> {
     Ok(Json(beside(move || programs::edit(asked)).await??))
 }
 
 async fn convert(
     Body(asked): Body<ConvertProgram, JOB>,
-) -> Result<Json<ConvertedProgram>, NotDone> {
+) -> Result<Json<ConvertedProgram>, RequestFailed> {
     Ok(Json(beside(move || programs::convert(&asked)).await??))
 }
 
-async fn submit(asker: Asker, Body(new): Body<NewProgram, JOB>) -> Result<Response, NotDone> {
-    let app = asker.app.clone();
+async fn submit(
+    requester: Requester,
+    Body(new): Body<NewProgram, JOB>,
+) -> Result<Response, RequestFailed> {
+    let app = requester.app.clone();
     let job = beside(move || programs::job(&new, &app.planned_for()));
     let job = job.await??;
-    asker.queue(job).await
+    requester.queue(job).await
 }

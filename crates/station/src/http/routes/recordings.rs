@@ -10,8 +10,8 @@ use schemars::SchemaGenerator;
 
 use super::GET;
 use crate::http::app::App;
-use crate::http::exchange::answer::NotDone;
 use crate::http::exchange::paging::{PAGES, Page};
+use crate::http::exchange::responses::RequestFailed;
 use crate::http::resources::recordings::{RecordedStates, RecordingView, Stretch};
 use crate::http::route::{Query, Route};
 
@@ -70,13 +70,16 @@ const STRETCH: &[Query] = &[
     },
 ];
 
-async fn list(State(app): State<Arc<App>>, page: Page) -> Result<Response, NotDone> {
+async fn list(State(app): State<Arc<App>>, page: Page) -> Result<Response, RequestFailed> {
     page.of(&app.recordings.list().await?, |recording| {
         recording.name.clone()
     })
 }
 
-async fn file(State(app): State<Arc<App>>, Path(name): Path<String>) -> Result<Response, NotDone> {
+async fn file(
+    State(app): State<Arc<App>>,
+    Path(name): Path<String>,
+) -> Result<Response, RequestFailed> {
     Ok(app.recordings.file(&name).await?)
 }
 
@@ -84,7 +87,7 @@ async fn states(
     State(app): State<Arc<App>>,
     Path(name): Path<String>,
     stretch: Result<Queries<Stretch>, axum::extract::rejection::QueryRejection>,
-) -> Result<Json<RecordedStates>, NotDone> {
+) -> Result<Json<RecordedStates>, RequestFailed> {
     let Queries(stretch) = stretch.map_err(|error| MALFORMED.problem(error.body_text()))?;
     stretch
         .check()

@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{DELETE, GET, POST};
 use crate::http::access::tokens::{Token, Tokens, TokensError};
-use crate::http::exchange::answer::{Body, NotDone};
-use crate::http::exchange::requester::Asker;
+use crate::http::exchange::requester::Requester;
+use crate::http::exchange::responses::{Body, RequestFailed};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
@@ -70,18 +70,18 @@ struct NewToken {
     secret: String,
 }
 
-async fn list(asker: Asker) -> Result<Json<Vec<TokenView>>, NotDone> {
-    asker.check_role(Role::Admin)?;
-    Ok(Json(all_of(&asker)?))
+async fn list(requester: Requester) -> Result<Json<Vec<TokenView>>, RequestFailed> {
+    requester.check_role(Role::Admin)?;
+    Ok(Json(all_of(&requester)?))
 }
 
 async fn add(
-    asker: Asker,
+    requester: Requester,
     Body(new): Body<TokenView>,
-) -> Result<(StatusCode, Json<NewToken>), NotDone> {
-    asker.check_role(Role::Admin)?;
+) -> Result<(StatusCode, Json<NewToken>), RequestFailed> {
+    requester.check_role(Role::Admin)?;
     let TokenView { name, role, shared } = new;
-    let token = make(&mut asker.app.tokens(), &name, role, shared);
+    let token = make(&mut requester.app.tokens(), &name, role, shared);
     let token = token.map_err(|error| told(&error))?;
     let secret = token.secret().to_owned();
     Ok((StatusCode::CREATED, Json(NewToken { name, role, secret })))
@@ -95,16 +95,19 @@ fn make(tokens: &mut Tokens, name: &str, role: Role, shared: bool) -> Result<Tok
     Ok(token)
 }
 
-async fn remove(asker: Asker, Path(name): Path<String>) -> Result<Json<Vec<TokenView>>, NotDone> {
-    asker.check_role(Role::Admin)?;
-    let removed = asker.app.tokens().remove(&name);
+async fn remove(
+    requester: Requester,
+    Path(name): Path<String>,
+) -> Result<Json<Vec<TokenView>>, RequestFailed> {
+    requester.check_role(Role::Admin)?;
+    let removed = requester.app.tokens().remove(&name);
     removed.map_err(|error| told(&error))?;
-    asker.app.refresh_tokens();
-    Ok(Json(all_of(&asker)?))
+    requester.app.refresh_tokens();
+    Ok(Json(all_of(&requester)?))
 }
 
-fn all_of(asker: &Asker) -> Result<Vec<TokenView>, Problem> {
-    let mut tokens = asker.app.tokens();
+fn all_of(requester: &Requester) -> Result<Vec<TokenView>, Problem> {
+    let mut tokens = requester.app.tokens();
     tokens.follow().map_err(|error| told(&error))?;
     let view = |(name, role): (&str, Role)| TokenView {
         name: name.to_owned(),

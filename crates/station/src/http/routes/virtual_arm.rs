@@ -14,8 +14,8 @@ use serde::Deserialize;
 
 use super::{GET, PUT};
 use crate::http::app::App;
-use crate::http::exchange::answer::{Body, NotDone};
-use crate::http::exchange::requester::Asker;
+use crate::http::exchange::requester::Requester;
+use crate::http::exchange::responses::{Body, RequestFailed};
 use crate::http::route::{Query, Route};
 
 pub(super) fn all() -> Vec<Route> {
@@ -94,7 +94,7 @@ pub(super) struct NewFaults {
 async fn world(
     State(app): State<Arc<App>>,
     wanted: Result<Queries<Wanted>, axum::extract::rejection::QueryRejection>,
-) -> Result<Json<WorldState>, NotDone> {
+) -> Result<Json<WorldState>, RequestFailed> {
     let Queries(wanted) = wanted.map_err(|error| MALFORMED.problem(error.body_text()))?;
     let mut world = state(own_arm(&app)?)?;
     for_later(&mut world.strokes, wanted.strokes_from);
@@ -106,27 +106,30 @@ fn for_later<T>(marks: &mut Vec<T>, from: usize) {
     marks.drain(..from.min(marks.len()));
 }
 
-async fn set_world(asker: Asker, Body(new): Body<SceneText>) -> Result<Json<WorldState>, NotDone> {
-    let own = own_arm(&asker.app)?;
-    asker.check_role(Role::Control)?;
+async fn set_world(
+    requester: Requester,
+    Body(new): Body<SceneText>,
+) -> Result<Json<WorldState>, RequestFailed> {
+    let own = own_arm(&requester.app)?;
+    requester.check_role(Role::Control)?;
     let scene = Scene::parse(&new.scene);
     let scene = scene.map_err(|error| BAD_SCENE.problem(error.to_string()))?;
     own.arm.arm().set_world(World::new(scene));
     Ok(Json(state(own)?))
 }
 
-async fn faults(State(app): State<Arc<App>>) -> Result<Json<Vec<String>>, NotDone> {
+async fn faults(State(app): State<Arc<App>>) -> Result<Json<Vec<String>>, RequestFailed> {
     own_arm(&app)?;
     let faults = app.faults.lock().unwrap_or_else(PoisonError::into_inner);
     Ok(Json(faults.clone()))
 }
 
 async fn set_faults(
-    asker: Asker,
+    requester: Requester,
     Body(new): Body<NewFaults>,
-) -> Result<Json<Vec<String>>, NotDone> {
-    let own = own_arm(&asker.app)?;
-    asker.check_role(Role::Control)?;
+) -> Result<Json<Vec<String>>, RequestFailed> {
+    let own = own_arm(&requester.app)?;
+    requester.check_role(Role::Control)?;
     let bad = |error: dobot_sim::FaultError| BAD_FAULT.problem(error.to_string());
     let faults: Result<Vec<Fault>, _> = new.faults.iter().map(|fault| fault.parse()).collect();
     let faults = faults.map_err(bad)?;
@@ -134,7 +137,7 @@ async fn set_faults(
     let changed = arm.set_faults(own.power_up, &faults, new.seed);
     drop(arm);
     changed.map_err(bad)?;
-    let mut told = asker
+    let mut told = requester
         .app
         .faults
         .lock()

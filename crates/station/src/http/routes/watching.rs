@@ -9,8 +9,8 @@ use dobot_safety::Policy;
 
 use super::{GET, POST, PUT};
 use crate::http::arm_facts::ArmFacts;
-use crate::http::exchange::answer::Body;
 use crate::http::exchange::requester::{EditPolicy, PolicyDraft, PolicyText};
+use crate::http::exchange::responses::Body;
 use crate::http::route::Route;
 use crate::http::{exchange::requester, live::socket};
 

@@ -192,12 +192,12 @@ fn list(value: &Value, place: String, places: &mut Vec<String>) {
     match value {
         Value::Object(fields) => fields
             .iter()
-            .for_each(|(key, it)| list(it, format!("{place}/{key}"), places)),
+            .for_each(|(key, value)| list(value, format!("{place}/{key}"), places)),
         Value::Array(items) => {
             items
                 .iter()
                 .enumerate()
-                .for_each(|(n, it)| list(it, format!("{place}/{n}"), places));
+                .for_each(|(n, value)| list(value, format!("{place}/{n}"), places));
         }
         _ => {}
     }
@@ -216,7 +216,7 @@ fn anything() -> impl Strategy<Value = Value> {
         Just(json!([])),
         Just(json!({})),
         Just(json!([{"type": "move_to"}])),
-        Just((0..100).fold(json!(1), |it, _| json!([it]))),
+        Just((0..100).fold(json!(1), |inner, _| json!([inner]))),
     ]
 }
 

@@ -12,9 +12,9 @@ use futures_util::{Sink, SinkExt, Stream, StreamExt};
 use tokio::sync::{broadcast, mpsc, oneshot};
 use tokio::time::timeout;
 
-use super::Wants;
+use super::SocketOptions;
 use super::receive::receive;
-use super::send::News;
+use super::send::Subscriptions;
 use super::state_stream::StateStream;
 use crate::http::app::{App, Caller, ended};
 use crate::http::exchange::messages;
@@ -32,7 +32,7 @@ pub(crate) struct SocketConnection {
 
 /// The reason why a connection ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum End {
+pub(crate) enum CloseReason {
     /// The client closed it, or it broke.
     Closed,
     /// The client has sent nothing, not even a pong.
@@ -51,7 +51,7 @@ pub(crate) enum End {
 
 /// A message to the client, other than states and notices.
 #[derive(Debug)]
-pub(crate) enum Owed {
+pub(crate) enum Outgoing {
     Answer(u64, oneshot::Receiver<Result<Reply, Refusal>>),
     Text(String),
 }
@@ -67,7 +67,7 @@ impl SocketConnection {
         caller: Caller,
         client: Client,
         name: String,
-        wants: &Wants,
+        wants: &SocketOptions,
     ) -> Self {
         let notices = wants.notices.unwrap_or(true).then(|| app.handle.notices());
         Self {
@@ -89,16 +89,16 @@ impl SocketConnection {
     {
         let (owe, owed) = mpsc::channel(OWED);
         let (app, client) = (&*self.app, self.client);
-        let news = News {
+        let subscriptions = Subscriptions {
             states: self.states,
             notices: self.notices,
             owed,
         };
         let end = tokio::select! {
             end = receive(app, &client, incoming, &owe) => end,
-            end = news.tell(app, &client, outgoing) => end,
-            () = app.revoked(&self.caller) => End::Revoked,
-            () = ended(app.ending.clone()) => End::Ending,
+            end = subscriptions.run(app, &client, outgoing) => end,
+            () = app.revoked(&self.caller) => CloseReason::Revoked,
+            () = ended(app.ending.clone()) => CloseReason::Ending,
         };
         let id = client.id();
         // Ends its lease now, not after the closing handshake.
@@ -110,8 +110,11 @@ impl SocketConnection {
 }
 
 /// Reports a faulty client to the observers.
-async fn report(app: &App, client: ClientId, name: &str, end: &End) {
-    if matches!(end, End::Slow | End::Flood | End::Revoked | End::Broken(_)) {
+async fn report(app: &App, client: ClientId, name: &str, end: &CloseReason) {
+    if matches!(
+        end,
+        CloseReason::Slow | CloseReason::Flood | CloseReason::Revoked | CloseReason::Broken(_)
+    ) {
         let (number, why) = (client.0, words(end));
         app.handle
             .report_trouble(format!("client {number} ({name}) was dropped: {why}"))
@@ -119,14 +122,14 @@ async fn report(app: &App, client: ClientId, name: &str, end: &End) {
     }
 }
 
-impl Owed {
+impl Outgoing {
     pub(crate) fn problem(id: Option<u64>, problem: Problem) -> Self {
         Self::Text(messages::text(&ToClient::Problem { id, problem }))
     }
 }
 
 /// Sends the close frame with the reason, and lets pending data arrive.
-async fn farewell<I, O>(end: &End, incoming: &mut I, outgoing: &mut O)
+async fn farewell<I, O>(end: &CloseReason, incoming: &mut I, outgoing: &mut O)
 where
     I: Stream + Unpin,
     O: Sink<Message> + Unpin,
@@ -143,26 +146,28 @@ where
     let _ = outgoing.flush().await;
 }
 
-fn code(end: &End) -> Option<u16> {
+fn code(end: &CloseReason) -> Option<u16> {
     match end {
-        End::Closed => None,
-        End::Vanished | End::Slow | End::Flood | End::Revoked => Some(close_code::POLICY),
-        End::Broken(text) if text.contains("too long") => Some(close_code::SIZE),
-        End::Broken(_) => Some(close_code::PROTOCOL),
-        End::Ending => Some(close_code::AWAY),
+        CloseReason::Closed => None,
+        CloseReason::Vanished | CloseReason::Slow | CloseReason::Flood | CloseReason::Revoked => {
+            Some(close_code::POLICY)
+        }
+        CloseReason::Broken(text) if text.contains("too long") => Some(close_code::SIZE),
+        CloseReason::Broken(_) => Some(close_code::PROTOCOL),
+        CloseReason::Ending => Some(close_code::AWAY),
     }
 }
 
 /// Returns the reason in at most 123 bytes, the limit of a close frame.
-fn words(end: &End) -> String {
+fn words(end: &CloseReason) -> String {
     match end {
-        End::Closed => "closed".into(),
-        End::Vanished => "it did not respond for 6 s".into(),
-        End::Slow => "it reads too slowly".into(),
-        End::Flood => "it sends more than 1000 messages per second".into(),
-        End::Revoked => "its token was removed, or its role was reduced".into(),
-        End::Broken(text) => text.chars().filter(char::is_ascii).take(100).collect(),
-        End::Ending => "the station is shutting down".into(),
+        CloseReason::Closed => "closed".into(),
+        CloseReason::Vanished => "it did not respond for 6 s".into(),
+        CloseReason::Slow => "it reads too slowly".into(),
+        CloseReason::Flood => "it sends more than 1000 messages per second".into(),
+        CloseReason::Revoked => "its token was removed, or its role was reduced".into(),
+        CloseReason::Broken(text) => text.chars().filter(char::is_ascii).take(100).collect(),
+        CloseReason::Ending => "the station is shutting down".into(),
     }
 }
 

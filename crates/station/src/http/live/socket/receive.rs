@@ -12,11 +12,11 @@ use futures_util::{Stream, StreamExt};
 use tokio::sync::mpsc;
 use tokio::time::timeout;
 
-use super::connection::{End, Owed};
+use super::connection::{CloseReason, Outgoing};
 use crate::http::access::rate::{Rate, Used};
 use crate::http::app::App;
-use crate::http::exchange::answer;
 use crate::http::exchange::messages;
+use crate::http::exchange::responses;
 
 /// The time of silence after which a client is considered gone.
 const SILENCE: Duration = Duration::from_secs(6);
@@ -31,8 +31,8 @@ pub(crate) async fn receive<I, E>(
     app: &App,
     client: &Client,
     incoming: &mut I,
-    owe: &mpsc::Sender<Owed>,
-) -> End
+    owe: &mpsc::Sender<Outgoing>,
+) -> CloseReason
 where
     I: Stream<Item = Result<Message, E>> + Unpin,
     E: Display,
@@ -40,40 +40,40 @@ where
     let mut used = Used::default();
     loop {
         let message = match timeout(SILENCE, incoming.next()).await {
-            Err(_) => return End::Vanished,
-            Ok(None | Some(Ok(Message::Close(_)))) => return End::Closed,
+            Err(_) => return CloseReason::Vanished,
+            Ok(None | Some(Ok(Message::Close(_)))) => return CloseReason::Closed,
             Ok(Some(Err(error))) => return broken(&error),
             Ok(Some(Ok(message))) => message,
         };
         if used.take(MESSAGES, app.now(), 1.0).is_err() {
-            return End::Flood;
+            return CloseReason::Flood;
         }
         let Some(owed) = answer(client, message).await else {
             continue;
         };
         if owe.send(owed).await.is_err() {
-            return End::Closed;
+            return CloseReason::Closed;
         }
     }
 }
 
 /// A broken connection counts as closed; one with invalid messages gets a reason.
-fn broken(error: &impl Display) -> End {
+fn broken(error: &impl Display) -> CloseReason {
     let text = error.to_string();
     if text.contains("closing handshake") || text.starts_with("IO error") || text.contains("closed")
     {
-        End::Closed
+        CloseReason::Closed
     } else {
-        End::Broken(text)
+        CloseReason::Broken(text)
     }
 }
 
 /// Returns the response to a message.
-async fn answer(client: &Client, message: Message) -> Option<Owed> {
+async fn answer(client: &Client, message: Message) -> Option<Outgoing> {
     let text = match message {
         Message::Text(text) => text,
         Message::Binary(_) => {
-            return Some(Owed::problem(
+            return Some(Outgoing::problem(
                 None,
                 INVALID.problem("messages are text, not binary"),
             ));
@@ -81,12 +81,12 @@ async fn answer(client: &Client, message: Message) -> Option<Owed> {
         _ => return None,
     };
     Some(
-        match answer::read_beside(Bytes::from(text), messages::read).await {
-            Err(problem) => Owed::problem(None, problem),
-            Ok(Err((id, problem))) => Owed::problem(id, problem),
+        match responses::read_beside(Bytes::from(text), messages::read).await {
+            Err(problem) => Outgoing::problem(None, problem),
+            Ok(Err((id, problem))) => Outgoing::problem(id, problem),
             Ok(Ok(FromClient { id, request })) => match client.ask(request).await {
-                Ok(answer) => Owed::Answer(id, answer),
-                Err(refusal) => Owed::problem(Some(id), refusal.into()),
+                Ok(answer) => Outgoing::Answer(id, answer),
+                Err(refusal) => Outgoing::problem(Some(id), refusal.into()),
             },
         },
     )

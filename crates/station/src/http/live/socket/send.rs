@@ -15,7 +15,7 @@ use tokio::sync::broadcast::error::RecvError;
 use tokio::sync::{broadcast, mpsc, oneshot};
 use tokio::time::{Interval, MissedTickBehavior, interval, timeout};
 
-use super::connection::{End, Owed};
+use super::connection::{CloseReason, Outgoing};
 use super::state_stream::{StateStream, message};
 use crate::http::app::App;
 use crate::http::exchange::messages;
@@ -27,15 +27,20 @@ const READ_WITHIN: Duration = Duration::from_secs(5);
 
 /// The subscriptions of a client.
 #[derive(Debug)]
-pub(crate) struct News {
+pub(crate) struct Subscriptions {
     pub(crate) states: StateStream,
     pub(crate) notices: Option<broadcast::Receiver<Arc<Notice>>>,
-    pub(crate) owed: mpsc::Receiver<Owed>,
+    pub(crate) owed: mpsc::Receiver<Outgoing>,
 }
 
-impl News {
+impl Subscriptions {
     /// Sends messages until the connection ends.
-    pub(crate) async fn tell<O>(mut self, app: &App, client: &Client, outgoing: &mut O) -> End
+    pub(crate) async fn run<O>(
+        mut self,
+        app: &App,
+        client: &Client,
+        outgoing: &mut O,
+    ) -> CloseReason
     where
         O: Sink<Message> + Unpin,
     {
@@ -48,8 +53,8 @@ impl News {
         while sent.is_ok() {
             sent = tokio::select! {
                 Some(owed) = self.owed.recv() => match owed {
-                    Owed::Text(text) => send(outgoing, Message::Text(text.into())).await,
-                    Owed::Answer(id, answer) => {
+                    Outgoing::Text(text) => send(outgoing, Message::Text(text.into())).await,
+                    Outgoing::Answer(id, answer) => {
                         answers.push(numbered(id, answer));
                         Ok(())
                     }
@@ -66,17 +71,17 @@ impl News {
                 _ = pings.tick() => send(outgoing, Message::Ping(Bytes::new())).await,
             };
         }
-        sent.err().unwrap_or(End::Closed)
+        sent.err().unwrap_or(CloseReason::Closed)
     }
 }
 
-async fn send<O>(outgoing: &mut O, message: Message) -> Result<(), End>
+async fn send<O>(outgoing: &mut O, message: Message) -> Result<(), CloseReason>
 where
     O: Sink<Message> + Unpin,
 {
     match timeout(READ_WITHIN, outgoing.send(message)).await {
-        Err(_) => Err(End::Slow),
-        Ok(sent) => sent.map_err(|_| End::Closed),
+        Err(_) => Err(CloseReason::Slow),
+        Ok(sent) => sent.map_err(|_| CloseReason::Closed),
     }
 }
 
@@ -92,10 +97,10 @@ async fn numbered(id: u64, answer: oneshot::Receiver<Result<Reply, Refusal>>) ->
 }
 
 /// Returns the reason why a message was missed.
-fn missed(error: &RecvError) -> End {
+fn missed(error: &RecvError) -> CloseReason {
     match error {
-        RecvError::Lagged(_) => End::Slow,
-        RecvError::Closed => End::Ending,
+        RecvError::Lagged(_) => CloseReason::Slow,
+        RecvError::Closed => CloseReason::Ending,
     }
 }
 

@@ -120,10 +120,10 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn who_wants_every_state_gets_every_state() {
-        let (tell, states) = broadcast::channel(16);
+        let (sender, states) = broadcast::channel(16);
         let mut stream = StateStream::new(states, None);
         for n in 0..10 {
-            tell.send(snapshot(n)).unwrap();
+            sender.send(snapshot(n)).unwrap();
         }
         for n in 0..10 {
             assert_eq!(number(&stream.next().await.unwrap()), f64::from(n));
@@ -132,11 +132,11 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn who_wants_two_in_a_second_gets_the_newest_every_half_second() {
-        let (tell, states) = broadcast::channel(1024);
+        let (sender, states) = broadcast::channel(1024);
         let mut stream = StateStream::new(states, Some(2.0));
         let telling = tokio::spawn(async move {
             for n in 0..500 {
-                tell.send(snapshot(n)).unwrap();
+                sender.send(snapshot(n)).unwrap();
                 tokio::time::sleep(Duration::from_millis(10)).await;
             }
         });
@@ -155,10 +155,10 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn the_last_state_comes_even_when_nothing_follows() {
-        let (tell, states) = broadcast::channel(16);
+        let (sender, states) = broadcast::channel(16);
         let mut stream = StateStream::new(states, Some(1.0));
         for n in 0..3 {
-            tell.send(snapshot(n)).unwrap();
+            sender.send(snapshot(n)).unwrap();
         }
         let mut last = number(&stream.next().await.unwrap());
         while last < 2.0 {
@@ -169,10 +169,10 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn a_client_of_all_states_that_lags_too_far_is_told() {
-        let (tell, states) = broadcast::channel(4);
+        let (sender, states) = broadcast::channel(4);
         let mut stream = StateStream::new(states, None);
         for n in 0..9 {
-            tell.send(snapshot(n)).unwrap();
+            sender.send(snapshot(n)).unwrap();
         }
         assert!(matches!(stream.next().await, Err(RecvError::Lagged(_))));
     }

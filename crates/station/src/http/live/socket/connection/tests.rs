@@ -29,12 +29,12 @@ fn caller() -> Caller {
 
 /// The messages that a client receives; it may stop reading after some of them.
 #[derive(Debug)]
-struct Ear {
+struct TestSink {
     heard: Arc<Mutex<Vec<Message>>>,
     reads: usize,
 }
 
-impl Sink<Message> for Ear {
+impl Sink<Message> for TestSink {
     type Error = Infallible;
 
     fn poll_ready(self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<Result<(), Infallible>> {
@@ -108,12 +108,12 @@ impl Harness {
             caller(),
             client,
             "test".into(),
-            &Wants::default(),
+            &SocketOptions::default(),
         );
         let heard = self.heard.clone();
         let mut incoming = incoming;
         connection
-            .run(&mut incoming, &mut Ear { heard, reads })
+            .run(&mut incoming, &mut TestSink { heard, reads })
             .await;
         began.elapsed()
     }

@@ -41,15 +41,15 @@ const LONG: usize = 256 * 1024;
 
 /// A failed request, answered with its problem.
 #[derive(Debug)]
-pub(crate) struct NotDone(pub(crate) Problem);
+pub(crate) struct RequestFailed(pub(crate) Problem);
 
-impl<T: Into<Problem>> From<T> for NotDone {
+impl<T: Into<Problem>> From<T> for RequestFailed {
     fn from(why: T) -> Self {
         Self(why.into())
     }
 }
 
-impl IntoResponse for NotDone {
+impl IntoResponse for RequestFailed {
     fn into_response(self) -> Response {
         let status =
             StatusCode::from_u16(self.0.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
@@ -75,16 +75,16 @@ impl IntoResponse for NotDone {
 const PROBLEM_JSON: HeaderValue = HeaderValue::from_static("application/problem+json");
 
 /// A request above the rate limit; the next one is allowed after this time.
-pub(crate) struct TooSoon(pub(crate) Duration);
+pub(crate) struct RateLimited(pub(crate) Duration);
 
-impl IntoResponse for TooSoon {
+impl IntoResponse for RateLimited {
     fn into_response(self) -> Response {
         let wait_s = self.0.as_secs_f64().ceil().max(1.0);
         let problem = TOO_MANY_REQUESTS.hinted(
             "requests from this address exceed the rate limit",
             format!("wait {wait_s} s"),
         );
-        let mut response = NotDone(problem).into_response();
+        let mut response = RequestFailed(problem).into_response();
         let value = HeaderValue::from_str(&wait_s.to_string()).expect("a number is a header");
         response.headers_mut().insert(RETRY_AFTER, value);
         response
@@ -131,9 +131,9 @@ impl<T, const LIMIT: usize> FromRequest<Arc<App>> for Body<T, LIMIT>
 where
     T: DeserializeOwned + JsonSchema + Send + 'static,
 {
-    type Rejection = NotDone;
+    type Rejection = RequestFailed;
 
-    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, NotDone> {
+    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, RequestFailed> {
         let text = required(request, LIMIT).await?;
         Ok(Self(read(text).await?))
     }
@@ -147,9 +147,9 @@ impl<T> FromRequest<Arc<App>> for Maybe<T>
 where
     T: DeserializeOwned + JsonSchema + Default + Send + 'static,
 {
-    type Rejection = NotDone;
+    type Rejection = RequestFailed;
 
-    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, NotDone> {
+    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, RequestFailed> {
         match optional(request, BODY).await? {
             Some(text) => Ok(Self(read(text).await?)),
             None => Ok(Self(T::default())),
@@ -257,15 +257,15 @@ pub(crate) async fn beside<T: Send + 'static>(
 pub(crate) struct Number(pub(crate) u64);
 
 impl FromRequestParts<Arc<App>> for Number {
-    type Rejection = NotDone;
+    type Rejection = RequestFailed;
 
-    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, RequestFailed> {
         let Path(text) = Path::<String>::from_request_parts(parts, app)
             .await
             .map_err(|error| MALFORMED.problem(error.body_text()))?;
         text.parse().map(Self).map_err(|_| {
             let text: String = text.chars().take(40).collect();
-            NotDone(MALFORMED.problem(format!("{text:?} in the path is not a number")))
+            RequestFailed(MALFORMED.problem(format!("{text:?} in the path is not a number")))
         })
     }
 }
@@ -275,9 +275,9 @@ impl FromRequestParts<Arc<App>> for Number {
 pub(crate) struct OfJob(pub(crate) u64);
 
 impl FromRequest<Arc<App>> for OfJob {
-    type Rejection = NotDone;
+    type Rejection = RequestFailed;
 
-    async fn from_request(request: Request, app: &Arc<App>) -> Result<Self, NotDone> {
+    async fn from_request(request: Request, app: &Arc<App>) -> Result<Self, RequestFailed> {
         let (mut parts, body) = request.into_parts();
         let Number(job) = Number::from_request_parts(&mut parts, app).await?;
         let request = Request::from_parts(parts, body);
