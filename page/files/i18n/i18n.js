@@ -17,7 +17,7 @@ export const TEXTS = { en, zh };
 /** @param {Language} language @returns {Translate} */
 export const translator = (language) => (word, values = {}) => TEXTS[language][word].replace(/\{(\w+)\}/g, (all, name) => String(values[name] ?? all));
 
-/** The language that a browser asks for, of those that there are. @param {readonly string[]} wanted @returns {Language} */
+/** Returns the first supported language of a browser's list. @param {readonly string[]} wanted @returns {Language} */
 export function languageOf(wanted) {
   for (const tag of wanted) {
     const known = /** @type {Language} */ (tag.slice(0, 2).toLowerCase());

@@ -1,4 +1,4 @@
-// Files that are dropped anywhere on the page: they must not take it, and STOP, away.
+// Files dropped anywhere on the page: without this the browser would open them and STOP would be gone.
 
 /** @param {HTMLElement} element is marked while a file is over the page @param {(file: File) => void} take */
 export function listenToDrops(element, take) {

@@ -1,4 +1,4 @@
-// A gamepad: the sticks jog while the right shoulder button is held, and any of the face buttons stops.
+// A gamepad: the sticks jog while the right shoulder button is held; any face button stops.
 
 /** @typedef {import("../state/jog.js").Axis} Axis */
 
@@ -16,7 +16,7 @@ const STICKS = /** @type {const} */ ([
 ]);
 
 /**
- * What the sticks t: the one that is furthest out, and how far, from 0 to 1.
+ * Returns the axis of the stick that is furthest out, and its deflection from 0 to 1.
  * @param {readonly number[]} axes @returns {{ axis: Axis, share: number } | null}
  */
 export function pushed(axes) {

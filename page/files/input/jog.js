@@ -34,14 +34,14 @@ export function createJog(store, socket, takeControlIfFree) {
     async function press() {
       const jog = /** @type {Schemas["Jog"]} */ ({ frame, axis, speed_percent: mine.speed_percent() });
       const { problem } = await socket.ask({ type: "jog", jog });
-      // A refusal ends the press: it is told beside the button, and a new press is needed.
+      // A refusal ends the press: it is shown next to the button, and a new press is needed.
       if (!problem || held !== mine) return;
       release();
       store.send({ type: "jog_refused", axis, detail: problem.detail });
     }
   }
 
-  /** What does not hold any more lets go of nothing else. @param {unknown} by */
+  /** Releases the jog only if this input still holds it. @param {unknown} by */
   function releaseBy(by) {
     if (held?.by === by) release();
   }

@@ -22,13 +22,13 @@ export function isStop(key, focused, byKeys) {
   return !(byKeys && focused?.matches(PRESSED));
 }
 
-/** Which button a key on the stage stands for. @param {KeyboardEvent} event @param {Frame} frame @returns {Axis | undefined} */
+/** Returns the jog axis of a key pressed on the stage. @param {KeyboardEvent} event @param {Frame} frame @returns {Axis | undefined} */
 export function axisOf({ key, ctrlKey, altKey, metaKey, shiftKey }, frame) {
   if (ctrlKey || altKey || metaKey || shiftKey) return undefined;
   return JOG_KEYS[frame][key];
 }
 
-/** Stops by Escape and Space, wherever the focus is, before anything else hears of the key. @param {() => void} stop */
+/** Stops on Escape and Space wherever the focus is, before any other listener. @param {() => void} stop */
 export function listenToStop(stop) {
   let byKeys = false, lastWasKey = false;
   document.addEventListener("pointerdown", () => (byKeys = lastWasKey = false), { capture: true });

@@ -5,9 +5,9 @@
 /** @typedef {import("../state/types.js").Arm} Arm */
 /** @typedef {import("../state/types.js").Schemas["GestureFacts"]} Gesture */
 
-/** So many packets may be under way: the arm goes on without a break, and little is left when the pointer is let go. */
+/** The most packets in flight: enough for continuous motion, few enough to stop soon after a release. */
 const AHEAD = 2;
-/** How many pixels of the pad are one unit of a mouse packet. */
+/** Pad pixels per unit of a mouse packet. */
 const PIXELS = 4;
 /** The largest increment of a packet, in units. */
 const FURTHEST = 5;
@@ -39,7 +39,7 @@ export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
 }
 
 /**
- * Sends packets one after the other while there is something to send, a few ahead.
+ * Sends packets while there is something to send, a few ahead.
  * @param {object} outside
  * @param {import("../state/store.js").Store} outside.store
  * @param {import("../station/socket.js").Socket} outside.socket
@@ -49,9 +49,9 @@ export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
  */
 export function createStream({ store, socket, takeControlIfFree, next, refused }) {
   let isHeld = false;
-  /** Packets that are asked for or under way. @type {Set<number>} */ const inFlight = new Set();
+  /** Requested and in-flight packets. @type {Set<number>} */ const inFlight = new Set();
   let pending = 0;
-  /** What was over before its acceptance was heard. @type {Set<number>} */ const finished = new Set();
+  /** Commands that finished before their acceptance arrived. @type {Set<number>} */ const finished = new Set();
 
   async function fill() {
     while (isHeld && inFlight.size + pending < AHEAD) {
@@ -89,7 +89,7 @@ export function createStream({ store, socket, takeControlIfFree, next, refused }
       isHeld = true;
       void fill();
     },
-    /** There is something new to send. */
+    /** New input is available. */
     more: () => void fill(),
     end() {
       isHeld = false;

@@ -1,4 +1,4 @@
-// Draw: a file or a text, where it lies and how it is drawn; what the station plans of it; and Start.
+// Draw: source, position, settings, the station's plan, and Start.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -16,7 +16,7 @@ import { sheet } from "./sheet.js";
 
 const FONTS = /** @type {const} */ (["sans", "script", "serif", "gothic"]);
 const LAYERS = /** @type {const} */ (["nothing", "color", "group"]);
-/** So many warnings are told; more of them help nobody. */
+/** The most warnings shown. */
 const MOST_TOLD = 8;
 
 /** @param {Context} context */
@@ -31,7 +31,7 @@ function subject({ page, t, act }) {
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) act.openFile(input.files[0]);
-    // The same file again is a change, too: it may have been made anew.
+    // Choosing the same file again is a change too: its content may be new.
     input.value = "";
   };
   return html`
@@ -111,10 +111,10 @@ function way(context) {
     </section>`;
 }
 
-/** What the station says of a drawing. @param {Context["t"]} t @param {string} text */
+/** A text of the station, with the page's field names. @param {Context["t"]} t @param {string} text */
 const named = (t, text) => sentence(withFieldNames(t, text));
 
-/** What is said of the plan, and how. @param {Context} context @returns {[string, string]} */
+/** Status text of the plan, and its tone. @param {Context} context @returns {[string, string]} */
 function statusOf({ page, t }) {
   const { draw } = page;
   if (wrongField(draw.set)) return [t("target.number"), "off"];

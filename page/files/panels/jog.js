@@ -1,4 +1,4 @@
-// The jog buttons: they move the arm for as long as they are held, or by a step.
+// The jog buttons: they move the arm while held, or by one step.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -6,7 +6,7 @@ import { blockedReason } from "../state/selectors.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
-/** A button: its axis, its name, its way, and where it lies. @typedef {[axis: string, name: string, way: TextKey, place: string]} Button */
+/** A button: its axis, label, direction and place. @typedef {[axis: string, name: string, way: TextKey, place: string]} Button */
 
 /** @type {readonly Button[]} */
 const LINEAR = [
@@ -34,7 +34,7 @@ const JOINT = [
 const JOINTS = ["pose.base", "pose.base", "pose.rear", "pose.rear", "pose.fore", "pose.fore", "pose.servo", "pose.servo"];
 const STEPS = [0.1, 1, 10];
 
-/** What a press of a button is called beside it. @param {string} axis */
+/** Returns the label of an axis. @param {string} axis */
 export const nameOf = (axis) => [...LINEAR, ...JOINT].find(([it]) => it === axis)?.[1] ?? axis;
 
 /** @param {Context} context */

@@ -1,4 +1,4 @@
-// The recordings of the station: a list of files, and a player that shows on the stage where the arm was.
+// The recordings of the station: a list of files, and a player that shows them on the stage.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -39,7 +39,7 @@ function entry({ page, t, act }, { name, begin_ms, bytes, being_written }) {
     </li>`;
 }
 
-/** How long a file is. @param {number} bytes */
+/** File size as text. @param {number} bytes */
 const size = (bytes) => (bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
 
 /** @param {Context} context */

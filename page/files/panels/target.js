@@ -15,7 +15,7 @@ const NAMES = { x_mm: ["X", "mm"], y_mm: ["Y", "mm"], z_mm: ["Z", "mm"], rotatio
 /** @type {readonly Path[]} */
 const PATHS = ["movj", "movl", "jump"];
 
-/** What is said of the target, and how. @param {Context} context @returns {[string, string]} */
+/** Status text of the target, and its tone. @param {Context} context @returns {[string, string]} */
 function statusOf({ page, t }) {
   const { target } = page;
   if (!target.typed) return [t("target.hint"), "off"];

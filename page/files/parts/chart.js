@@ -1,4 +1,4 @@
-// A chart over time. It draws only while it is on the page, and again when there is something new.
+// A chart over time, drawn only while it is in the document and when its data changed.
 
 import { AsyncDirective } from "../vendor/lit-html/async-directive.js";
 import { directive } from "../vendor/lit-html/directive.js";
@@ -11,7 +11,7 @@ import uPlot from "../vendor/uplot/uplot.js";
 /** The values that are seen at least, whatever the lines do. @typedef {readonly [low: number, high: number]} Seen */
 
 const HEIGHT = 120;
-/** So many seconds are seen at least. */
+/** The least visible time span, in seconds. */
 const LEAST_S = 30;
 
 class Chart extends AsyncDirective {

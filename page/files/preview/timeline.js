@@ -11,7 +11,7 @@
  * @property {{kinds: string[], kind: Uint8Array, pass: Uint16Array, from_s: Float64Array}} moves
  * @property {{t_s: Float64Array, x_mm: Float32Array, y_mm: Float32Array, z_mm: Float32Array, ink: Uint8Array, error_mm: Float32Array, pass: Uint16Array}} path
  */
-/** Where the tool is, behind which row, what it does, in which pass, and whether it leaves ink just then. */
+/** Tool position, its row, the move kind, the pass, and whether it leaves ink. */
 /** @typedef {{row: number, x_mm: number, y_mm: number, z_mm: number, inks: boolean, kind: string, pass: number}} Place */
 
 export const MOST_BYTES = 50_000_000;
@@ -22,7 +22,7 @@ const MOST_MM = 1000;
 const MOST_S = 31 * 24 * 3600;
 const MOST_PASSES = 10_000;
 
-/** Why a file is none: what was found, and what is expected instead. */
+/** A file that is not a timeline: what was found, and what was expected. */
 export class Refused extends Error {
   /** @param {string} found @param {string} expected */
   constructor(found, expected) {
@@ -219,7 +219,7 @@ function missing(found, name, expected) {
   return new Refused(found === undefined ? `has no ${name}` : `has ${shown(found)} as ${name}`, expected);
 }
 
-/** What was found, in a few words. @param {unknown} found */
+/** A short description of a value. @param {unknown} found */
 function shown(found) {
   if (found === undefined) return "nothing";
   if (Array.isArray(found)) return `a list of ${found.length}`;

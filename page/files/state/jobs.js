@@ -1,4 +1,4 @@
-// The jobs of the station: what is shown of them, and what was refused.
+// The jobs of the station, and the last refusal.
 
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {import("./types.js").Problem} Problem */
@@ -7,7 +7,7 @@
 /**
  * @typedef {object} Jobs
  * @property {readonly JobView[] | null} all In the order of the station; nothing where they are not known yet.
- * @property {{ job: number, problem: Problem } | null} refused Why the last thing that was asked for came to nothing.
+ * @property {{ job: number, problem: Problem } | null} refused Why the last request was refused.
  */
 
 /** @type {Jobs} */

@@ -1,7 +1,7 @@
-// Server-sent events that are read with the token, which an EventSource would not carry.
+// Server-sent events read with the access token, which an EventSource cannot send.
 
 /**
- * The events of a stream, cut out of its text as it comes.
+ * Splits the text of a stream into events.
  * @param {(event: string, data: string) => void} hear @returns {(text: string) => void}
  */
 export function createReader(hear) {
@@ -17,7 +17,7 @@ export function createReader(hear) {
 }
 
 /**
- * Reads a stream until it ends, or nobody wants it any more.
+ * Reads a stream until it ends or is no longer needed.
  * @param {Response} answer
  * @param {object} listener
  * @param {(event: string, data: string) => void} listener.hear takes each event

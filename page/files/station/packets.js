@@ -1,4 +1,4 @@
-// Listens to the packets while somebody looks at them.
+// Subscribes to packets while they are visible.
 
 import { readEvents } from "./event_stream.js";
 
@@ -10,7 +10,7 @@ const AGAIN_MS = 1000;
 /** @param {Store} store @param {import("./http.js").Http} http */
 export function followPackets(store, http) {
   const { send } = store;
-  /** What ends the listening that goes on. @type {AbortController | null} */ let listening = null;
+  /** Aborts the running subscription. @type {AbortController | null} */ let listening = null;
 
   const isWanted = () => store.page.packets.listening && store.page.tab === "watch" && store.page.connection === "open";
 

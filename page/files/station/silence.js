@@ -1,7 +1,7 @@
-// Finds a station silent that should be heard.
+// Detects a silent station.
 
 const LOOK_MS = 500;
-/** For so long a station says nothing before it counts as silent. */
+/** Time without a message before a station counts as silent. */
 export const SILENT_MS = 2000;
 
 /**

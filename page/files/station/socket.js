@@ -1,4 +1,4 @@
-// The WebSocket to the station: connects, connects again, and brings each answer to who asked. It draws nothing.
+// The WebSocket to the station: connects, reconnects, and delivers each answer to its requester. It draws nothing.
 
 import { SILENT_MS, watchSilence } from "./silence.js";
 
@@ -24,7 +24,7 @@ export function createSocket({ store, http }) {
   /** @type {Map<number, (answer: Answer) => void>} */ const waiting = new Map();
 
   const isOpen = () => socket?.readyState === WebSocket.OPEN;
-  // A station tells of an arm that is there with each status, and of one that is not when that changes.
+  // A station sends a state with each status of a connected arm, and on changes of a disconnected one.
   const isExpected = () => isOpen() && (store.page.station?.link.phase ?? "up") === "up";
   const heard = watchSilence({ isExpected, silent: connectAnew });
 
@@ -45,7 +45,7 @@ export function createSocket({ store, http }) {
     });
   }
 
-  /** Leaves a connection that brings nothing: it may take minutes to end by itself. */
+  /** Abandons a silent connection, which may take minutes to close. */
   function connectAnew() {
     const silent = socket;
     socket = undefined;
@@ -92,12 +92,12 @@ export function createSocket({ store, http }) {
   return {
     connect,
     isOpen,
-    /** Ends the connection; the next one comes by itself, under the name that holds then. */
+    /** Closes the connection; it reopens automatically, under the current name. */
     again: () => socket?.close(),
     /** Asks for something; the answer always comes. @param {Request} request @returns {Promise<Answer>} */
     ask(request) {
       if (!socket || !isOpen()) return Promise.resolve(NO_CONNECTION);
-      // Whoever starts a job here is a person, and has seen what it waits for.
+      // A person starts the job here and has seen what it waits for.
       const { job } = store.page.station ?? {};
       if ((request.type === "start_job" || request.type === "step_job") && job?.job === request.job && job.waits_for_person) void this.ask({ type: "confirm_job", job: request.job });
       const id = lastId += 1;

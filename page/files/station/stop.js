@@ -1,7 +1,7 @@
-// Asks for a stop until something answers: at once, and then again and again over connections of their own.
+// Requests a stop until it is answered: immediately, then repeatedly over separate connections.
 
 const FIRST_AGAIN_MS = 300, AGAIN_MS = 1000;
-/** From when on a person has to know that nobody has answered. */
+/** Delay before an unanswered stop is reported. */
 const LATE_MS = 1000;
 
 /**

@@ -1,4 +1,4 @@
-// What a person is asked before something is done. STOP stays within reach: the dialog is not modal.
+// The confirmation dialog. It is not modal, so STOP stays within reach.
 
 import { html, render } from "../vendor/lit-html/lit-html.js";
 
@@ -18,7 +18,7 @@ export const confirmation = (t, { about, values }, answer) => html`
     <button id="confirm-yes" type="button" class="strong" @click=${() => answer(true)}>${t(`question.${about}.yes`)}</button>
   </div>`;
 
-/** Opens the dialog where there is a question, and closes it where there is none. @param {HTMLDialogElement} dialog @param {unknown} content @param {boolean} open */
+/** Opens or closes the dialog. @param {HTMLDialogElement} dialog @param {unknown} content @param {boolean} open */
 export function showDialog(dialog, content, open) {
   render(content, dialog);
   if (open === dialog.open) return;

@@ -1,4 +1,4 @@
-// The strip at the top: the truth about the arm, always.
+// The status bar: live state of arm, control and laser.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { hasControl, isVirtual, laser, othersTime } from "../state/selectors.js";
@@ -27,7 +27,7 @@ export function statusBar(context) {
     <p id="laser-chip" class="chip" data-tone=${LASER_TONES[shines]}>${t(/** @type {"laser.off"} */ (`laser.${shines}`), { left: formatClock(station?.laser.armed_for_s ?? 0) })}</p>`;
 }
 
-/** Who has control, and how to get it. @param {Context} context */
+/** The lease holder, and the buttons to request or release control. @param {Context} context */
 function control(context) {
   const { page, t, act } = context;
   const { station, me } = page;

@@ -1,4 +1,4 @@
-// How this page looks, and what it speaks.
+// Language and theme of the page.
 
 import { html } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";

@@ -1,4 +1,4 @@
-// From a plugged-in arm to one that can be trusted: is it there, what does it understand, is it where it says.
+// Setup of the arm: connection, dialect and pose.
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { blockedReason } from "../../state/selectors.js";
@@ -60,7 +60,7 @@ export function armGuide(context) {
     </section>`;
 }
 
-/** Why the last change came to nothing, where it was asked for. @param {Context} context @param {import("../../state/set_up.js").Place} place */
+/** Why the last change was refused, shown in its section. @param {Context} context @param {import("../../state/set_up.js").Place} place */
 export function refusal({ page }, place) {
   const { refused } = page.set_up;
   if (refused?.place !== place) return nothing;

@@ -1,4 +1,4 @@
-// What goes wrong with a virtual arm, and what stands around it.
+// Faults and scene of the virtual arm.
 
 import { html } from "../../vendor/lit-html/lit-html.js";
 import { refusal } from "./arm.js";
@@ -6,7 +6,7 @@ import { refusal } from "./arm.js";
 /** @typedef {import("../../views/context.js").Context} Context */
 /** @typedef {import("../../i18n/i18n.js").TextKey} TextKey */
 
-/** What often goes wrong, by name. @type {readonly [TextKey, string][]} */
+/** Common faults by name. @type {readonly [TextKey, string][]} */
 const FAULTS = [
   ["fault.drop", "drop=1%"],
   ["fault.flip", "flip=0.1%"],
