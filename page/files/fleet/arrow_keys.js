@@ -1,9 +1,9 @@
-// From tile to tile by the keys: the one above is the one that a person sees above. Pure.
+// Arrow keys on the board: focus moves to the tile in that direction. Pure.
 
 /** @typedef {{ left: number, top: number, right: number, bottom: number }} Box */
 
 /**
- * Which tile a key leads to; the same one where there is none that way.
+ * Returns the index of the tile in a direction; unchanged at the edge.
  * @param {readonly Box[]} boxes in their order @param {number} from @param {string} key @returns {number | undefined} nothing for a key that leads nowhere
  */
 export function nextTile(boxes, from, key) {
@@ -26,7 +26,7 @@ export function nextTile(boxes, from, key) {
   }
 }
 
-/** The tile of the nearest row that way that is most nearly below or above. @param {readonly Box[]} boxes @param {number} from @param {(it: Box, now: Box) => boolean} isThatWay */
+/** Returns the horizontally closest tile of the nearest row above or below. @param {readonly Box[]} boxes @param {number} from @param {(it: Box, now: Box) => boolean} isThatWay */
 function inRow(boxes, from, isThatWay) {
   const now = boxes[from];
   if (!now) return from;

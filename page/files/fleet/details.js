@@ -1,4 +1,4 @@
-// One arm of the fleet: what is known of it, its jobs, and what can be done from here.
+// Details of one arm of the fleet: state, jobs and actions.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
@@ -55,7 +55,7 @@ function endArm({ board, t, act }, { name, about }) {
   return html`<button id="details-end-arm" type="button" class="small" ?disabled=${isGone} @click=${() => act.send({ type: "question", question: { about: "fleet_end_arm", giver, name, values: { name } } })}>${t("fleet.arm.end")}</button>`;
 }
 
-/** What stands behind the alarms, in the stations' own words. @param {Context} context @param {Member} member */
+/** The reasons of the alarms, in the station's own words. @param {Context} context @param {Member} member */
 function reasons({ t }, { presence, state }) {
   const stop = state?.stop, lock = lockOf(state);
   const texts = [

@@ -1,4 +1,4 @@
-// What an arm has drawn, as a picture: a file for a person, in millimetres, as one sees it from behind the arm. Pure.
+// The ink of an arm as an SVG file, in millimetres, seen from behind the arm. Pure.
 
 import { LASER_WIDTH_MM, darkness } from "../stage/ink.js";
 
@@ -31,7 +31,7 @@ ${lines.join("\n")}
 `;
 }
 
-/** From behind the arm right is -Y and up is X. @param {readonly Point[]} points @param {number} edge_mm */
+/** From behind the arm, right is -Y and up is X. @param {readonly Point[]} points @param {number} edge_mm */
 function frame(points, edge_mm) {
   const across = points.map(([, y = 0]) => -y), down = points.map(([x = 0]) => -x);
   const least = (/** @type {number[]} */ of) => of.reduce((a, b) => Math.min(a, b)), most = (/** @type {number[]} */ of) => of.reduce((a, b) => Math.max(a, b));

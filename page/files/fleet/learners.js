@@ -1,4 +1,4 @@
-// A student in a lesson, as a tile and the details tell it.
+// A student in a lesson, on a tile and in the details.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { LESSONS } from "../state/learn.js";
@@ -7,7 +7,7 @@ import { isStuck } from "./members.js";
 
 /** @typedef {import("./members.js").Learner} Learner */
 
-/** What a lesson is called; another version of the page may have others. @param {import("../i18n/i18n.js").Translate} t @param {string} name */
+/** Returns the name of a lesson; another version of the page may have others. @param {import("../i18n/i18n.js").Translate} t @param {string} name */
 function lessonName(t, name) {
   const known = LESSONS.find((it) => it === name);
   return known ? t(`learn.${known}`) : name;

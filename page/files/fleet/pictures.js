@@ -1,4 +1,4 @@
-// Draws the pictures of all tiles that are in sight: each when its arm, its size or the theme is another one.
+// Draws the pictures of all visible tiles, each when its arm, size or theme changed.
 
 import { Motion } from "../stage/motion.js";
 import { createLimit } from "../stage/render_quality.js";
@@ -95,7 +95,7 @@ export function createPictures({ isStill }) {
   };
 }
 
-/** As many pixels as it has on the screen. @param {HTMLCanvasElement} canvas @returns {Size} */
+/** Sets the canvas to the resolution of the screen. @param {HTMLCanvasElement} canvas @returns {Size} */
 function fit(canvas) {
   const { clientWidth: width, clientHeight: height } = canvas, density = Math.min(2, devicePixelRatio);
   canvas.width = Math.round(width * density);

@@ -1,4 +1,4 @@
-// The work for any arm: what was submitted here, what has become of it, and the form for more.
+// The shared queue: its jobs, and the form for a new one.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
@@ -12,7 +12,7 @@ import { problemText } from "./outcome_text.js";
 /** @typedef {import("./queue.js").WorkView} WorkView */
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 
-/** So many that are over, or that one arm could take, are told. */
+/** The most finished jobs, and the most suitable jobs of one arm, that are listed. */
 const MOST_FINISHED = 20, MOST_SUITABLE = 5;
 const TONES = { waiting: "off", offered: "off", taken: "good", done: "good", failed: "bad", cancelled: "off" };
 
@@ -58,14 +58,14 @@ function entry(context, work) {
     </li>`;
 }
 
-/** Whose it is, what it needs, and since when it is here. @param {Context} context @param {WorkView} work */
+/** Student, requirements and submission time. @param {Context} context @param {WorkView} work */
 const whose = ({ board, t }, { student, group, needs, submitted_ms }) => [
   group ? `${student} (${group})` : student,
   ...(needs.length ? [t("fleet.work.needs", { needs: needs.join(", ") })] : []),
   t("fleet.work.at", { time: new Date(submitted_ms).toLocaleTimeString(board.language, { hour: "2-digit", minute: "2-digit" }) }),
 ].join(" · ");
 
-/** Which arm has it, and how far that one is. @param {Context} context @param {WorkView} work */
+/** The assigned arm and its progress. @param {Context} context @param {WorkView} work */
 function place({ t }, { member, job, phase, doubt }) {
   if (!member) return nothing;
   const begun = phase === "taken" && job && (job.phase === "running" || job.phase === "paused");
@@ -87,7 +87,7 @@ function acts(context, work) {
   return html`<div class="row">${canReassign(work) ? button("reassign") : nothing}${canCancel(work) ? button("cancel") : nothing}</div>`;
 }
 
-/** What of the queue an arm has, was offered, or could take. @param {Context} context @param {import("./members.js").Member} member */
+/** The queue as seen from one arm: assigned, offered and suitable jobs. @param {Context} context @param {import("./members.js").Member} member */
 export function ofArm(context, member) {
   const { board, t } = context;
   const { has, suitable } = ofMember(board.queue.all, member);

@@ -1,4 +1,4 @@
-// Time slots of one arm or of several: the form to give them, and the lists of who is at which arm when.
+// Time slots of one or several arms: the form, and the schedule.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { formatDuration } from "../i18n/i18n.js";

@@ -1,4 +1,4 @@
-// The form by which a drawing is submitted to any arm of the fleet.
+// The form that submits a drawing to the shared queue.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -47,7 +47,7 @@ function subject(context) {
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) set(context, { file: input.files[0] });
-    // The same file again is a change, too: it may have been made anew.
+    // Choosing the same file again is a change too: its content may be new.
     input.value = "";
   };
   return html`
@@ -73,7 +73,7 @@ function whose(context) {
     <datalist id="submit-groups">${groups(board.members).map((it) => html`<option value=${it}></option>`)}</datalist>`;
 }
 
-/** What an arm has to have, of what there is; and which arms have all of it. @param {Context} context */
+/** The required equipment, and the suitable arms. @param {Context} context */
 function needs(context) {
   const { board, t } = context;
   const { needs } = board.queue.form;

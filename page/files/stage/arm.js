@@ -1,5 +1,5 @@
-// The arm, as it is built: foot, turret, rear arm, forearm, crank, three rods, the wrist that stays level, and the tool.
-// Which part is beside which can be read from the Y of its plates.
+// The 3D arm: foot, turret, rear arm, forearm, crank, three rods, the level wrist, and the tool.
+// The Y of its plates shows which parts lie side by side.
 
 import { CatmullRomCurve3, Group, TubeGeometry, Vector3 } from "../vendor/three/three.js";
 import { links, rad } from "./kinematics.js";
@@ -38,7 +38,7 @@ export function createArm(materials, { foot }) {
 }
 
 /**
- * All that turns.
+ * Builds the rotating parts.
  * @param {ArmShape} shape
  * @param {View["tool"]} tool
  * @param {Materials} materials

@@ -1,4 +1,4 @@
-// What the arm must not do: keep-outs, faint until something comes near, and the limits that the tool is near to.
+// Keep-out zones, faint until the arm is near, and the limits that the tool is near to.
 
 import {
   BoxGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, SRGBColorSpace, ShaderMaterial,
@@ -33,7 +33,7 @@ export function createKeepOuts() {
         return { name, face, edge };
       });
     },
-    /** Brings out those that arm or ghost are near to. @param {View["near"]["keep_outs"]} near */
+    /** Highlights the zones near the arm or the ghost. @param {View["near"]["keep_outs"]} near */
     warn(near) {
       for (const { name, face, edge } of made) {
         const closeness = near[name] ?? 0;
@@ -95,7 +95,7 @@ export function createLimits() {
   };
 }
 
-/** How large the sector of a joint is, in mm. */
+/** Radius of a joint's sector, in mm. */
 const JOINTS = { base: 96, rear: 78, fore: 78, opening: 78, servo: 44 };
 
 /** A sheet of dots around the tool, in the plane that it must not cross. @param {{ value: number[] }} color */
@@ -120,7 +120,7 @@ function createSheet(color) {
       strength.value = closeness;
       sheet.position.set(quantity === "x" ? bound : x_mm, quantity === "y" ? bound : y_mm, quantity === "z" ? bound : z_mm);
       if (quantity === "reach") sheet.position.set(bound * Math.cos(direction), bound * Math.sin(direction), z_mm);
-      // A plane looks along Z: turned to look along the way out, or to the left.
+      // The plane's normal is Z: turn it outward, or to the left.
       if (quantity !== "z") sheet.rotation.set(Math.PI / 2, quantity === "y" ? 0 : Math.PI / 2 + (quantity === "reach" ? direction : 0), 0);
     },
   };

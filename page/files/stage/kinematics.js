@@ -1,4 +1,4 @@
-// Where the links of the arm are: its two parallelograms as they are built. Pure; the lengths are those that the station serves.
+// Positions of the arm's links: its two parallelograms. Pure; the lengths come from the station.
 //
 // The arm turns about Z as a whole; what is calculated here lies in its own plane, as `[reach, z]` in mm from the rear arm's
 // pivot. The rear arm and a rod beside it carry a plate at the elbow that stays level; the forearm and a rod beside it carry
@@ -10,7 +10,7 @@
 /** @typedef {[number, number]} InPlane Reach and z. */
 
 /**
- * All joints of the arm in its plane.
+ * Returns all joints in the arm's plane.
  * @param {Joints} joints
  * @param {ArmShape} shape
  */
@@ -33,7 +33,7 @@ export function links({ rear_deg, fore_deg }, { rear_arm_mm, forearm_mm, crank_m
 }
 
 /**
- * Where the joints bring the tool.
+ * Returns the tool pose for joint angles.
  * @param {Joints} joints
  * @param {ArmShape} shape
  * @returns {Pose}

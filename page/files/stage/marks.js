@@ -12,7 +12,7 @@ import { areaOf, fineness } from "./marks_area.js";
 /** @typedef {import("./view.js").Marks} Marks */
 /** @typedef {import("./marks_area.js").Area} Area */
 
-/** How many lines are drawn at a time, and how thin they are at least, in pixels of the picture. */
+/** Lines per draw call, and the least line width in pixels. */
 const AT_ONCE = 8192;
 const THIN_PX = 1.6;
 
@@ -129,7 +129,7 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * vec4(place, 0.0, 1.0);
 }`;
 
-// How far it is from the line, whose ends are round.
+// Distance from the line, with round ends.
 const LINE_FRAGMENT = `
 uniform float width;
 uniform float pixel;

@@ -1,4 +1,4 @@
-// Between two statuses: where the arm was on its way from one reported place to the next. Pure, but for what it has heard.
+// Interpolates the arm between two statuses. Pure, except for the statuses it has received.
 //
 // The stage runs behind the arm by a status and half a one for those that are late, so that there nearly always is a next one. It never goes
 // beyond the last one, and between two of them it stays between them: what is drawn has been reported.
@@ -6,20 +6,20 @@
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {{ at_s: number, joints: Joints }} Sample */
 
-/** How many statuses are kept: more than pass in that time. */
+/** The most statuses kept: more than arrive during the delay. */
 const KEPT = 8;
-/** A stop for longer than that is not a gap in a motion: the arm stood, or nothing was heard. */
+/** A longer gap is not part of a motion: the arm stood still, or no status arrived. */
 const GAP_S = 0.5;
-/** How fast the guess of what the clocks differ by gives way, so that one status that was quick does not hold for ever. */
+/** Drift rate of the clock offset, so that one early status does not fix it forever. */
 const DRIFT = 0.002;
 
 const NAMES = /** @type {const} */ (["base_deg", "rear_deg", "fore_deg", "servo_deg"]);
 
 export class Motion {
   /** @type {Sample[]} */ #samples = [];
-  /** What to add to the station's clock to get ours; of all statuses the one that was quickest tells it best. */
+  /** Offset between the station's clock and ours, from the fastest status. */
   #ahead_s = Infinity;
-  /** When the last place was told the last time. */
+  /** Time of the last report of the last position. */
   #last_report_s = 0;
   #status_s = 0;
 
@@ -28,7 +28,7 @@ export class Motion {
     this.#status_s = seconds;
   }
 
-  /** How far behind; a place that was told again, and is another one not before so long after, is one where the arm stood. */
+  /** The display delay; a position repeated for longer than this is one where the arm stood still. */
   get #behind_s() {
     return 1.5 * this.#status_s;
   }
@@ -69,7 +69,7 @@ export class Motion {
   }
 
   /**
-   * What is drawn now, and whether that will be something else a moment later.
+   * Returns the joints to draw, and whether they are still changing.
    * @param {number} now_s
    * @returns {{ joints: Joints, moving: boolean } | null}
    */
@@ -81,7 +81,7 @@ export class Motion {
     if (next < 0) return { joints: last.joints, moving: false };
     const to = /** @type {Sample} */ (this.#samples[next]);
     const from = this.#samples[next - 1];
-    // Before the first one there is nothing to come from.
+    // Nothing precedes the first sample.
     if (!from) return { joints: to.joints, moving: next < this.#samples.length - 1 };
     const start_s = Math.max(from.at_s, to.at_s - GAP_S);
     const joints = between({ ...from, at_s: start_s }, to, this.#samples[next - 2], this.#samples[next + 1], when);

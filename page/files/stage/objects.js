@@ -1,4 +1,4 @@
-// The things on the table of a virtual arm.
+// The objects on the table of a virtual arm.
 
 import { CylinderGeometry, Group, Mesh, MeshStandardMaterial } from "../vendor/three/three.js";
 import { rad } from "./kinematics.js";

@@ -1,9 +1,9 @@
 // How fine and how often the stage is drawn: as fine as the screen is, and less so on a computer that does not keep up. Pure,
 // but for what it has seen.
 
-/** @typedef {{ density: number, mirrors: boolean, shadows: boolean }} Quality Pixels for one of the page, at most. */
+/** @typedef {{ density: number, mirrors: boolean, shadows: boolean }} Quality Device pixels per CSS pixel, at most. */
 
-/** From the finest on. The shadow goes last, since it tells the height. @type {readonly Quality[]} */
+/** From the highest. The shadow goes last, because it shows the height. @type {readonly Quality[]} */
 const QUALITIES = [
   { density: 2, mirrors: true, shadows: true },
   { density: 1, mirrors: true, shadows: true },
@@ -11,7 +11,7 @@ const QUALITIES = [
   { density: 0.75, mirrors: false, shadows: true },
   { density: 0.75, mirrors: false, shadows: false },
 ];
-/** Where a computer begins that draws without a graphics card. */
+/** First level without a graphics card. */
 const WITHOUT_CARD = 3;
 /** Slower than that, for most of a row of frames, is too slow: 30 frames per second. */
 const SLOW_MS = 34;
@@ -38,7 +38,7 @@ export function createRenderQuality(card) {
   /** @type {number | null} */ let last = null;
   return {
     /**
-     * A frame was drawn; the next one follows at once, or not.
+     * Records a frame; `again` if another one follows immediately.
      * @param {number} now_ms
      * @param {boolean} again
      * @returns {boolean} whether the quality is another one from now on

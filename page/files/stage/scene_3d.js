@@ -23,7 +23,7 @@ import { createWorld } from "./objects.js";
 /** @typedef {import("./view.js").Point} Point */
 
 const SWING_S = 0.45;
-/** How fine shadows are, with a graphics card and without one. */
+/** Shadow resolution, with a graphics card and without one. */
 const FINE_SHADOW_PX = 2048, COARSE_SHADOW_PX = 512;
 const NAMES = /** @type {const} */ (["base_deg", "rear_deg", "fore_deg", "servo_deg"]);
 const METAL = { metal: 0.72, dark: 0.25, accent: 0.35, pin: 0.9, rubber: 0 };
@@ -66,7 +66,7 @@ export function createScene3d(element, outside, card) {
 
   /** @type {View | null} */ let view = null;
   /** @type {Joints | null} */ let drawn = null;
-  /** Whose shadow was drawn. @type {Joints | null} */ let shaded = null;
+  /** The joints of the last shadow. @type {Joints | null} */ let shaded = null;
   let aspect = 1;
   let camera = preset("iso", aspect, [200, 0, 0]);
   /** @type {Preset | null} */ let kept = "iso";

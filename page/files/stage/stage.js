@@ -86,7 +86,7 @@ export function createStage(element) {
     event.preventDefault();
     const canvas = /** @type {HTMLCanvasElement} */ (event.target);
     canvas.addEventListener("webglcontextrestored", () => build(true), { once: true });
-    // Deferred, since the renderer listens, too. The old canvas is kept: it is told when the card is back.
+    // Deferred, because the renderer listens too. The old canvas is kept: it receives the event when the card is back.
     queueMicrotask(() => build(false));
   }
 
@@ -131,7 +131,7 @@ export function createStage(element) {
       const changed = ink !== inked || !isSame(view, next);
       inked = ink;
       view = next;
-      // What is set anew is styled anew, also where it is the same.
+      // Setting a property restyles the element even if the value is unchanged.
       if (note.textContent !== next.note) note.textContent = next.note;
       if (note.hidden !== (next.note === "")) note.hidden = !note.hidden;
       element.classList.toggle("is-old", next.old);
@@ -150,7 +150,7 @@ export function createStage(element) {
   };
 }
 
-/** What draws in three dimensions here: a graphics card, the processor, or nothing. */
+/** Returns the 3D renderer: a graphics card, the processor, or nothing. */
 function drawsBy() {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return "nothing";
@@ -160,10 +160,10 @@ function drawsBy() {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? "processor" : "card";
 }
 
-/** What is not drawn. */
+/** View properties that are not drawn. */
 const UNSEEN = new Set(["arm", "note", "label"]);
 
-/** Whether two views look the same: an arm that rests reports the same again and again. @param {View | null} before @param {View} next */
+/** Whether two views look the same: an arm at rest keeps reporting the same. @param {View | null} before @param {View} next */
 function isSame(before, next) {
   if (!before || (before.arm === null) !== (next.arm === null)) return false;
   const names = /** @type {(keyof View)[]} */ (Object.keys(next));
@@ -171,7 +171,7 @@ function isSame(before, next) {
   return isAlike({ ...before.arm, at_s: 0 }, { ...next.arm, at_s: 0 });
 }
 
-/** The same, or plain numbers and words that are the same. @param {unknown} a @param {unknown} b */
+/** Whether two values are identical, or objects with equal primitive values. @param {unknown} a @param {unknown} b */
 function isAlike(a, b) {
   if (a === b) return true;
   if (typeof a !== "object" || typeof b !== "object" || !a || !b || Array.isArray(a)) return false;

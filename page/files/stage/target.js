@@ -1,4 +1,4 @@
-// The target: a ghost of the arm where it is asked to go, and the handles by which a person drags it there.
+// The target: a ghost of the arm, and the handles to drag it.
 
 import {
   BufferGeometry, ConeGeometry, DoubleSide, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, Plane, Raycaster, RingGeometry, SphereGeometry, TorusGeometry, Vector2, Vector3,
@@ -11,12 +11,12 @@ import { deg, inverse, rad } from "./kinematics.js";
 /** @typedef {import("./view.js").Pose} Pose */
 /** @typedef {import("./view.js").ArmShape} ArmShape */
 /** @typedef {import("../vendor/three/three.js").PerspectiveCamera} PerspectiveCamera */
-/** @typedef {"level" | "height" | "turn"} Handle What it changes: x and y, z, the rotation. */
+/** @typedef {"level" | "height" | "turn"} Handle The coordinates that it changes: x and y, z, or the rotation. */
 
 const RING_MM = 30;
 /** The handles have this share of the picture's height, at most and at least their own size. */
 const SHARE = 0.055;
-/** A view from lower than that cannot tell the places of a level plane apart: the tip is dragged across the picture. */
+/** From a lower view, positions on a horizontal plane cannot be distinguished: the tip is dragged across the picture instead. */
 const LOW = 0.2;
 
 export function createTarget() {
@@ -67,7 +67,7 @@ export function createTarget() {
       const tall = 2 * far * Math.tan(rad(camera.fov / 2));
       handles.scale(Math.min(2.2, Math.max(0.55, (tall * SHARE) / RING_MM)));
     },
-    /** What is under the pointer. @param {PerspectiveCamera} camera @param {Vector2} pointer @returns {Handle | null} */
+    /** Returns the handle under the pointer. @param {PerspectiveCamera} camera @param {Vector2} pointer @returns {Handle | null} */
     under(camera, pointer) {
       if (!handles.group.visible) return null;
       aim(camera, pointer);
@@ -89,7 +89,7 @@ export function createTarget() {
       held = { handle, plane, from: { ...at }, start };
       return true;
     },
-    /** Where the target is with the pointer there. @param {PerspectiveCamera} camera @param {Vector2} pointer @returns {Pose | null} */
+    /** Returns the target for a pointer position. @param {PerspectiveCamera} camera @param {Vector2} pointer @returns {Pose | null} */
     drag(camera, pointer) {
       if (!held) return null;
       aim(camera, pointer);
@@ -128,7 +128,7 @@ function dragged(handle, from, start, to, level) {
 
 /** An arm of glass: first its depth is drawn, then its colour, so that nothing of it shines through itself. */
 function createGhost() {
-  // Where it is in the same place as the arm, the arm is seen.
+  // The arm covers a ghost at the same place.
   const behind = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 };
   const depth = new MeshBasicMaterial({ colorWrite: false, ...behind });
   const glass = new MeshLambertMaterial({ transparent: true, opacity: 0.36, depthWrite: false, ...behind });
@@ -199,7 +199,7 @@ function createHandles() {
     },
     /** @param {number} times */
     scale: (times) => [tip, top, ring].forEach((it) => it.scale.setScalar(times)),
-    /** The nearest to the pointer's line; those that are small go first. @param {Raycaster} ray @returns {Handle | null} */
+    /** Returns the handle hit by the ray; small ones have priority. @param {Raycaster} ray @returns {Handle | null} */
     hit(ray) {
       const found = /** @type {Handle[]} */ (["level", "height", "turn"]).find((it) => ray.intersectObject(all[it].room).length > 0);
       return found ?? null;
