@@ -11,14 +11,14 @@ import { createStop } from "./station/stop.js";
 /** @typedef {import("./state/state.js").Question} Question */
 /** @typedef {ReturnType<typeof createActions>} Actions */
 
-/** For how long the laser is armed unless the policy says less. */
+/** Arming time of the laser; the policy may set a shorter one. */
 const ARM_S = 300;
 const PEN_SCENE = "[pen]\n";
 /** How long a command waits for the arm to run down, by the station's clock. */
 const RUN_DOWN_S = 1;
 /** Fraction of the status period after which a refused command is retried. States cannot be counted: each refusal causes one. */
 const AGAIN = 0.9;
-/** More than any joint is slack. */
+/** More than the backlash of any joint. */
 const RUN_UP_DEG = 6;
 
 /** @param {import("./state/types.js").Problem | undefined} problem */
@@ -65,7 +65,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   /** The next state, or the end of the connection. @returns {Promise<void>} */
   const nextState = () => new Promise((heard) => waiting.push(heard));
 
-  /** Waits a moment. @param {number} before how often the arm had been stopped @returns {Promise<boolean>} whether nobody has stopped it since */
+  /** Waits for the next status. @param {number} before number of stops before the request @returns {Promise<boolean>} whether the arm was not stopped meanwhile */
   async function isFreeLater(before) {
     const again_s = at_s() + AGAIN * (store.page.facts?.status_period_s ?? 0);
     do await nextState();
@@ -89,7 +89,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     return problem === undefined;
   }
 
-  /** To these joints, with the tool as it is. @param {{ base_deg?: number, rear_deg?: number, fore_deg?: number, servo_deg?: number, gripper_deg?: number }} to */
+  /** Moves to joint angles and keeps the tool state. @param {{ base_deg?: number, rear_deg?: number, fore_deg?: number, servo_deg?: number, gripper_deg?: number }} to */
   async function moveJoints(to) {
     const arm = store.page.station?.arm;
     if (!arm) return false;
@@ -100,7 +100,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   /** Turns the base of a calibrated arm straight ahead, then sends the calibrated angles to the arm, unless the arm is stopped. */
   async function sendAngles() {
     const before = stops;
-    // From the right, so that the play of the joints is on the side on which they were touched.
+    // From the right, so that the backlash is on the same side as in the calibration.
     if (!(await moveJoints({ base_deg: -RUN_UP_DEG })) || !(await moveJoints({ base_deg: 0 }))) return;
     /** @type {import("./state/types.js").Answer | null} */ let answer;
     do {
@@ -136,7 +136,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     send({ type: "stop_pressed" });
   }
 
-  /** For how long the laser is armed, in seconds. */
+  /** Arming time of the laser, in seconds. */
   const arming_s = () => Math.min(ARM_S, store.page.policy?.laser.arm_for_s ?? ARM_S);
 
   /** Carries out a confirmed question. @param {Question} question @returns {Promise<unknown>} */
@@ -159,7 +159,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     }
   }
 
-  /** From now on this page goes by the name of a student: time slots know it by that. @param {string} name */
+  /** Sets the student's name, by which time slots identify this page. @param {string} name */
   function setStudent(name) {
     lessons.setStudent(name);
     socket.again();
@@ -169,7 +169,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     setStudent,
     send, ask, takeControlIfFree, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs: createJobs(takeControlIfFree), teach: createTeach(takeControlIfFree),
 
-    /** Asks a person before something is done. @param {Question} question */
+    /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),
 
     /** @param {boolean} yes */
@@ -188,20 +188,20 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       void command(to).then((done) => done && target.revision === store.page.target.revision && send({ type: "target_goes" }));
     },
 
-    /** To where a stock arm stands when it is switched on. */
+    /** Moves to the power-up pose of a stock arm. */
     home: () => void moveJoints({ base_deg: 0, rear_deg: 45, fore_deg: 45, servo_deg: 0 }),
 
     /** @param {boolean} on */
     suction: (on) => command({ type: "joint_jog", axis: on ? "suction_on" : "suction_off", speed_percent: 0 }),
 
-    /** A target that is the place itself. @param {number} gripper_deg */
+    /** Moves only the gripper. @param {number} gripper_deg */
     grip: (gripper_deg) => void moveJoints({ gripper_deg }),
 
-    /** A file to be drawn, or a timeline to be looked at. @param {File} file */
+    /** Opens a drawing, or a timeline in the preview. @param {File} file */
     openFile(file) {
       send({ type: "tab", tab: "draw" });
       if (!/\.json$/i.test(file.name)) return send({ type: "draw_file", file });
-      // A large timeline takes a second, and STOP cannot wait for it.
+      // Reading a large timeline takes a second, and STOP cannot wait for it.
       const reader = new Worker(new URL("preview/reader.js", import.meta.url), { type: "module" });
       /** @param {import("./preview/timeline.js").Timeline | undefined} timeline */
       const read = (timeline) => {
@@ -223,7 +223,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       if (!(await ask({ type: "start_job", job }))) await socket.ask({ type: "cancel_job", job });
     },
 
-    /** Gives the virtual arm a pen, and paper. */
+    /** Gives the virtual arm a pen and paper. */
     async addPen() {
       const { problem } = await http.ask("PUT", "api/v1/world", { scene: PEN_SCENE });
       if (problem) send({ type: "problem", problem });

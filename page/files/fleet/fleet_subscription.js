@@ -18,14 +18,14 @@ export function followFleet(store, http) {
 
   const now_ms = () => Date.now();
   // A station reports its own arm at least twice per second; a silent one is reconnected.
-  const heard = watchSilence({ isExpected: () => store.page.connection === "open", silent: () => void follow() });
+  const resetSilence = watchSilence({ isExpected: () => store.page.connection === "open", silent: () => void follow() });
 
   /** Reads the fleet; returns whether there is one. @param {AbortController} mine @returns {Promise<boolean>} */
   async function look(mine) {
     const answer = await http.get("api/v1/fleet", mine.signal);
     const body = await answer?.json().catch(() => undefined);
     if (listening !== mine) return false;
-    heard();
+    resetSilence();
     if (!answer || !body) send({ type: "closed", problem: null });
     else if (answer.ok) send({ type: "fleet", name: body.name, members: body.members, now_ms: now_ms() });
     else if (answer.status === 404) send({ type: "alone" });
@@ -47,20 +47,20 @@ export function followFleet(store, http) {
     /** @type {Map<string, Member>} */ let news = new Map();
     /** Ids of removed members. @type {string[]} */ let gone = [];
     /** @param {string} event @param {string} data */
-    const hear = (event, data) => {
+    const onEvent = (event, data) => {
       if (event === "gone") gone.push(/** @type {{ id: string }} */ (JSON.parse(data)).id);
       if (event !== "member") return;
       /** @type {Member} */ const member = JSON.parse(data);
       news.set(member.id, member);
     };
-    const came = () => {
-      heard();
+    const onChunk = () => {
+      resetSilence();
       if (news.size || gone.length) send({ type: "members", members: [...news.values()], gone, now_ms: now_ms() });
       else send({ type: "alive", now_ms: now_ms() });
       news = new Map();
       gone = [];
     };
-    if (answer?.ok) await readEvents(answer, { hear, came, isWanted });
+    if (answer?.ok) await readEvents(answer, { onEvent, onChunk, isWanted });
     if (isWanted()) send({ type: "closed", problem: null });
   }
 

@@ -1,5 +1,5 @@
-// A small picture of an arm: seen from ahead and right, so that reach, height and turn show at once. Cheap enough for a hundred
-// of them. What is drawn is calculated by pure functions.
+// A small picture of an arm, seen from the front right, so that reach, height and direction are visible together. It is cheap
+// enough for a hundred of them; the calculations are pure functions.
 
 import { links, rad } from "../stage/kinematics.js";
 import { css, colorsOf } from "../stage/colors.js";
@@ -19,7 +19,7 @@ const UP = [-Math.cos(AZIMUTH) * Math.sin(ELEVATION), -Math.sin(AZIMUTH) * Math.
 const ROOM = { right: [-318, 335], up: [-236, 205] };
 
 /** A point as it is seen, in mm to the right and up. @param {Point} point @returns {[number, number]} */
-export const seen = (point) => /** @type {[number, number]} */ ([RIGHT, UP].map((way) => way.reduce((sum, it, n) => sum + it * (point[n] ?? 0), 0)));
+export const seen = (point) => /** @type {[number, number]} */ ([RIGHT, UP].map((axis) => axis.reduce((sum, it, n) => sum + it * (point[n] ?? 0), 0)));
 
 /** Positions of the arm's joints and of the tip of its first tool. @param {Joints} joints @param {Facts} facts */
 export function armAt(joints, { dimensions, tools: [tool] }) {

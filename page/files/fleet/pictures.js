@@ -81,7 +81,7 @@ export function createPictures({ isStill }) {
         const motion = motions.get(id) ?? new Motion();
         motions.set(id, motion);
         motion.status_s = facts?.status_period_s ?? 0;
-        motion.hear({ at_s: state.at_s, joints: state.arm }, performance.now() / 1000);
+        motion.add({ at_s: state.at_s, joints: state.arm }, performance.now() / 1000);
       }
       soon();
     },

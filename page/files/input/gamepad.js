@@ -4,10 +4,10 @@
 
 const ENABLES = 5;
 const STOPS = [0, 1, 2, 3];
-/** A stick that is less far from its middle rests. */
+/** Deflection below which a stick is at rest. */
 const REST = 0.25;
 
-/** Each axis of the sticks, as gamepads number them, and what it jogs towards its positive and its negative end. */
+/** The axes of the sticks by their number, and the jog axes of their positive and negative ends. */
 const STICKS = /** @type {const} */ ([
   [0, "y_minus", "y_plus"],
   [1, "x_minus", "x_plus"],
@@ -34,7 +34,7 @@ export function pushed(axes) {
  * @param {() => void} outside.stop
  * @param {import("./jog.js").JogInput} outside.jog
  * @param {() => number} outside.speed_percent
- * @param {() => void} outside.linear sets the buttons to the tip in straight lines
+ * @param {() => void} outside.linear selects the linear frame
  */
 export function listenToGamepad({ stop, jog, speed_percent, linear }) {
   let frame = 0, stopped = false, share = 0;

@@ -12,8 +12,8 @@ const WRITES = "input:not([type=checkbox], [type=radio], [type=range], [type=fil
 const PRESSED = "button, a, summary, select, [type=checkbox], [type=radio], [type=file], [type=color]";
 
 /**
- * What a key means before all else. Escape stops from anywhere. Space writes in a text field, and presses what the keyboard
- * has chosen; what was only clicked does not keep it.
+ * Whether a key stops the arm. Escape always does. Space does not in a text field, nor on a control focused by the keyboard; a
+ * control focused by a click does not keep it.
  * @param {string} key @param {Pick<Element, "matches"> | null} focused @param {boolean} byKeys whether the focus came there by keys
  */
 export function isStop(key, focused, byKeys) {
@@ -50,7 +50,7 @@ export function listenToStop(stop) {
  */
 export function listenToKeys({ stage, stop, jog, frame }) {
   listenToStop(stop);
-  // A key that is let go of may say another name than it said when it was pressed.
+  // The name of a key may change between press and release; its code does not.
   stage.addEventListener("keydown", (event) => {
     const axis = axisOf(event, frame());
     if (!axis) return;

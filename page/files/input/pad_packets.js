@@ -1,5 +1,5 @@
-// Mouse and gesture mode: packets for a pointer that is held on a pad. Those are carried out to their end, so that few may
-// be under way when the pointer is let go.
+// Mouse and gesture mode: packets for a pointer held on a pad. The arm executes each packet to its end, so only a few may be
+// in flight when the pointer is released.
 
 /** @typedef {import("../state/types.js").Command} Command */
 /** @typedef {import("../state/types.js").Arm} Arm */
@@ -16,10 +16,10 @@ const FURTHEST = 5;
 const bounded = (value) => Math.max(-FURTHEST, Math.min(FURTHEST, value));
 
 /**
- * The mouse packet for a way of the pointer: up the pad is ahead, to its left is the arm's left. In a dialect that swings,
- * Y swings the base, to the right where it is positive, and the rotation is the servo's angle.
+ * Returns the mouse packet for a displacement of the pointer: up is forward, left is the arm's left. In a dialect that swings,
+ * positive Y turns the base to the right, and the rotation is the servo's angle.
  * @param {[number, number]} pixels @param {Arm} arm @param {boolean} swings as the station serves it @param {number} lift in units
- * @returns {{ command: Command, used: [number, number] }} `used`: what of the way it makes
+ * @returns {{ command: Command, used: [number, number] }} `used`: the displacement that it covers
  */
 export function mousePacket([right, down], arm, swings, lift = 0) {
   const x = bounded(-down / PIXELS), left = bounded(-right / PIXELS);
@@ -28,7 +28,7 @@ export function mousePacket([right, down], arm, swings, lift = 0) {
 }
 
 /**
- * The gesture packet for a place on the pad, with shares from -1 (right, near) to 1 (left, far) and a height in mm, in the
+ * Returns the gesture packet for a position on the pad, from -1 (right, near) to 1 (left, far), and a height in mm, in the
  * units of the arm's dialect.
  * @param {{ far: number, left: number, z_mm: number, grab: boolean }} hand @param {Gesture} scale as the station serves it
  * @returns {Command}
@@ -44,7 +44,7 @@ export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
  * @param {import("../state/store.js").Store} outside.store
  * @param {import("../station/socket.js").Socket} outside.socket
  * @param {() => void} outside.takeControlIfFree
- * @param {() => Command | null} outside.next what is to be sent now, or nothing
+ * @param {() => Command | null} outside.next the packet to send now, or null
  * @param {(detail: string) => void} outside.refused
  */
 export function createStream({ store, socket, takeControlIfFree, next, refused }) {

@@ -5,7 +5,7 @@ import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
 import { blockedReason, memoize, rowsIn } from "../state/selectors.js";
 import { rowAt, stepsIn } from "../state/teach.js";
-import { ROW_PX, carry } from "../input/row_drag.js";
+import { ROW_PX, startRowDrag } from "../input/row_drag.js";
 import { saveAs } from "../parts/download.js";
 import { sentence } from "../views/banners.js";
 import { formatDuration } from "../i18n/i18n.js";
@@ -88,7 +88,7 @@ function table({ page, t, act }, rows) {
   const sized = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("height", `${rows.length * ROW_PX}px`);
   const placed = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("transform", `translateY(${from * ROW_PX}px)`);
   return html`
-    <div id="steps" class="steps-seen" @scroll=${scroll} @keydown=${key} @pointerdown=${(/** @type {PointerEvent} */ event) => carry(event, rows.length, rowDrag(act))} role="listbox" aria-label=${t("teach.table")} tabindex="-1">
+    <div id="steps" class="steps-seen" @scroll=${scroll} @keydown=${key} @pointerdown=${(/** @type {PointerEvent} */ event) => startRowDrag(event, rows.length, rowDrag(act))} role="listbox" aria-label=${t("teach.table")} tabindex="-1">
       <div ${ref(sized)}><div ${ref(placed)}>
         ${rows.slice(from, from + SEEN).map(({ says }, n) => {
           const row = from + n;

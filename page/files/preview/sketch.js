@@ -1,6 +1,6 @@
 // @ts-check
-// Draws a timeline on a canvas: the sheet with all that is to come, the ink so far, the tool. Long drawings are drawn in
-// slices, a few thousand lines at a time, and pictures of the ink at some moments make the way back short.
+// Draws a timeline on a canvas: the sheet with the whole drawing, the ink up to now, and the tool. Long drawings are drawn in
+// slices of a few thousand lines, and snapshots of the ink shorten the way back.
 
 import { EDGE, roundLength } from "./appearance.js";
 

@@ -1,6 +1,6 @@
 // @ts-check
-// The timeline of a drawing, as `dobot draw --timeline` writes it: read, checked, and asked what is at a moment. Nothing
-// here knows of the page, so a worker can read a large file while the page stays awake.
+// The timeline of a drawing, as written by `dobot draw --timeline`: parsed, validated, and queried by time. Independent of the
+// page, so that a worker can read a large file.
 
 /** @typedef {{name: string, color: number[] | null, tool: string}} Pass */
 /**
@@ -17,7 +17,7 @@
 export const MOST_BYTES = 50_000_000;
 const COMMAND = "dobot draw FILE --dry-run --timeline OUT.json";
 const VERSION = 1;
-/** Three times as far as the arm reaches, and a month: what lies beyond is no drawing of this arm. */
+/** Limits for a drawing of this arm: three times its reach, and a month. */
 const MOST_MM = 1000;
 const MOST_S = 31 * 24 * 3600;
 const MOST_PASSES = 10_000;
@@ -30,7 +30,7 @@ export class Refused extends Error {
   }
 }
 
-/** Refuses a file that is too large before it is read. @param {number} bytes */
+/** Refuses an empty or too large file before it is read. @param {number} bytes */
 export function checkSize(bytes) {
   const large = (bytes / 1e6).toFixed(1);
   if (bytes > MOST_BYTES) throw new Refused(`has ${large} MB`, `a timeline of at most ${MOST_BYTES / 1e6} MB`);
@@ -108,7 +108,7 @@ function readPath(found, moves, duration_s) {
   };
 }
 
-/** The pass of each row; a line has that of its beginning. @param {Float64Array} t_s @param {Uint8Array} ink @param {Timeline["moves"]} moves */
+/** Returns the pass of each row; a line has the pass of its start. @param {Float64Array} t_s @param {Uint8Array} ink @param {Timeline["moves"]} moves */
 function passOfRows(t_s, ink, { from_s, pass }) {
   let move = 0;
   const passes = new Uint16Array(t_s.length);
@@ -121,7 +121,7 @@ function passOfRows(t_s, ink, { from_s, pass }) {
 
 // --- A moment ----------------------------------------------------------------
 
-/** The last row of a rising column that is not after this time, and the first one before all. @param {Float64Array} column @param {number} t_s */
+/** Returns the last row of an increasing column that is not after this time; the first row if all are. @param {Float64Array} column @param {number} t_s */
 export function lastAt(column, t_s) {
   let low = 0;
   let high = column.length;
@@ -153,7 +153,7 @@ export function placeAt({ path, moves }, t_s) {
   };
 }
 
-// --- What a file has to hold ---------------------------------------------------
+// --- Validation ---------------------------------------------------
 
 /** @param {unknown} found @returns {found is Record<string, unknown>} */
 function isTable(found) {

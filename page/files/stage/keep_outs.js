@@ -15,7 +15,7 @@ import { rgb } from "./paper.js";
 
 const SHEET_MM = 130;
 
-/** The keep-outs: what no part of the arm may touch. */
+/** The keep-out zones: no part of the arm may enter them. */
 export function createKeepOuts() {
   const group = new Group();
   /** @type {{ name: string, face: MeshBasicMaterial, edge: LineBasicMaterial }[]} */ let made = [];
@@ -59,7 +59,7 @@ function form(keepOut) {
   return new CylinderGeometry(radius_mm, radius_mm, z1 - z0, 48).rotateX(Math.PI / 2).translate(x_mm, y_mm, (z0 + z1) / 2);
 }
 
-/** The limits: a sheet at the tool for those of its place, a sector at the joint for those of an angle. */
+/** The limits: a sheet at the tool for positions, a sector at the joint for angles. */
 export function createLimits() {
   const group = new Group();
   const color = { value: /** @type {[number, number, number]} */ ([0, 0, 0]) };
@@ -78,7 +78,7 @@ export function createLimits() {
 
   return {
     group,
-    /** @param {Joints | null} joints @param {ArmShape} shape @param {readonly Near[]} limits those that it is near to */
+    /** @param {Joints | null} joints @param {ArmShape} shape @param {readonly Near[]} limits the limits nearby */
     warn(joints, shape, limits) {
       for (const { group: sign } of made.values()) sign.visible = false;
       if (!joints) return;
@@ -98,7 +98,7 @@ export function createLimits() {
 /** Radius of a joint's sector, in mm. */
 const JOINTS = { base: 96, rear: 78, fore: 78, opening: 78, servo: 44 };
 
-/** A sheet of dots around the tool, in the plane that it must not cross. @param {{ value: number[] }} color */
+/** A dotted sheet around the tool, in the plane that it must not cross. @param {{ value: number[] }} color */
 function createSheet(color) {
   const strength = { value: 0 };
   const sheet = new Mesh(new PlaneGeometry(2 * SHEET_MM, 2 * SHEET_MM), new ShaderMaterial({
@@ -126,7 +126,7 @@ function createSheet(color) {
   };
 }
 
-/** A sector at a joint, in the direction in which it ends. @param {{ value: [number, number, number] }} color */
+/** A sector at a joint, in the direction of its limit. @param {{ value: [number, number, number] }} color */
 function createSector(color) {
   const material = new MeshBasicMaterial({ transparent: true, side: DoubleSide, depthTest: false });
   const ring = new Mesh(new RingGeometry(0.5, 1, 24, 1, rad(-11), rad(22)), material);

@@ -1,8 +1,8 @@
 // Positions of the arm's links: its two parallelograms. Pure; the lengths come from the station.
 //
-// The arm turns about Z as a whole; what is calculated here lies in its own plane, as `[reach, z]` in mm from the rear arm's
-// pivot. The rear arm and a rod beside it carry a plate at the elbow that stays level; the forearm and a rod beside it carry
-// the wrist, which stays level by that plate. A crank at the shoulder and a third rod turn the forearm.
+// The whole arm rotates about Z; these functions calculate in its plane, as `[reach, z]` in mm from the rear arm's pivot.
+// The rear arm and a parallel rod carry a plate at the elbow that stays level; the forearm and a parallel rod carry
+// the wrist, which stays level with that plate. A crank at the shoulder and a third rod move the forearm.
 
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {import("./view.js").Pose} Pose */
@@ -63,7 +63,7 @@ export function inverse({ x_mm, y_mm, z_mm, rotation_deg }, { rear_arm_mm: rear,
 
 /**
  * @param {readonly number[]} from
- * @param {readonly number[]} way
+ * @param {readonly number[]} direction
  * @param {number} times
  * @returns {InPlane}
  */

@@ -1,5 +1,5 @@
-// The stage: shows a `View` (see `view.js`), in three dimensions, or in two where there is no WebGL. It draws only when
-// something changed and it is in sight, and has no state of its own but the camera and what it heard last.
+// The stage: shows a `View` (see `view.js`) in three dimensions, or in two without WebGL. It draws only when something changed
+// and it is visible. Its only own state is the camera and the last reports.
 
 import { createScene3d } from "./scene_3d.js";
 import { createScene2d } from "./scene_2d.js";
@@ -51,7 +51,7 @@ export function createStage(element) {
     if (again) outside.changed();
   }
 
-  /** Comes into sight, or goes out of it: what changed meanwhile is drawn when it is back. */
+  /** Handles a change of visibility: pending changes are drawn when the stage is visible again. */
   function turnUp() {
     cancelAnimationFrame(frame);
     frame = 0;
@@ -67,10 +67,10 @@ export function createStage(element) {
     outside.changed();
   }
 
-  /** @param {boolean} deep whether to try three dimensions */
-  function build(deep) {
+  /** @param {boolean} is3d whether to try three dimensions */
+  function build(is3d) {
     drawing?.end();
-    const by = deep ? drawsBy() : "nothing";
+    const by = is3d ? drawsBy() : "nothing";
     drawing = by === "nothing" ? createScene2d(element, outside) : createScene3d(element, outside, by === "card");
     drawing.canvas.setAttribute("aria-hidden", "true");
     pace = createRenderQuality(by !== "processor");
@@ -81,7 +81,7 @@ export function createStage(element) {
     element.dispatchEvent(new CustomEvent("shown", { detail: drawing.kind }));
   }
 
-  /** The graphics card was taken away: two dimensions until it is given back. @param {Event} event */
+  /** The graphics context was lost: shows two dimensions until it is restored. @param {Event} event */
   function lost(event) {
     event.preventDefault();
     const canvas = /** @type {HTMLCanvasElement} */ (event.target);
@@ -125,8 +125,8 @@ export function createStage(element) {
     /** @param {View} next */
     show(next) {
       motion.status_s = next.status_s;
-      if (next.arm && next.arm !== view?.arm) motion.hear({ at_s: next.arm.at_s, joints: next.arm }, performance.now() / 1000);
-      if (!next.arm) motion.forget();
+      if (next.arm && next.arm !== view?.arm) motion.add({ at_s: next.arm.at_s, joints: next.arm }, performance.now() / 1000);
+      if (!next.arm) motion.clear();
       const ink = next.marks?.shades.length ?? 0;
       const changed = ink !== inked || !isSame(view, next);
       inked = ink;

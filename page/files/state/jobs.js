@@ -34,8 +34,7 @@ export function reduceJobs(jobs, message) {
 const isOver = ({ phase }) => phase === "done" || phase === "stopped" || phase === "failed";
 
 /**
- * The jobs by what a person asks of them: what is under way, as the state tells it now; what waits, the next one first; and
- * what is over, the newest first.
+ * Groups the jobs: active (with the current state of the running job), waiting (next first), and finished (newest first).
  * @param {readonly JobView[]} all @param {JobView | null} now
  */
 export function groupJobs(all, now) {
@@ -48,8 +47,8 @@ export function groupJobs(all, now) {
 }
 
 /**
- * Before which one a queued job comes when it goes one place up or down: a number, null for behind all, or nothing where it
- * cannot go there.
+ * Returns the job that a queued job precedes after it moves one place up or down: null for the end of the queue, undefined if it
+ * cannot move.
  * @param {readonly JobView[]} waiting @param {number} job @param {-1 | 1} way @returns {number | null | undefined}
  */
 export function placeFor(waiting, job, way) {

@@ -51,8 +51,8 @@ const changed = (target, change) => ({ ...target, ...change, revision: target.re
 /**
  * @param {Target} target
  * @param {import("./message.js").Message} message
- * @param {Station | null} before What the station told before the message, and what it tells now.
- * @param {Station | null} now
+ * @param {Station | null} before the station before the message
+ * @param {Station | null} now the station after the message
  * @returns {Target}
  */
 export function reduceTarget(target, message, before, now) {
@@ -88,7 +88,7 @@ export function reduceTarget(target, message, before, now) {
   }
 }
 
-/** On what the answer of the station rests besides the target and the policy. @param {Station | null} station */
+/** What the check depends on besides the target and the policy. @param {Station | null} station */
 const groundOf = (station) => JSON.stringify(station && [station.link.phase, station.arm !== null, station.trust.trusted, station.dialect]);
 
 /** Whether the arm has arrived at the target. @param {Target} target @param {Arm} arm */

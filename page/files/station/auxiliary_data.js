@@ -1,5 +1,5 @@
-// What is fetched beside the states: the notices of before, the policy, the facts of the arm, the name in the fleet, the world of a virtual arm with
-// its ink, and the way of the job.
+// Data fetched in addition to the states: earlier notices, the policy, the arm's facts, the name in the fleet, the world of a
+// virtual arm with its ink, and the path of the job.
 
 import { Ink, partsOf } from "../stage/ink.js";
 

@@ -10,7 +10,7 @@ const AGAIN_MS = 2000;
 
 /**
  * @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket
- * @param {() => void} takeControlIfFree takes control where nobody has it
+ * @param {() => void} takeControlIfFree takes control if no client has it
  */
 export function createJobs(store, http, socket, takeControlIfFree) {
   const { send } = store;

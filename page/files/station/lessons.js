@@ -1,5 +1,5 @@
-// Opens lessons, which are files of the page, goes on in them when what a step waits for has happened, and tells the station of a
-// fleet how far a student is.
+// Opens lessons (files of the page), advances them when the condition of a step is met, and reports the student's progress to
+// the station of a fleet.
 
 import { begunNow, isDone, progressOf, stepNow } from "../state/learn.js";
 import { rowsOf } from "../state/teach.js";

@@ -18,17 +18,17 @@ export function followPackets(store, http) {
   async function listen(mine) {
     const answer = await http.get("api/v1/packets", mine.signal);
     if (answer && !answer.ok) send({ type: "packets_refused", problem: await answer.json() });
-    /** @type {Schemas["PacketView"][]} */ let heard = [];
+    /** @type {Schemas["PacketView"][]} */ let received = [];
     /** @param {string} event @param {string} data */
-    const hear = (event, data) => {
-      if (event === "packet") heard.push(JSON.parse(data));
+    const onEvent = (event, data) => {
+      if (event === "packet") received.push(JSON.parse(data));
       else if (event === "lost") send({ type: "packets_lost", count: JSON.parse(data).lost });
     };
-    const came = () => {
-      if (heard.length) send({ type: "packets", packets: heard });
-      heard = [];
+    const onChunk = () => {
+      if (received.length) send({ type: "packets", packets: received });
+      received = [];
     };
-    if (answer?.ok) await readEvents(answer, { hear, came, isWanted: () => listening === mine });
+    if (answer?.ok) await readEvents(answer, { onEvent, onChunk, isWanted: () => listening === mine });
     if (listening !== mine) return;
     listening = null;
     if (answer?.ok !== false) setTimeout(follow, AGAIN_MS);

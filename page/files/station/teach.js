@@ -16,7 +16,7 @@ const hundredths = (value) => Math.round(value * 100) / 100;
 
 /**
  * @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket
- * @param {() => void} takeControlIfFree takes control where nobody has it
+ * @param {() => void} takeControlIfFree takes control if no client has it
  */
 export function createTeach(store, http, socket, takeControlIfFree) {
   const { send } = store;

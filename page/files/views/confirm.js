@@ -3,7 +3,7 @@
 import { html, render } from "../vendor/lit-html/lit-html.js";
 
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
-/** A question has a title, a text and a yes among the words. @typedef {Extract<TextKey, `question.${string}.yes`> extends `question.${infer About}.yes` ? About : never} About */
+/** The questions with a title, a text and a yes button among the texts. @typedef {Extract<TextKey, `question.${string}.yes`> extends `question.${infer About}.yes` ? About : never} About */
 
 /**
  * @param {import("../i18n/i18n.js").Translate} t
@@ -23,7 +23,7 @@ export function showDialog(dialog, content, open) {
   render(content, dialog);
   if (open === dialog.open) return;
   if (!open) return dialog.close();
-  // Not a modal one: STOP has to stay within reach.
+  // Not modal: STOP has to stay within reach.
   dialog.show();
   dialog.querySelector("button")?.focus();
 }
