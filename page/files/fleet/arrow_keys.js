@@ -31,7 +31,7 @@ function inRow(boxes, from, isThatWay) {
   const now = boxes[from];
   if (!now) return from;
   const middle = (/** @type {Box} */ { left, right }) => (left + right) / 2;
-  const away = (/** @type {Box} */ it) => Math.abs((it.top + it.bottom) / 2 - (now.top + now.bottom) / 2) * 1000 + Math.abs(middle(it) - middle(now));
+  const away = (/** @type {Box} */ box) => Math.abs((box.top + box.bottom) / 2 - (now.top + now.bottom) / 2) * 1000 + Math.abs(middle(box) - middle(now));
   const found = boxes.map((it, n) => ({ it, n })).filter(({ it }) => isThatWay(it, now)).sort((a, b) => away(a.it) - away(b.it))[0];
   return found?.n ?? from;
 }
@@ -43,7 +43,7 @@ export function listenToWalk(root, selector) {
     const all = /** @type {HTMLElement[]} */ ([...root.querySelectorAll(selector)]);
     const from = all.indexOf(/** @type {HTMLElement} */ (document.activeElement));
     if (from < 0) return;
-    const to = nextTile(all.map((it) => it.getBoundingClientRect()), from, event.key);
+    const to = nextTile(all.map((tile) => tile.getBoundingClientRect()), from, event.key);
     if (to === undefined) return;
     event.preventDefault();
     all[to]?.focus();

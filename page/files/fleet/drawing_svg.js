@@ -43,7 +43,7 @@ function frame(points, edge_mm) {
 function pathOf(points) {
   const at = (/** @type {Point} */ [x = 0, y = 0]) => `${number(-y)} ${number(-x)}`;
   const [first = [], ...rest] = points;
-  return `M${at(first)}${rest.length ? rest.map((it) => `L${at(it)}`).join("") : "h0"}`;
+  return `M${at(first)}${rest.length ? rest.map((point) => `L${at(point)}`).join("") : "h0"}`;
 }
 
 /** A thousandth of a millimetre is enough. @param {number} value */
@@ -52,4 +52,4 @@ const number = (value) => Math.round(value * 1000) / 1000;
 const ESCAPES = /** @type {Record<string, string>} */ ({ "&": "&amp;", "<": "&lt;", ">": "&gt;" });
 
 /** @param {string} text */
-const escaped = (text) => text.replace(/[&<>]/g, (it) => ESCAPES[it] ?? it);
+const escaped = (text) => text.replace(/[&<>]/g, (character) => ESCAPES[character] ?? character);

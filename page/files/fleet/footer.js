@@ -22,7 +22,7 @@ export function footer(context) {
 }
 
 /** The stopped members among the recipients. @param {readonly Member[]} members @param {import("./state.js").Recipients} to */
-export const stopped = (members, to) => members.filter((it) => isThere(it) && isMeant(to, it) && it.state?.stop);
+export const stopped = (members, to) => members.filter((member) => isThere(member) && isMeant(to, member) && member.state?.stop);
 
 /** @param {Context} context */
 function again({ board, t, act }) {

@@ -31,7 +31,7 @@ export function header(context) {
       ${all.length ? html`
         <select id="group" aria-label=${t("fleet.group")} @change=${(/** @type {Event} */ event) => act.send({ type: "group", group: /** @type {HTMLSelectElement} */ (event.target).value || null })}>
           <option value="" .selected=${live(board.group === null)}>${t("fleet.groups.all")}</option>
-          ${all.map((it) => html`<option value=${it} .selected=${live(it === board.group)}>${it}</option>`)}
+          ${all.map((name) => html`<option value=${name} .selected=${live(name === board.group)}>${name}</option>`)}
         </select>` : nothing}
       <button id="lesson-open" type="button" class="small" aria-expanded=${String(board.lesson)} aria-controls="lesson" @click=${() => act.send({ type: "lesson", open: !board.lesson })}>${t("fleet.lesson")}</button>
       ${armButton(context)}
@@ -81,7 +81,7 @@ function chip({ board, t, act }, sort) {
 /** Words to all, or to the group that is shown: a message, "eyes on me", and the pictures of what was drawn. @param {Context} context */
 function lesson({ board, t, act }) {
   const to = recipients(board.group);
-  const meant = board.members.filter((it) => isThere(it) && isMeant(to, it));
+  const meant = board.members.filter((member) => isThere(member) && isMeant(to, member));
   const name = toText(t, to, board.language);
   const text = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (/** @type {HTMLElement} */ (event.currentTarget).closest("form")?.elements.namedItem("text"));
   const write = async (/** @type {SubmitEvent} */ event) => {

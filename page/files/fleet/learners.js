@@ -9,7 +9,7 @@ import { isStuck } from "./members.js";
 
 /** Returns the name of a lesson; another version of the page may have others. @param {import("../i18n/i18n.js").Translate} t @param {string} name */
 function lessonName(t, name) {
-  const known = LESSONS.find((it) => it === name);
+  const known = LESSONS.find((lesson) => lesson === name);
   return known ? t(`learn.${known}`) : name;
 }
 

@@ -38,11 +38,11 @@ export function pageIn(page) {
  */
 export function sections(members, { filter, group, sort }) {
   const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
-  const shown = members.filter((it) => (group === null || groupsOf(it).includes(group)) && (sort === null || IS[sort](it)) && words.every((word) => textOf(it).includes(word)));
+  const shown = members.filter((member) => (group === null || groupsOf(member).includes(group)) && (sort === null || IS[sort](member)) && words.every((word) => textOf(member).includes(word)));
   if (group !== null) return [{ group, members: shown }];
-  const named = groups(members).map((name) => ({ group: name, members: shown.filter((it) => groupsOf(it)[0] === name) }));
-  const rest = { group: null, members: shown.filter((it) => groupsOf(it).length === 0) };
-  return [...named, rest].filter((it) => it.members.length > 0);
+  const named = groups(members).map((name) => ({ group: name, members: shown.filter((member) => groupsOf(member)[0] === name) }));
+  const rest = { group: null, members: shown.filter((member) => groupsOf(member).length === 0) };
+  return [...named, rest].filter((member) => member.members.length > 0);
 }
 
 /** The searchable text of a tile. @param {Member} member */
@@ -75,8 +75,8 @@ export const nameOf = (typed) => typed.trim().normalize("NFD").replace(/\p{M}/gu
 
 /** The station with the most virtual arms left, or null. @param {readonly Member[]} members */
 export function giver(members) {
-  const left = (/** @type {Member} */ { name, about }) => (about?.gives_arms ?? 0) - members.filter((it) => it.about?.given_by === name).length;
-  const givers = members.filter((it) => isThere(it) && it.about?.gives_arms != null);
+  const left = (/** @type {Member} */ { name, about }) => (about?.gives_arms ?? 0) - members.filter((other) => other.about?.given_by === name).length;
+  const givers = members.filter((member) => isThere(member) && member.about?.gives_arms != null);
   return givers.sort((a, b) => left(b) - left(a))[0] ?? null;
 }
 
@@ -101,11 +101,11 @@ export const share = ({ commands, completed }) => (commands ? completed / comman
 /** The categories that members are counted and filtered by. @typedef {"running" | "stopped" | "offline" | "locked" | "stuck"} Sort */
 /** @type {Record<Sort, (member: Member) => boolean>} */
 const IS = {
-  running: (it) => isThere(it) && it.state?.job?.phase === "running",
-  stopped: (it) => isThere(it) && it.state?.stop != null,
-  offline: (it) => !isThere(it),
-  locked: (it) => isThere(it) && lockOf(it.state) !== null,
-  stuck: (it) => isThere(it) && (it.learners?.some(isStuck) ?? false),
+  running: (member) => isThere(member) && member.state?.job?.phase === "running",
+  stopped: (member) => isThere(member) && member.state?.stop != null,
+  offline: (member) => !isThere(member),
+  locked: (member) => isThere(member) && lockOf(member.state) !== null,
+  stuck: (member) => isThere(member) && (member.learners?.some(isStuck) ?? false),
 };
 
 /** @type {readonly Sort[]} */

@@ -24,7 +24,7 @@ export function outcomeOf(answers) {
 
 /** @param {Outcome["refused"]} refused @param {string} member @param {Problem} problem */
 function refuse(refused, member, problem) {
-  const same = refused.find((it) => it.problem.detail === problem.detail && it.problem.hint === problem.hint);
+  const same = refused.find((refusal) => refusal.problem.detail === problem.detail && refusal.problem.hint === problem.hint);
   if (same) same.members.push(member);
   else refused.push({ problem, members: [member] });
 }

@@ -75,7 +75,7 @@ export function createPictures({ isStill }) {
   return {
     /** @param {readonly Member[]} members @param {import("./picture.js").Facts | null} facts nothing is drawn without @param {{ dark: boolean, old: boolean }} look */
     show(members, facts, { dark, old }) {
-      shown = { members: new Map(members.map((it) => [it.id, it])), facts, dark, old };
+      shown = { members: new Map(members.map((member) => [member.id, member])), facts, dark, old };
       for (const { id, state } of members) {
         if (!state?.arm) continue;
         const motion = motions.get(id) ?? new Motion();

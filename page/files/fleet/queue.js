@@ -71,9 +71,9 @@ export const canReassign = (work) => isDoubtful(work) || work.phase === "failed"
 /** Groups the jobs by state. @param {readonly WorkView[]} all */
 export const groupWork = (all) => ({
   doubt: all.filter(isDoubtful),
-  assigned: all.filter((it) => !isDoubtful(it) && (it.phase === "offered" || it.phase === "taken")),
+  assigned: all.filter((work) => !isDoubtful(work) && (work.phase === "offered" || work.phase === "taken")),
   waiting: all.filter(({ phase }) => phase === "waiting"),
-  finished: all.filter((it) => !canCancel(it)).reverse(),
+  finished: all.filter((work) => !canCancel(work)).reverse(),
 });
 
 /** The number of open jobs, and of those in an uncertain state. @param {readonly WorkView[] | null} all */
@@ -83,7 +83,7 @@ export const counts = (all) => ({ open: all?.filter(canCancel).length ?? 0, doub
 const takes = (member) => isThere(member) && member.about?.takes_work != null;
 
 /** The arms that have all of it, and whose stations take work. @param {readonly Member[]} members @param {readonly string[]} needs */
-export const arms = (members, needs) => members.filter((it) => takes(it) && needs.every((need) => it.about?.offers.includes(need)));
+export const arms = (members, needs) => members.filter((member) => takes(member) && needs.every((need) => member.about?.offers.includes(need)));
 
 /** Equipment that can be required: offered by members that accept work, or already selected. @param {readonly Member[]} members @param {readonly string[]} chosen */
 export const offers = (members, chosen) => [...new Set([...members.filter(takes).flatMap(({ about }) => about?.offers ?? []), ...chosen])].sort();
@@ -91,10 +91,10 @@ export const offers = (members, chosen) => [...new Set([...members.filter(takes)
 /** The jobs assigned or offered to an arm, and the waiting jobs that it could take. @param {readonly WorkView[] | null} all @param {Member} member */
 export function ofMember(all, member) {
   const { assigned, doubt, waiting } = groupWork(all ?? []);
-  const wasThere = (/** @type {WorkView} */ { before }) => before?.some((it) => it.member.id === member.id);
+  const wasThere = (/** @type {WorkView} */ { before }) => before?.some((attempt) => attempt.member.id === member.id);
   return {
-    has: [...doubt, ...assigned].filter((it) => it.member?.id === member.id),
-    suitable: waiting.filter((it) => arms([member], it.needs).length && !wasThere(it)),
+    has: [...doubt, ...assigned].filter((work) => work.member?.id === member.id),
+    suitable: waiting.filter((work) => arms([member], work.needs).length && !wasThere(work)),
   };
 }
 

@@ -38,7 +38,7 @@ function list(context, names) {
     ${names.includes("waiting") && !groups.waiting.length ? html`<p id="queue-none" class="quiet">${t(all ? "fleet.queue.none" : "fleet.queue.reading")}</p>` : nothing}
     ${names.map((name) => (groups[name].length ? html`
       <h3 id="queue-${name}">${t(`fleet.queue.${name}`)} <small>${groups[name].length}</small></h3>
-      <ol class="jobs" aria-labelledby="queue-${name}">${repeat(groups[name].slice(0, name === "finished" ? MOST_FINISHED : undefined), ({ id }) => id, (it) => entry(context, it))}</ol>` : nothing))}`;
+      <ol class="jobs" aria-labelledby="queue-${name}">${repeat(groups[name].slice(0, name === "finished" ? MOST_FINISHED : undefined), ({ id }) => id, (work) => entry(context, work))}</ol>` : nothing))}`;
 }
 
 /** @param {Context} context @param {WorkView} work */
@@ -52,7 +52,7 @@ function entry(context, work) {
       ${place(context, work)}
       ${doubt == null ? nothing : html`<p class="status-of" data-tone="warn">${sentence(doubt)}.</p>`}
       ${reason ? html`<p class="quiet">${sentence(reason)}</p>` : nothing}
-      ${before.map((it) => html`<p class="quiet before">${t("fleet.work.before", { name: it.member.name, drawn: it.drawn })}</p>`)}
+      ${before.map((attempt) => html`<p class="quiet before">${t("fleet.work.before", { name: attempt.member.name, drawn: attempt.drawn })}</p>`)}
       ${acts(context, work)}
       ${refused?.work === id ? html`<p class="status-of" data-tone="bad" role="alert">${problemText(refused.problem)}</p>` : nothing}
     </li>`;
@@ -94,10 +94,10 @@ export function ofArm(context, member) {
   if (!has.length && !suitable.length) return nothing;
   return html`
     <h3 id="details-queue">${t("fleet.queue")} <small>${t("fleet.queue.suitable", { number: suitable.length })}</small></h3>
-    <ol class="jobs" aria-labelledby="details-queue">${repeat([...has, ...suitable.slice(0, MOST_SUITABLE)], ({ id }) => id, (it) => html`
-      <li class="entry" data-work=${it.id}>
-        <p class="job"><span class="title">${it.title}</span> <span class="chip" data-tone=${it.doubt == null ? TONES[it.phase] : "warn"}>${t(it.doubt == null ? `fleet.work.${it.phase}` : "fleet.work.doubt")}</span></p>
-        <p class="quiet">${whose(context, it)}</p>
+    <ol class="jobs" aria-labelledby="details-queue">${repeat([...has, ...suitable.slice(0, MOST_SUITABLE)], ({ id }) => id, (work) => html`
+      <li class="entry" data-work=${work.id}>
+        <p class="job"><span class="title">${work.title}</span> <span class="chip" data-tone=${work.doubt == null ? TONES[work.phase] : "warn"}>${t(work.doubt == null ? `fleet.work.${work.phase}` : "fleet.work.doubt")}</span></p>
+        <p class="quiet">${whose(context, work)}</p>
       </li>`)}
     </ol>`;
 }

@@ -114,7 +114,7 @@ export function createRequests(store, http) {
     async reset(to) {
       await ask("reset", to, { method: "DELETE", path: "/api/v1/stop" });
       const { group, members } = store.page;
-      if (group === null && members.every((it) => !it.state?.stop?.of_fleet || isMeant(to, it))) void http.ask("DELETE", "api/v1/fleet/stop");
+      if (group === null && members.every((member) => !member.state?.stop?.of_fleet || isMeant(to, member))) void http.ask("DELETE", "api/v1/fleet/stop");
     },
 
     /** @param {Recipients} to @param {string} message */

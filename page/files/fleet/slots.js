@@ -8,7 +8,7 @@ import { problemOf } from "./outcome.js";
 /** The slots of one arm. @typedef {{ name: string, id: string, slots: TimeSlot[] }} Share */
 
 /** Names as a teacher writes them, one per line. @param {string} text */
-export const namesOf = (text) => text.split("\n").map((it) => it.trim()).filter(Boolean);
+export const namesOf = (text) => text.split("\n").map((name) => name.trim()).filter(Boolean);
 
 /**
  * Deals names over arms in turn; at each arm one comes after the other, from now on.

@@ -107,7 +107,7 @@ export function reduce(board, message) {
     case "alive":
       return { ...board, received_ms: message.now_ms, now_ms: message.now_ms };
     case "learners":
-      return { ...board, members: board.members.map((it) => ({ ...it, learners: learnersOf(message.answers, it) })) };
+      return { ...board, members: board.members.map((member) => ({ ...member, learners: learnersOf(message.answers, member) })) };
     case "facts":
       return { ...board, facts: message.facts };
     case "connecting":
@@ -161,10 +161,10 @@ const placeOf = (what) => (what === "stop" ? "stop" : "request");
 
 /** Members that came or changed among all of them; who came first has the same place as before. @param {readonly Member[]} members @param {readonly Member[]} news */
 function withNews(members, news) {
-  const changed = new Map(news.map((it) => [it.id, it]));
-  const isNew = [...changed.values()].some(({ id }) => members.every((it) => it.id !== id));
-  if (!isNew) return members.map((it) => changed.get(it.id) ?? it);
-  const all = new Map([...members, ...news].map((it) => [it.id, it]));
+  const changed = new Map(news.map((member) => [member.id, member]));
+  const isNew = [...changed.values()].some(({ id }) => members.every((member) => member.id !== id));
+  if (!isNew) return members.map((member) => changed.get(member.id) ?? member);
+  const all = new Map([...members, ...news].map((member) => [member.id, member]));
   return order([...all.values()]);
 }
 
@@ -173,16 +173,16 @@ const without = (members, gone) => (gone.length ? members.filter(({ id }) => !go
 
 /** Updated members, with their known students. @param {readonly Member[]} members @param {readonly Member[]} news @returns {Member[]} */
 function withLearners(members, news) {
-  const known = new Map(members.map((it) => [it.id, it.learners]));
-  return news.map((it) => {
-    const learners = known.get(it.id);
-    return learners ? { ...it, learners } : it;
+  const known = new Map(members.map((member) => [member.id, member.learners]));
+  return news.map((member) => {
+    const learners = known.get(member.id);
+    return learners ? { ...member, learners } : member;
   });
 }
 
 /** The students of a station; where it does not answer nothing is known of them. @param {readonly MemberAnswer[]} answers @param {Member} member */
 function learnersOf(answers, { id }) {
-  const answer = answers.find((it) => it.id === id)?.answer;
+  const answer = answers.find((entry) => entry.id === id)?.answer;
   return answer && !problemOf(answer) ? /** @type {import("./members.js").Learner[]} */ (answer.body) : [];
 }
 

@@ -53,7 +53,7 @@ function subject(context) {
   return html`
     <fieldset class="segments">
       <legend>${t("draw.what")}</legend>
-      ${/** @type {const} */ (["file", "text"]).map((it) => html`<label><input type="radio" name="submit-what" value=${it} .checked=${live(it === form.what)} @change=${() => set(context, { what: it })}><span>${t(`draw.${it}`)}</span></label>`)}
+      ${/** @type {const} */ (["file", "text"]).map((source) => html`<label><input type="radio" name="submit-what" value=${source} .checked=${live(source === form.what)} @change=${() => set(context, { what: source })}><span>${t(`draw.${source}`)}</span></label>`)}
     </fieldset>
     ${form.what === "text" ? html`<textarea id="submit-text" rows="2" aria-label=${t("draw.text")} .value=${live(form.text)} @input=${(/** @type {Event} */ event) => set(context, { text: value(event) })}></textarea>` : html`
       <div class="drop">
@@ -70,7 +70,7 @@ function whose(context) {
   return html`
     <label><span>${t("fleet.submit.student")}</span><input id="submit-student" type="text" maxlength="60" required autocomplete="off" .value=${live(form.student)} @input=${(/** @type {Event} */ event) => set(context, { student: value(event) })}></label>
     <label><span>${t("fleet.group")}</span><input id="submit-group" type="text" maxlength="40" list="submit-groups" autocomplete="off" placeholder="room-2" .value=${live(form.group)} @input=${(/** @type {Event} */ event) => set(context, { group: value(event) })}></label>
-    <datalist id="submit-groups">${groups(board.members).map((it) => html`<option value=${it}></option>`)}</datalist>`;
+    <datalist id="submit-groups">${groups(board.members).map((group) => html`<option value=${group}></option>`)}</datalist>`;
 }
 
 /** The required equipment, and the suitable arms. @param {Context} context */
@@ -78,7 +78,7 @@ function needs(context) {
   const { board, t } = context;
   const { needs } = board.queue.form;
   const found = arms(board.members, needs).map(({ name }) => name);
-  const toggled = (/** @type {string} */ word, /** @type {boolean} */ on) => set(context, { needs: on ? [...needs, word] : needs.filter((it) => it !== word) });
+  const toggled = (/** @type {string} */ word, /** @type {boolean} */ on) => set(context, { needs: on ? [...needs, word] : needs.filter((need) => need !== word) });
   const all = offers(board.members, needs);
   return html`
     ${all.length ? html`

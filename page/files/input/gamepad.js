@@ -40,7 +40,7 @@ export function listenToGamepad({ stop, jog, speed_percent, linear }) {
   let frame = 0, stopped = false, share = 0;
 
   function look() {
-    const pad = navigator.getGamepads().find((it) => it?.connected);
+    const pad = navigator.getGamepads().find((gamepad) => gamepad?.connected);
     if (!pad) {
       frame = 0;
       return jog.releaseBy("gamepad");

@@ -69,11 +69,11 @@ export function jogPanel({ page, t, act, jog }) {
       <div class="choices">
         <fieldset class="segments">
           <legend>${t("jog.mode")}</legend>
-          ${(/** @type {const} */ (["linear", "joint"])).map((it) => html`<label><input type="radio" name="frame" value=${it} .checked=${live(it === frame)} @change=${() => act.send({ type: "jog_set", set: { frame: it } })}><span>${t(`jog.${it}`)}</span></label>`)}
+          ${(/** @type {const} */ (["linear", "joint"])).map((choice) => html`<label><input type="radio" name="frame" value=${choice} .checked=${live(choice === frame)} @change=${() => act.send({ type: "jog_set", set: { frame: choice } })}><span>${t(`jog.${choice}`)}</span></label>`)}
         </fieldset>
         <fieldset class="segments">
           <legend>${t("jog.step")} <small>${t("jog.mm_or_deg")}</small></legend>
-          ${[null, ...STEPS].map((it) => html`<label><input type="radio" name="step" value=${it ?? "hold"} .checked=${live(it === step)} @change=${() => act.send({ type: "jog_set", set: { step: it } })}><span>${it ?? t("jog.hold")}</span></label>`)}
+          ${[null, ...STEPS].map((choice) => html`<label><input type="radio" name="step" value=${choice ?? "hold"} .checked=${live(choice === step)} @change=${() => act.send({ type: "jog_set", set: { step: choice } })}><span>${choice ?? t("jog.hold")}</span></label>`)}
         </fieldset>
       </div>
       <div class=${frame === "linear" ? "pad" : "pad joints"} @pointerdown=${pointer} @pointerup=${release} @pointercancel=${release} @lostpointercapture=${release}

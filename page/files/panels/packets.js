@@ -39,7 +39,7 @@ function list({ page, t, act }) {
   return html`
     <fieldset class="segments">
       <legend class="unseen">${t("packets.direction")}</legend>
-      ${WAYS.map((it) => html`<label><input type="radio" name="packets-way" value=${it} .checked=${live(it === way)} @change=${() => act.send({ type: "packets_way", way: it })}><span>${t(`packets.direction.${it}`)}</span></label>`)}
+      ${WAYS.map((choice) => html`<label><input type="radio" name="packets-way" value=${choice} .checked=${live(choice === way)} @change=${() => act.send({ type: "packets_way", way: choice })}><span>${t(`packets.direction.${choice}`)}</span></label>`)}
     </fieldset>
     <input id="packets-filter" type="text" placeholder=${t("watch.filter")} aria-label=${t("watch.filter")} .value=${live(filter)} @input=${(/** @type {Event} */ event) => act.send({ type: "packets_filter", text: /** @type {HTMLInputElement} */ (event.target).value })}>
     <div class="row">

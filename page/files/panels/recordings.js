@@ -59,7 +59,7 @@ function player({ page, t, act }) {
         <button id="player-play" type="button" class="small strong" @click=${() => act.send({ type: "recording_plays", now_ms: plays ? null : Date.now() })}>${t(plays ? "play.pause" : "play.play")}</button>
         <fieldset class="segments">
           <legend class="unseen">${t("play.speed")}</legend>
-          ${SPEEDS.map((it) => html`<label><input type="radio" name="player-speed" value=${it} .checked=${live(it === speed)} @change=${() => act.send({ type: "recording_speed", speed: it })}><span>${it}×</span></label>`)}
+          ${SPEEDS.map((factor) => html`<label><input type="radio" name="player-speed" value=${factor} .checked=${live(factor === speed)} @change=${() => act.send({ type: "recording_speed", speed: factor })}><span>${factor}×</span></label>`)}
         </fieldset>
       </div>
       ${states.spacing_s > 0 ? html`<p class="quiet">${t("recordings.thinned", { s: states.spacing_s.toFixed(1) })}</p>` : nothing}

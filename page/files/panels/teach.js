@@ -32,7 +32,7 @@ export function teach(context) {
   const modeChoice = html`
     <fieldset class="segments">
       <legend class="unseen">${t("teach.view")}</legend>
-      ${MODES.map((it) => html`<label><input type="radio" name="teach-mode" value=${it} .checked=${live(it === mode)} @change=${() => act.send({ type: "teach_mode", mode: it })}><span>${t(`teach.${it}`)}</span></label>`)}
+      ${MODES.map((choice) => html`<label><input type="radio" name="teach-mode" value=${choice} .checked=${live(choice === mode)} @change=${() => act.send({ type: "teach_mode", mode: choice })}><span>${t(`teach.${choice}`)}</span></label>`)}
     </fieldset>`;
   const views = { table: () => table(context, rows), text: () => area(context), time: () => timeline(context) };
   return html`
@@ -42,7 +42,7 @@ export function teach(context) {
         <button id="capture" type="button" class="strong" ?disabled=${why === "no_connection" || why === "no_arm"} @click=${() => act.teach.capture()}>${t("teach.capture")}</button>
         <fieldset class="segments">
           <legend class="unseen">${t("target.path")}</legend>
-          ${PATHS.map((it) => html`<label><input type="radio" name="teach-path" value=${it} .checked=${live(it === path)} @change=${() => act.send({ type: "teach_path", path: it })}><span>${it.toUpperCase()}</span></label>`)}
+          ${PATHS.map((choice) => html`<label><input type="radio" name="teach-path" value=${choice} .checked=${live(choice === path)} @change=${() => act.send({ type: "teach_path", path: choice })}><span>${choice.toUpperCase()}</span></label>`)}
         </fieldset>
       </div>
       <div class="row">

@@ -29,7 +29,7 @@ const last = (values) => values.at(-1)?.toFixed(1) ?? "–";
 function charts({ page, t }) {
   const { history } = page;
   const now_s = history.at_s.at(-1) ?? 0;
-  const times = history.at_s.map((it) => (it ?? 0) - now_s);
+  const times = history.at_s.map((at_s) => (at_s ?? 0) - now_s);
   const theme = document.documentElement.dataset.theme;
   return html`
     <section class="card" aria-labelledby="charts-title">

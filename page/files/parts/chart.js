@@ -51,7 +51,7 @@ class Chart extends AsyncDirective {
         x: { time: false, range: (_, first) => [Math.min(-LEAST_S, first ?? 0), 0] },
         y: { range: (_, least, most) => [Math.min(low, least ?? low), Math.max(high, most ?? high)] },
       },
-      axes: [{ ...axis, size: 24, values: (_, ticks) => ticks.map((it) => `${it} s`) }, { ...axis, size: 44 }],
+      axes: [{ ...axis, size: 24, values: (_, ticks) => ticks.map((tick) => `${tick} s`) }, { ...axis, size: 44 }],
       series: [{}, ...lines.map(({ color: name, dash }) => ({ stroke: color(name), width: 1.5, dash, points: { show: false } }))],
     }, [[], ...lines.map(() => [])], element);
     this.#watched = new ResizeObserver(() => this.#plot?.setSize({ width: Math.max(200, element.clientWidth), height: HEIGHT }));

@@ -40,7 +40,7 @@ function passColor(color, pass) {
   if (!color) return PASSES[pass % PASSES.length];
   const brightness = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
   const share = brightness > 200 ? 130 / brightness : 1;
-  return `rgb(${color.map((it) => Math.trunc(it * share)).join(", ")})`;
+  return `rgb(${color.map((channel) => Math.trunc(channel * share)).join(", ")})`;
 }
 
 // --- In words, and over time -----------------------------------------------------
@@ -73,7 +73,7 @@ export function inkOfColumns({ duration_s, path }, look, columns) {
   const { t_s, ink } = path;
   for (let row = 1; row < t_s.length; row += 1) {
     if (ink[row] !== 1) continue;
-    const [from, to] = [t_s[row - 1], t_s[row]].map((it) => Math.floor((it / duration_s) * (columns - 1)));
+    const [from, to] = [t_s[row - 1], t_s[row]].map((time_s) => Math.floor((time_s / duration_s) * (columns - 1)));
     inks.fill(look.classes[row], from, to + 1);
   }
   return inks;
@@ -122,7 +122,7 @@ export function viewOf({ x, y }, frame) {
 /** One, two or five times a power of ten, as long as fits. @param {number} most */
 export function roundLength(most) {
   const power = 10 ** Math.floor(Math.log10(most));
-  return power * ([5, 2].find((it) => it * power <= most) ?? 1);
+  return power * ([5, 2].find((factor) => factor * power <= most) ?? 1);
 }
 
 /** The lines of a timeline for the stage: its ways, and its ink in the colours of the passes. @param {Timeline} timeline @returns {import("../stage/view.js").Drawing} */

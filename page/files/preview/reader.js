@@ -15,7 +15,7 @@ async function read(file) {
 
 /** Transferred buffers. @param {import("./timeline.js").Timeline} timeline */
 function buffers({ moves, path }) {
-  return [...Object.values(path), moves.kind, moves.pass, moves.from_s].map((it) => it.buffer);
+  return [...Object.values(path), moves.kind, moves.pass, moves.from_s].map((column) => column.buffer);
 }
 
 addEventListener("message", async ({ data }) => {

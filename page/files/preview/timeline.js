@@ -162,7 +162,7 @@ function isTable(found) {
 
 /** @param {unknown} found @returns {found is number[]} */
 function isColor(found) {
-  return Array.isArray(found) && found.length === 3 && found.every((it) => Number.isInteger(it) && it >= 0 && it <= 255);
+  return Array.isArray(found) && found.length === 3 && found.every((channel) => Number.isInteger(channel) && channel >= 0 && channel <= 255);
 }
 
 /** @param {unknown} found @param {string} name */
@@ -193,7 +193,7 @@ function within(found, least, most) {
 function column(found, name, rows, least, most) {
   const values = list(found, name);
   if (values.length !== rows) throw new Refused(`has ${values.length} rows in ${name}`, `${rows}, as in the other columns`);
-  const wrong = values.findIndex((it) => !within(it, least, most));
+  const wrong = values.findIndex((value) => !within(value, least, most));
   if (wrong >= 0) throw new Refused(`has ${shown(values[wrong])} at ${name}[${wrong}]`, `a number from ${least} to ${most}`);
   return /** @type {number[]} */ (values);
 }
@@ -201,7 +201,7 @@ function column(found, name, rows, least, most) {
 /** @param {unknown} found @param {string} name @param {number} rows @param {number} most */
 function whole(found, name, rows, most) {
   const values = column(found, name, rows, 0, most);
-  const wrong = values.findIndex((it) => !Number.isInteger(it));
+  const wrong = values.findIndex((value) => !Number.isInteger(value));
   if (wrong >= 0) throw new Refused(`has ${shown(values[wrong])} at ${name}[${wrong}]`, "a whole number");
   return values;
 }

@@ -153,9 +153,9 @@ function createSector(color) {
 
 /** @param {Group} group */
 function clear(group) {
-  group.traverse((/** @type {any} */ it) => {
-    it.geometry?.dispose();
-    it.material?.dispose();
+  group.traverse((/** @type {any} */ object) => {
+    object.geometry?.dispose();
+    object.material?.dispose();
   });
   group.clear();
 }

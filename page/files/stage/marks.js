@@ -77,7 +77,7 @@ export function createMarks(renderer) {
   function paint(ends, from, to, clear) {
     const scene = new Scene();
     /** @type {BufferGeometry | null} */ let geometry = null;
-    if (to > from) scene.add(new Mesh((geometry = lines(ends, marks?.shades.slice(from, to) ?? [])), line)).children.forEach((it) => void (it.frustumCulled = false));
+    if (to > from) scene.add(new Mesh((geometry = lines(ends, marks?.shades.slice(from, to) ?? [])), line)).children.forEach((mesh) => void (mesh.frustumCulled = false));
     const kept = renderer.autoClear;
     renderer.autoClear = false;
     renderer.setRenderTarget(picture);

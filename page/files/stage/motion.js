@@ -77,7 +77,7 @@ export class Motion {
     const last = this.#samples.at(-1);
     if (!last) return null;
     const when = now_s - this.#ahead_s - this.#delay_s;
-    const next = this.#samples.findIndex((it) => it.at_s > when);
+    const next = this.#samples.findIndex((sample) => sample.at_s > when);
     if (next < 0) return { joints: last.joints, moving: false };
     const to = /** @type {Sample} */ (this.#samples[next]);
     const from = this.#samples[next - 1];

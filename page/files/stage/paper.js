@@ -91,7 +91,7 @@ export function createPlane() {
 }
 
 /** Red, green and blue, from 0 to 1. @param {number} hex */
-export const rgb = (hex) => /** @type {[number, number, number]} */ ([(hex >> 16) & 255, (hex >> 8) & 255, hex & 255].map((it) => it / 255));
+export const rgb = (hex) => /** @type {[number, number, number]} */ ([(hex >> 16) & 255, (hex >> 8) & 255, hex & 255].map((channel) => channel / 255));
 
 const GRID_VERTEX = `
 varying vec2 at;

@@ -147,7 +147,7 @@ export function createScene2d(element, outside) {
       dot(/** @type {[number, number]} */ (points[3]), wide * 0.7, look.accent);
     };
     both(now, from);
-    handle(now, (it) => at(it.x_mm, it.y_mm));
+    handle(now, (pose) => at(pose.x_mm, pose.y_mm));
   }
 
   /** @param {Plot} plot @param {View} now */
@@ -176,7 +176,7 @@ export function createScene2d(element, outside) {
       for (const joint of [[0, 0], it.elbow, it.wrist]) dot(at(joint), wide * 0.32, look.dark);
     };
     both(now, from);
-    handle(now, (it) => plot.to(Math.hypot(it.x_mm, it.y_mm), it.z_mm - now.tool.length_mm));
+    handle(now, (pose) => plot.to(Math.hypot(pose.x_mm, pose.y_mm), pose.z_mm - now.tool.length_mm));
   }
 
   /** Draws the reach of the arm. @param {Plot} plot @param {View} now @param {NonNullable<View["limits"]>} limits */

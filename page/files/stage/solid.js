@@ -107,10 +107,10 @@ function tangent([x0, y0, r0], [x1, y1, r1]) {
 
 /** @param {readonly BufferGeometry[]} geometries */
 function joined(geometries) {
-  const plain = geometries.map((it) => (it.index ? it.toNonIndexed() : it));
+  const plain = geometries.map((geometry) => (geometry.index ? geometry.toNonIndexed() : geometry));
   const whole = new BufferGeometry();
   for (const name of ["position", "normal"]) {
-    const arrays = plain.map((it) => /** @type {Float32Array} */ (it.getAttribute(name).array));
+    const arrays = plain.map((geometry) => /** @type {Float32Array} */ (geometry.getAttribute(name).array));
     const all = new Float32Array(arrays.reduce((sum, it) => sum + it.length, 0));
     let at = 0;
     for (const array of arrays) all.set(array, at), at += array.length;

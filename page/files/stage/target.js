@@ -115,7 +115,7 @@ function dragged(handle, from, start, to, level) {
   const round = (value) => Math.round(value * 10) / 10;
   if (handle === "height") return { ...from, z_mm: round(from.z_mm + to.z - start.z) };
   if (handle === "turn") {
-    const angle = (/** @type {Vector3} */ it) => deg(Math.atan2(it.y - from.y_mm, it.x - from.x_mm));
+    const angle = (/** @type {Vector3} */ point) => deg(Math.atan2(point.y - from.y_mm, point.x - from.x_mm));
     const turn = ((angle(to) - angle(start) + 540) % 360) - 180;
     return { ...from, rotation_deg: round(from.rotation_deg + turn) };
   }
@@ -138,9 +138,9 @@ function createGhost() {
     group.add(arm.group);
     return { arm, order: 8 + n };
   });
-  const settle = () => layers.forEach(({ arm, order }) => arm.group.traverse((it) => {
-    it.renderOrder = order;
-    it.castShadow = it.receiveShadow = false;
+  const settle = () => layers.forEach(({ arm, order }) => arm.group.traverse((object) => {
+    object.renderOrder = order;
+    object.castShadow = object.receiveShadow = false;
   }));
   return {
     group,
@@ -186,7 +186,7 @@ function createHandles() {
   tip.add(halo);
   for (const [parent, { parts, room }] of /** @type {[Group, { parts: Mesh[], room: Mesh }][]} */ ([[tip, all.level], [top, all.height], [ring, all.turn]])) parent.add(...parts, room);
   group.add(tip, top, ring);
-  group.traverse((it) => void (it.renderOrder = 21));
+  group.traverse((object) => void (object.renderOrder = 21));
   halo.renderOrder = 20;
   return {
     group,
@@ -198,10 +198,10 @@ function createHandles() {
       top.position.set(at.x_mm, at.y_mm, at.z_mm + 58);
     },
     /** @param {number} times */
-    scale: (times) => [tip, top, ring].forEach((it) => it.scale.setScalar(times)),
+    scale: (times) => [tip, top, ring].forEach((part) => part.scale.setScalar(times)),
     /** Returns the handle hit by the ray; small ones have priority. @param {Raycaster} ray @returns {Handle | null} */
     hit(ray) {
-      const found = /** @type {Handle[]} */ (["level", "height", "turn"]).find((it) => ray.intersectObject(all[it].room).length > 0);
+      const found = /** @type {Handle[]} */ (["level", "height", "turn"]).find((handle) => ray.intersectObject(all[handle].room).length > 0);
       return found ?? null;
     },
     /** @param {Handle | null} handle */

@@ -68,19 +68,19 @@ export function questionOf(calibrate) {
 
 /** The numbers of a calibration; those of the paper are not in every one. @type {readonly [name: NumberName, unit: string, of: (file: CalibrationFile) => number | null][]} */
 const NUMBERS = [
-  ["base", "°", (it) => it.zeros.base],
-  ["rear", "°", (it) => it.zeros.rear],
-  ["fore", "°", (it) => it.zeros.fore],
-  ["out", " mm", (it) => it.tool.out_mm],
-  ["left", " mm", (it) => it.tool.left_mm],
-  ["axis_x", " mm", (it) => it.axis.x_mm],
-  ["axis_y", " mm", (it) => it.axis.y_mm],
-  ["paper", " mm", (it) => it.paper && it.paper.z_mm],
-  ["slope_x", " %", (it) => it.paper && it.paper.slope_x * 100],
-  ["slope_y", " %", (it) => it.paper && it.paper.slope_y * 100],
-  ["slack_base", "°", (it) => it.backlash.base],
-  ["slack_rear", "°", (it) => it.backlash.rear],
-  ["slack_fore", "°", (it) => it.backlash.fore],
+  ["base", "°", (calibration) => calibration.zeros.base],
+  ["rear", "°", (calibration) => calibration.zeros.rear],
+  ["fore", "°", (calibration) => calibration.zeros.fore],
+  ["out", " mm", (calibration) => calibration.tool.out_mm],
+  ["left", " mm", (calibration) => calibration.tool.left_mm],
+  ["axis_x", " mm", (calibration) => calibration.axis.x_mm],
+  ["axis_y", " mm", (calibration) => calibration.axis.y_mm],
+  ["paper", " mm", (calibration) => calibration.paper && calibration.paper.z_mm],
+  ["slope_x", " %", (calibration) => calibration.paper && calibration.paper.slope_x * 100],
+  ["slope_y", " %", (calibration) => calibration.paper && calibration.paper.slope_y * 100],
+  ["slack_base", "°", (calibration) => calibration.backlash.base],
+  ["slack_rear", "°", (calibration) => calibration.backlash.rear],
+  ["slack_fore", "°", (calibration) => calibration.backlash.fore],
 ];
 
 /**

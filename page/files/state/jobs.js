@@ -52,7 +52,7 @@ export function groupJobs(all, now) {
  * @param {readonly JobView[]} waiting @param {number} job @param {-1 | 1} way @returns {number | null | undefined}
  */
 export function placeFor(waiting, job, way) {
-  const at = waiting.findIndex((it) => it.job === job);
+  const at = waiting.findIndex((entry) => entry.job === job);
   const to = at + way;
   if (at < 0 || to < 0 || to >= waiting.length) return undefined;
   return waiting[way < 0 ? to : to + 1]?.job ?? null;

@@ -84,7 +84,7 @@ const SO = {
   },
   steps: (_, least, steps) => steps >= least,
   cycles: ({ station }, least) => (station?.job?.program?.cycles_done ?? 0) >= least,
-  notice: ({ learn, notices }, type) => notices.some((it) => it.number > learn.begun.notice && it.type === type),
+  notice: ({ learn, notices }, type) => notices.some((entry) => entry.number > learn.begun.notice && entry.type === type),
   drawing: ({ station }) => station?.job?.kind === "drawing" && station.job.phase === "running",
   idle: ({ station }) => station !== null && (station.job === null || station.job === undefined || station.job.phase === "done"),
   refused: ({ target }) => target.check.type === "refused",

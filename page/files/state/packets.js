@@ -77,8 +77,8 @@ function word([name, value]) {
 /** The packets that a person wants to see, the newest last. @param {Packets} packets */
 export function wanted({ passed, frozen, way, filter }) {
   const text = filter.trim().toLowerCase();
-  return (frozen ?? passed).filter((it) => (way === "both" || it.direction === way) && (!text || line(it).toLowerCase().includes(text) || it.bytes.includes(text)));
+  return (frozen ?? passed).filter((packet) => (way === "both" || packet.direction === way) && (!text || line(packet).toLowerCase().includes(text) || packet.bytes.includes(text)));
 }
 
 /** Packets as JSON Lines, one each, for other programs. @param {readonly Passed[]} packets */
-export const exported = (packets) => packets.map((it) => `${JSON.stringify(it)}\n`).join("");
+export const exported = (packets) => packets.map((packet) => `${JSON.stringify(packet)}\n`).join("");

@@ -79,7 +79,7 @@ function ruled(policy) {
 
 /** The parts of a view that come from the arm's facts, for this tool. @param {Page["facts"]} facts @param {View["tool"]["kind"]} kind @returns {Partial<View>} */
 function built(facts, kind) {
-  const tool = facts?.tools.find((it) => it.kind === kind);
+  const tool = facts?.tools.find((entry) => entry.kind === kind);
   if (!facts || !tool) return {};
   return { shape: { ...facts.dimensions, reach_mm: tool.reach_mm }, status_s: facts.status_period_s };
 }

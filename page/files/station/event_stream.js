@@ -10,7 +10,7 @@ export function createReader(onEvent) {
     const blocks = (rest + text).split("\n\n");
     rest = blocks.pop() ?? "";
     for (const block of blocks) {
-      const field = (/** @type {string} */ name) => block.split("\n").find((it) => it.startsWith(`${name}: `))?.slice(name.length + 2) ?? "";
+      const field = (/** @type {string} */ name) => block.split("\n").find((line) => line.startsWith(`${name}: `))?.slice(name.length + 2) ?? "";
       if (field("data")) onEvent(field("event"), field("data"));
     }
   };

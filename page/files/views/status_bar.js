@@ -34,7 +34,7 @@ function control(context) {
   if (!station) return nothing;
   const { lease } = station;
   const mine = hasControl(page);
-  const asked = lease?.asked_by.some((it) => it.client === me) ?? false;
+  const asked = lease?.asked_by.some((client) => client.client === me) ?? false;
   if (othersTime(page)) return html`<div class="control"><span id="holder">${t("slots.holder", { name: lease ? lease.name : t("slots.nobody") })}</span></div>`;
   const holder = mine ? t("control.mine") : lease ? t("control.others", { name: lease.name }) : t("control.free");
   return html`

@@ -43,7 +43,7 @@ export function armGuide(context) {
           <p class="quiet">${t("arm.dialect.hint")}</p>
           <div class="row">
             <button id="detect" type="button" class="small" ?disabled=${blockedReason(page) !== null} @click=${() => act.question({ about: "detect" })}>${t("arm.detect")}</button>
-            ${DIALECTS.map((it) => html`<button type="button" class="small" data-dialect=${it} ?disabled=${it === dialect || link.phase !== "up"} @click=${() => act.setUp.useDialect(it)}>${t("arm.use", { dialect: it })}</button>`)}
+            ${DIALECTS.map((choice) => html`<button type="button" class="small" data-dialect=${choice} ?disabled=${choice === dialect || link.phase !== "up"} @click=${() => act.setUp.useDialect(choice)}>${t("arm.use", { dialect: choice })}</button>`)}
           </div>
           ${set_up.finding ? html`
             <p id="finding" class="status" data-tone="good" role="status">${t("arm.is", { dialect: set_up.finding.dialect })}</p>

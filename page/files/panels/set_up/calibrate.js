@@ -176,7 +176,7 @@ function result(context, fit) {
   const { page, t, act } = context;
   const { calibration, expected_mm, trust, unsure, advice } = fit;
   const before = page.calibrate.known?.calibration ?? null;
-  const best = advice && page.calibrate.sheet?.points_mm.findIndex((it) => String(it) === String(advice.place_mm));
+  const best = advice && page.calibrate.sheet?.points_mm.findIndex((place) => String(place) === String(advice.place_mm));
   const show = () => {
     act.send({ type: "calibrate_shown" });
     focusOn("calibrate-keep");

@@ -27,7 +27,7 @@ const WORLDS = [
 export function virtualArm(context) {
   const { page, t, act } = context;
   const area = (/** @type {string} */ id) => /** @type {HTMLTextAreaElement} */ (document.getElementById(id));
-  const lines = (/** @type {string} */ text) => text.split("\n").map((it) => it.trim()).filter(Boolean);
+  const lines = (/** @type {string} */ text) => text.split("\n").map((line) => line.trim()).filter(Boolean);
   const add = (/** @type {string} */ fault) => {
     area("faults-text").value = [...lines(area("faults-text").value), fault].join("\n");
   };
