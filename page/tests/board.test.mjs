@@ -333,7 +333,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
       const idle = crowd(arms).map((it) => ({ ...it, presence: { type: "present" }, state: { ...it.state, job: null, lease: null } }));
       const [first, second, third, fourth, fifth, ...others] = idle;
       const learners = [learner("Anna", 2), learner("Wolfeschlegelsteinhausenbergerdorff", 4, 431)];
-      const answer = (told) => ({ path }) => (path === "/api/v1/fleet/requests" ? { body: [{ member: fifth.name, id: fifth.id, answer: { status: 200, body: told }, took_ms: 1 }] } : undefined);
+      const answer = (learnerList) => ({ path }) => (path === "/api/v1/fleet/requests" ? { body: [{ member: fifth.name, id: fifth.id, answer: { status: 200, body: learnerList }, took_ms: 1 }] } : undefined);
       const places = (page) => page.$$eval(".tile", (all) => all.map((it) => [it.dataset.member, it.offsetLeft, it.offsetTop, it.offsetHeight]));
       const { page: calm } = await open(idle, { viewport, answer: answer([]) });
       await calm.waitForSelector(".tile");
