@@ -1,4 +1,4 @@
-// A virtual arm, a station and a browser, as a person has them; and what the arm was told.
+// Test bench: a virtual arm, a station, a browser, and the traffic to the arm.
 import { EventEmitter, once } from "node:events";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createConnection, createServer } from "node:net";
@@ -15,7 +15,7 @@ export const isStop = ({ floats: [state, axis] }) => state === 2 && axis === 14;
 /** A jog button that is pressed. */
 export const isJog = ({ floats: [state, axis] }) => (state === 2 || state === 7) && axis > 0 && axis < 9;
 
-/** Ten floats for each packet to the arm, and when it passed. */
+/** The packets to the arm: ten floats and a time each. */
 class Traffic {
   #rest = Buffer.alloc(0);
   #came = new EventEmitter();
@@ -31,7 +31,7 @@ class Traffic {
     this.#came.emit("packets");
   }
 
-  /** The first packet from one on that is so, or nothing where none comes in time. */
+  /** Returns the first matching packet from an index on, or undefined after the timeout. */
   async next(from, isSo, within_ms = 10_000) {
     const signal = AbortSignal.timeout(within_ms);
     for (;;) {
@@ -104,7 +104,7 @@ async function createFront() {
  * Everything that a test needs; `end` ends it. With `virtual` the arm is the station's own, whose world it tells; nothing taps it.
  * `speed` is for what only has to come about: the arm's time passes so many times as fast as a clock. A page that is late to say
  * that a button is still held, as on a busy machine, lets go of it; with `patient` it has a second, which is longer than it has.
- * `personality` is what the arm is, and the dialect that the station is told.
+ * `personality` is the arm's personality and the station's dialect.
  */
 export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, personality = "firmware-1.1", speed = 1, patient = true, options = {}, scripts = [] } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));

@@ -1,4 +1,4 @@
-// Hands on the page's jog buttons: a real pointer in a real browser, judged on what the arm was told.
+// The jog buttons with a real pointer in a real browser, judged by the packets to the arm.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { buttonAt, moved, open, passed, pose, press, rest, takeControl } from "./bench.mjs";

@@ -1,4 +1,4 @@
-// Everything by which a person moves the arm besides holding a button and going to a place, judged on what the arm was told.
+// The other controls of Move, besides held buttons and targets, judged by the packets to the arm.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { waitForAnswer, open, passed, pose, rest, takeControl } from "./bench.mjs";

@@ -1,4 +1,4 @@
-// What the page draws, and when: frames of the stage are counted where WebGL is told to draw.
+// What the page draws, and when: frames of the stage are counted at the WebGL draw calls.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { waitForAnswer, open, passed } from "./bench.mjs";

@@ -1,4 +1,4 @@
-// Going to a place: typed, or dragged on the stage, judged on what the arm was told.
+// Go to a typed or dragged target, judged by the packets to the arm.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { open, pose, rest, takeControl, typeTarget } from "./bench.mjs";
