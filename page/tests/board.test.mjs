@@ -1,10 +1,10 @@
-// The board with as many arms as a school has, of a stand-in for its station: keys, sizes, screen readers, and what goes wrong.
+// The board with the arms of a school, on a mock station: keys, sizes, screen readers, and failures.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
 import { launch, leave, visitor } from "./browser.mjs";
 import { gesture, hand, numbers, words } from "./gestures.mjs";
-import { crowd, job, learner, member, queue, standIn, time } from "./mock_station.mjs";
+import { crowd, job, learner, member, queue, mockStation, time } from "./mock_station.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 const SIZES = { desktop: { width: 1440, height: 900 }, tablet: { width: 1024, height: 768 }, phone: { width: 360, height: 740 } };
@@ -24,7 +24,7 @@ afterEach(async () => {
 
 /** The board of these stations, and the stand-in that tells them. */
 async function open(members, { answer, submitted, ...options } = {}) {
-  const station = await standIn(members, answer, submitted);
+  const station = await mockStation(members, answer, submitted);
   const context = await visitor(browser, { viewport: SIZES.desktop, reducedMotion: "reduce", ...options });
   const page = await context.newPage();
   page.on("pageerror", (error) => errors.push(error));

@@ -1,4 +1,4 @@
-// STOP by hands in a hurry: real fingers and a real mouse, judged on what the arm was told. GESTURES says how many gestures, SEED
+// STOP under stress: real fingers and a real mouse, judged by the packets to the arm. GESTURES says how many gestures, SEED
 // which ones, and STOP_WITHIN_MS within what time of each press the arm has to have its packet: long enough for a busy machine, unless it is said.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";

@@ -1,4 +1,4 @@
-// What goes wrong around the page: it stays usable, says what happened, and nothing moves that nobody holds.
+// Failures around the page: it stays usable and reports them, and nothing moves unless it is held.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { isStop, moved, open, pose, press, rest, takeControl, passed } from "./bench.mjs";

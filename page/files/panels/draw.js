@@ -17,7 +17,7 @@ import { sheet } from "./sheet.js";
 const FONTS = /** @type {const} */ (["sans", "script", "serif", "gothic"]);
 const LAYERS = /** @type {const} */ (["nothing", "color", "group"]);
 /** The most warnings shown. */
-const MOST_TOLD = 8;
+const MOST_WARNINGS = 8;
 
 /** @param {Context} context */
 export const draw = (context) => html`${subject(context)}${place(context)}${way(context)}${plan(context)}${context.page.draw.timeline ? player(context) : nothing}`;
@@ -151,7 +151,7 @@ function plan(context) {
     <section class="card" aria-labelledby="draw-plan">
       <h2 id="draw-plan">${t("draw.plan")}</h2>
       <p id="draw-status" class="status" role="status" data-tone=${tone}>${draw.phase === "planned" && why ? t(`blocked.${why}`) : text}</p>
-      ${warnings.length ? html`<ul id="draw-warnings" class="warnings">${repeat(warnings.slice(0, MOST_TOLD), (warning) => warning, (warning) => html`<li>${named(t, warning)}.</li>`)}${warnings.length > MOST_TOLD ? html`<li>${t("draw.more", { count: warnings.length - MOST_TOLD })}</li>` : nothing}</ul>` : nothing}
+      ${warnings.length ? html`<ul id="draw-warnings" class="warnings">${repeat(warnings.slice(0, MOST_WARNINGS), (warning) => warning, (warning) => html`<li>${named(t, warning)}.</li>`)}${warnings.length > MOST_WARNINGS ? html`<li>${t("draw.more", { count: warnings.length - MOST_WARNINGS })}</li>` : nothing}</ul>` : nothing}
       ${needsPen ? html`<p class="status" data-tone="warn">${t("draw.no_pen")} <button id="draw-pen" type="button" class="small" @click=${() => act.addPen()}>${t("draw.add_pen")}</button></p>` : nothing}
       <div class="row">
         <button id="draw-start" type="button" class="strong" ?disabled=${!ready} @click=${() => act.draw("whole")}>${t("draw.start")}</button>
