@@ -1,4 +1,4 @@
-//! Writes the table of the page's files: all of `files/` but tests and types.
+//! Generates the table of the page's files: everything in `files/` except tests and types.
 
 use std::fs;
 use std::io;
@@ -33,7 +33,7 @@ fn write_table() -> io::Result<()> {
     fs::write(variable("OUT_DIR")?.join("files.rs"), table)
 }
 
-/// Adds the paths below a folder, with `/` between their parts on every system.
+/// Adds the paths below a folder, separated by `/` on every system.
 fn collect(root: &Path, folder: &Path, paths: &mut Vec<String>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
@@ -62,13 +62,13 @@ fn row(folder: &Path, path: &str) -> io::Result<String> {
     ))
 }
 
-/// Where a file is served: an `index.html` where its folder is, as in `/fleet`.
+/// Returns the path at which a file is served; an `index.html` is served as its folder, such as `/fleet`.
 fn served_at(path: &str) -> &str {
     path.strip_suffix("index.html")
         .map_or(path, |folder| folder.trim_end_matches('/'))
 }
 
-/// By the name's end. Browsers refuse a module that does not say that it is one.
+/// Returns the content type by file extension. Browsers refuse a module with another type.
 fn content_type(path: &str) -> io::Result<&'static str> {
     let name = path.rsplit('/').next().unwrap_or(path);
     match name.rsplit_once('.').map(|(_, end)| end) {
@@ -79,7 +79,7 @@ fn content_type(path: &str) -> io::Result<&'static str> {
         Some("toml") => Ok("application/toml; charset=utf-8"),
         None => Ok("text/plain; charset=utf-8"),
         Some(other) => Err(io::Error::other(format!(
-            "page/files/{path}: a name ends with .html, .css, .js, .json, .toml or has no end; say in page/build.rs what the type of .{other} is"
+            "page/files/{path} has the extension .{other}; supported are .html, .css, .js, .json, .toml and none; add its content type to page/build.rs"
         ))),
     }
 }

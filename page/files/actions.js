@@ -1,4 +1,4 @@
-// What a person can do on the page: each is a message to the state, a request to the station, or both.
+// User actions: each sends a message to the state, a request to the station, or both.
 
 import { rests } from "./state/selectors.js";
 import { commandOf } from "./station/target.js";
@@ -11,14 +11,14 @@ import { createStop } from "./station/stop.js";
 /** @typedef {import("./state/state.js").Question} Question */
 /** @typedef {ReturnType<typeof createActions>} Actions */
 
-/** For how long the laser is armed unless the policy says less. */
+/** Arming time of the laser; the policy may set a shorter one. */
 const ARM_S = 300;
 const PEN_SCENE = "[pen]\n";
-/** For so long a command waits until the arm has run down, by the clock of the station. */
+/** How long a command waits for the arm to run down, by the station's clock. */
 const RUN_DOWN_S = 1;
-/** What was refused is asked for again after this share of the time between two statuses. States do not count, for each refusal makes one. */
+/** Fraction of the status period after which a refused command is retried. States cannot be counted: each refusal causes one. */
 const AGAIN = 0.9;
-/** More than any joint is slack. */
+/** More than the backlash of any joint. */
 const RUN_UP_DEG = 6;
 
 /** @param {import("./state/types.js").Problem | undefined} problem */
@@ -38,23 +38,23 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  */
 export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, createJobs, createTeach }) {
   const { send } = store;
-  /** How often the arm was stopped, by this page or another. */
+  /** Number of stops so far, by this page or another client. */
   let stops = 0;
-  /** Who waits for the next state. @type {(() => void)[]} */ const waiting = [];
+  /** Resolvers that wait for the next state. @type {(() => void)[]} */ const waiting = [];
 
   store.subscribe((page, message) => {
     if (message.type === "stop_pressed" || message.type === "closed" || (message.type === "state" && page.station?.stop)) stops += 1;
     if (message.type === "state" || message.type === "closed") for (const heard of waiting.splice(0)) heard();
   });
 
-  /** Asks for something. A refusal is told to all of the page. @param {Request} request @returns {Promise<boolean>} whether it is done */
+  /** Sends a request and shows a refusal to the whole page. @param {Request} request @returns {Promise<boolean>} whether it is done */
   async function ask(request) {
     const { problem } = await socket.ask(request);
     if (problem) send({ type: "problem", problem });
     return problem === undefined;
   }
 
-  /** Takes control where nobody has it: the first action does. */
+  /** Takes control if no client has it, as the first action does. */
   function takeControlIfFree() {
     if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
   }
@@ -65,7 +65,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   /** The next state, or the end of the connection. @returns {Promise<void>} */
   const nextState = () => new Promise((heard) => waiting.push(heard));
 
-  /** Waits a moment. @param {number} before how often the arm had been stopped @returns {Promise<boolean>} whether nobody has stopped it since */
+  /** Waits for the next status. @param {number} before number of stops before the request @returns {Promise<boolean>} whether the arm was not stopped meanwhile */
   async function isFreeLater(before) {
     const again_s = at_s() + AGAIN * (store.page.facts?.status_period_s ?? 0);
     do await nextState();
@@ -74,7 +74,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   }
 
   /**
-   * A command. While the arm runs down it is asked for again with each status, for a second, unless somebody stops the arm.
+   * Sends a command. While the arm runs down it is retried with each status, for one second, unless the arm is stopped.
    * @param {Command} command
    */
   async function command(command) {
@@ -89,7 +89,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     return problem === undefined;
   }
 
-  /** To these joints, with the tool as it is. @param {{ base_deg?: number, rear_deg?: number, fore_deg?: number, servo_deg?: number, gripper_deg?: number }} to */
+  /** Moves to joint angles and keeps the tool state. @param {{ base_deg?: number, rear_deg?: number, fore_deg?: number, servo_deg?: number, gripper_deg?: number }} to */
   async function moveJoints(to) {
     const arm = store.page.station?.arm;
     if (!arm) return false;
@@ -97,22 +97,22 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     return command({ type: "move_joints", base_deg, rear_deg, fore_deg, servo_deg, suction, gripper_deg, mode: "movj", pause_s: 0, ...to });
   }
 
-  /** Turns the base of a calibrated arm straight ahead, and once it rests there tells the arm its true angles, unless somebody stops it. */
+  /** Turns the base of a calibrated arm straight ahead, then sends the calibrated angles to the arm, unless the arm is stopped. */
   async function sendAngles() {
     const before = stops;
-    // From the right, so that the play of the joints is on the side on which they were touched.
+    // From the right, so that the backlash is on the same side as in the calibration.
     if (!(await moveJoints({ base_deg: -RUN_UP_DEG })) || !(await moveJoints({ base_deg: 0 }))) return;
     /** @type {import("./state/types.js").Answer | null} */ let answer;
     do {
       if (!(await isFreeLater(before))) return;
       const { station } = store.page;
-      // A state that was on its way before the arm turned says that it rests: the station knows better, and refuses.
+      // A state sent before the arm turned reports it at rest: the station knows better and refuses.
       answer = station && rests(station) ? await socket.ask({ type: "tell_angles" }) : null;
     } while (!answer || isStillMoving(answer.problem));
     if (answer.problem) send({ type: "problem", problem: answer.problem });
   }
 
-  /** Whether the station answered a stop; what it refuses is told. @param {Promise<{ problem?: import("./state/types.js").Problem }>} answer */
+  /** Whether the station answered a stop; a refusal is shown. @param {Promise<{ problem?: import("./state/types.js").Problem }>} answer */
   async function isAnswered(answer) {
     const { problem } = await answer;
     if (!problem) return true;
@@ -130,16 +130,16 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     answered: (after_ms) => send({ type: "stop_answered", after_s: after_ms / 1000 }),
   });
 
-  /** Stops the arm by every way there is, before anything else is done. */
+  /** Stops the arm over every channel, before anything else. */
   function stop() {
     pressStop();
     send({ type: "stop_pressed" });
   }
 
-  /** For how long the laser is armed, in seconds. */
+  /** Arming time of the laser, in seconds. */
   const arming_s = () => Math.min(ARM_S, store.page.policy?.laser.arm_for_s ?? ARM_S);
 
-  /** What is done when a person says yes. @param {Question} question @returns {Promise<unknown>} */
+  /** Carries out a confirmed question. @param {Question} question @returns {Promise<unknown>} */
   function confirmed({ about, values }) {
     switch (about) {
       case "arm_laser":
@@ -159,7 +159,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     }
   }
 
-  /** From now on this page goes by the name of a student: time slots know it by that. @param {string} name */
+  /** Sets the student's name, by which time slots identify this page. @param {string} name */
   function setStudent(name) {
     lessons.setStudent(name);
     socket.again();
@@ -169,7 +169,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     setStudent,
     send, ask, takeControlIfFree, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs: createJobs(takeControlIfFree), teach: createTeach(takeControlIfFree),
 
-    /** Asks a person before something is done. @param {Question} question */
+    /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),
 
     /** @param {boolean} yes */
@@ -183,25 +183,25 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     go() {
       const { target } = store.page;
       const to = commandOf(store.page);
-      // Only what was found free may be gone to.
+      // Only a target with a free path may be approached.
       if (!to || target.check.type !== "free") return;
       void command(to).then((done) => done && target.revision === store.page.target.revision && send({ type: "target_goes" }));
     },
 
-    /** To where a stock arm stands when it is switched on. */
+    /** Moves to the power-up pose of a stock arm. */
     home: () => void moveJoints({ base_deg: 0, rear_deg: 45, fore_deg: 45, servo_deg: 0 }),
 
     /** @param {boolean} on */
     suction: (on) => command({ type: "joint_jog", axis: on ? "suction_on" : "suction_off", speed_percent: 0 }),
 
-    /** A target that is the place itself. @param {number} gripper_deg */
+    /** Moves only the gripper. @param {number} gripper_deg */
     grip: (gripper_deg) => void moveJoints({ gripper_deg }),
 
-    /** A file to be drawn, or a timeline to be looked at. @param {File} file */
+    /** Opens a drawing, or a timeline in the preview. @param {File} file */
     openFile(file) {
       send({ type: "tab", tab: "draw" });
       if (!/\.json$/i.test(file.name)) return send({ type: "draw_file", file });
-      // A large timeline takes a second, and STOP cannot wait for it.
+      // Reading a large timeline takes a second, and STOP cannot wait for it.
       const reader = new Worker(new URL("preview/reader.js", import.meta.url), { type: "module" });
       /** @param {import("./preview/timeline.js").Timeline | undefined} timeline */
       const read = (timeline) => {
@@ -213,17 +213,17 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       reader.postMessage(file);
     },
 
-    /** Makes a job of the drawing, or of the way around it, and starts it. @param {Schemas["DrawingPart"]} part */
+    /** Creates a job from the drawing or its frame, and starts it. @param {Schemas["DrawingPart"]} part */
     async draw(part) {
       takeControlIfFree();
       const { value, problem } = await http.ask("POST", `api/v1/drawings/${store.page.draw.drawing}/jobs`, { part });
       if (problem) return send({ type: "problem", problem });
       const { job } = /** @type {{ job: { job: number } }} */ (value).job;
-      // What cannot be started does not stay behind.
+      // A job that cannot be started is removed.
       if (!(await ask({ type: "start_job", job }))) await socket.ask({ type: "cancel_job", job });
     },
 
-    /** Gives the virtual arm a pen, and paper. */
+    /** Gives the virtual arm a pen and paper. */
     async addPen() {
       const { problem } = await http.ask("PUT", "api/v1/world", { scene: PEN_SCENE });
       if (problem) send({ type: "problem", problem });

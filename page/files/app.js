@@ -48,7 +48,7 @@ import { languageOf, formatDuration, translator } from "./i18n/i18n.js";
 const TICK_MS = 250;
 const KEEP_MS = 300;
 const MESSAGE_MS = 12_000;
-/** Where the program is kept that somebody teaches, so that nothing of it is lost. */
+/** Storage key of the program being taught. */
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
 const PANELS = { move, draw: drawPanelOf, teach, jobs, watch, set_up: setUp };
@@ -125,7 +125,7 @@ function drawStage(page, t) {
 
 /** @type {number | undefined} */ let hideTimer;
 
-/** Takes the message away, unless somebody is at it. */
+/** Hides the message, unless the pointer or focus is on it. */
 function hideMessage() {
   if (part("toasts").matches(":hover, :focus-within")) hideTimer = setTimeout(hideMessage, MESSAGE_MS);
   else store.send({ type: "problem_closed" });
@@ -135,7 +135,7 @@ let kept = store.page.teach.text;
 /** @type {number | undefined} */ let keeping;
 
 store.subscribe((page, message) => {
-  // The stage hears that the arm stood; all else stays as it is.
+  // The stage needs the report of an arm at rest; the rest of the page does not change.
   if (message.type === "state" && drawn && rendersSame(drawn, page)) drawStage(page, translator(page.language));
   else changed();
   if (message.type === "problem") {
@@ -161,7 +161,7 @@ dark.addEventListener("change", ({ matches }) => {
   isSystemDark = matches;
   changed();
 });
-// A field that somebody was in shows what holds once it is left.
+// A field shows the current value after it loses focus.
 document.addEventListener("focusout", changed);
 setInterval(() => {
   // A clock that ticks for nothing draws nothing.

@@ -1,6 +1,6 @@
-//! The web page of a station: its files, as a program serves them.
+//! The web page of a station, as a table of files for a program that serves them.
 //!
-//! They are written by hand and need no build: what is in `files/` is what a browser gets. [`FILES`] has a row for each.
+//! The files need no build: browsers get exactly the content of `files/`. [`FILES`] has one row per file.
 //!
 //! ```
 //! let page = dobot_page::FILES[0];

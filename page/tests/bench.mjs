@@ -1,4 +1,4 @@
-// A virtual arm, a station and a browser, as a person has them; and what the arm was told.
+// Test bench: a virtual arm, a station, a browser, and the traffic to the arm.
 import { EventEmitter, once } from "node:events";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createConnection, createServer } from "node:net";
@@ -15,8 +15,8 @@ export const isStop = ({ floats: [state, axis] }) => state === 2 && axis === 14;
 /** A jog button that is pressed. */
 export const isJog = ({ floats: [state, axis] }) => (state === 2 || state === 7) && axis > 0 && axis < 9;
 
-/** Ten floats for each packet to the arm, and when it passed. */
-class Told {
+/** The packets to the arm: ten floats and a time each. */
+class Traffic {
   #rest = Buffer.alloc(0);
   #came = new EventEmitter();
   packets = [];
@@ -31,7 +31,7 @@ class Told {
     this.#came.emit("packets");
   }
 
-  /** The first packet from one on that is so, or nothing where none comes in time. */
+  /** Returns the first matching packet from an index on, or undefined after the timeout. */
   async next(from, isSo, within_ms = 10_000) {
     const signal = AbortSignal.timeout(within_ms);
     for (;;) {
@@ -104,16 +104,16 @@ async function createFront() {
  * Everything that a test needs; `end` ends it. With `virtual` the arm is the station's own, whose world it tells; nothing taps it.
  * `speed` is for what only has to come about: the arm's time passes so many times as fast as a clock. A page that is late to say
  * that a button is still held, as on a busy machine, lets go of it; with `patient` it has a second, which is longer than it has.
- * `personality` is what the arm is, and the dialect that the station is told.
+ * `personality` is the arm's personality and the station's dialect.
  */
 export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, personality = "firmware-1.1", speed = 1, patient = true, options = {}, scripts = [] } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
   const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", personality, "--time-factor", String(speed)], /^tcp:127\.0\.0\.1:(\d+)/);
-  const told = new Told();
+  const traffic = new Traffic();
   const tap = createServer((station) => {
     const way = createConnection({ port: Number(arm?.found), host: "127.0.0.1", noDelay: true });
     station.setNoDelay(true);
-    station.on("data", (bytes) => told.take(bytes));
+    station.on("data", (bytes) => traffic.take(bytes));
     station.pipe(way).pipe(station);
     // A connection that is reset ends the other one, too: the arm takes the next client only when this one is gone.
     for (const [one, other] of [[station, way], [way, station]]) one.on("error", () => {}).on("close", () => other.end());
@@ -156,7 +156,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
   }
   const page = await visit({ viewport, ...options }, scripts);
   return {
-    page, told, errors, visit, enter, setDeadMan, url: front.url,
+    page, traffic, errors, visit, enter, setDeadMan, url: front.url,
     /** Makes all that is said between browser and station late, both ways. */
     slow: (delay_ms) => (front.way.delay_ms = delay_ms),
     /** Lets nothing pass any more between browser and station, without an end of any connection; `mend` lets it pass. */
@@ -211,7 +211,7 @@ export async function rest(page) {
 }
 
 /** Waits until what the station answers at a path is so. (`waitForFunction` takes the promise of an async function for true.) */
-export async function answered(page, path, isSo) {
+export async function waitForAnswer(page, path, isSo) {
   for (let tries = 0; tries < 600; tries += 1) {
     const answer = await (await fetch(new URL(path, page.url()))).json();
     if (isSo(answer)) return answer;
@@ -227,8 +227,8 @@ export async function contents(download) {
 
 /** Waits until so much of the station's time has passed. */
 export async function passed(page, seconds) {
-  const { at_s } = await answered(page, "api/v1/state", () => true);
-  await answered(page, "api/v1/state", (it) => it.at_s > at_s + seconds);
+  const { at_s } = await waitForAnswer(page, "api/v1/state", () => true);
+  await waitForAnswer(page, "api/v1/state", (it) => it.at_s > at_s + seconds);
 }
 
 /** Presses the mouse button over a jog button. */

@@ -1,10 +1,10 @@
-// The board with as many arms as a school has, of a stand-in for its station: keys, sizes, screen readers, and what goes wrong.
+// The board with the arms of a school, on a mock station: keys, sizes, screen readers, and failures.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
 import { launch, leave, visitor } from "./browser.mjs";
 import { gesture, hand, numbers, words } from "./gestures.mjs";
-import { crowd, job, learner, member, queue, standIn, time } from "./mock_station.mjs";
+import { crowd, job, learner, member, queue, mockStation, time } from "./mock_station.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 const SIZES = { desktop: { width: 1440, height: 900 }, tablet: { width: 1024, height: 768 }, phone: { width: 360, height: 740 } };
@@ -24,7 +24,7 @@ afterEach(async () => {
 
 /** The board of these stations, and the stand-in that tells them. */
 async function open(members, { answer, submitted, ...options } = {}) {
-  const station = await standIn(members, answer, submitted);
+  const station = await mockStation(members, answer, submitted);
   const context = await visitor(browser, { viewport: SIZES.desktop, reducedMotion: "reduce", ...options });
   const page = await context.newPage();
   page.on("pageerror", (error) => errors.push(error));
@@ -333,7 +333,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
       const idle = crowd(arms).map((it) => ({ ...it, presence: { type: "present" }, state: { ...it.state, job: null, lease: null } }));
       const [first, second, third, fourth, fifth, ...others] = idle;
       const learners = [learner("Anna", 2), learner("Wolfeschlegelsteinhausenbergerdorff", 4, 431)];
-      const answer = (told) => ({ path }) => (path === "/api/v1/fleet/requests" ? { body: [{ member: fifth.name, id: fifth.id, answer: { status: 200, body: told }, took_ms: 1 }] } : undefined);
+      const answer = (learnerList) => ({ path }) => (path === "/api/v1/fleet/requests" ? { body: [{ member: fifth.name, id: fifth.id, answer: { status: 200, body: learnerList }, took_ms: 1 }] } : undefined);
       const places = (page) => page.$$eval(".tile", (all) => all.map((it) => [it.dataset.member, it.offsetLeft, it.offsetTop, it.offsetHeight]));
       const { page: calm } = await open(idle, { viewport, answer: answer([]) });
       await calm.waitForSelector(".tile");

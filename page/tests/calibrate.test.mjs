@@ -20,7 +20,7 @@ before(async () => {
 after(() => bench.end());
 afterEach(() => assert.deepEqual(bench.errors, []));
 
-const says = (id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part]);
+const waitForText = (id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part]);
 const known = () => bench.ask("api/v1/calibration");
 const deg = (angle) => (angle * 180) / Math.PI;
 
@@ -55,22 +55,22 @@ async function stand(place) {
 
 test("a person finds the zeros of an arm, sees what would be kept, keeps it, and takes it back", async () => {
   await page.click("#tab-set_up");
-  await says("calibrate-known", "Not calibrated");
+  await waitForText("calibrate-known", "Not calibrated");
   assert.equal(await page.isDisabled("#calibrate-before"), true);
   await page.click("#calibrate-begin");
   await page.fill("#calibrate-bar", "194");
   await page.click("#calibrate-next");
-  await says("calibrate", "97.0 %");
+  await waitForText("calibrate", "97.0 %");
   await page.fill("#calibrate-bar", "200.2");
   await page.keyboard.press("Enter");
-  await says("calibrate-point", "point 1");
+  await waitForText("calibrate-point", "point 1");
 
   // Who moves the arm does not matter to the page: here it is the test.
   await page.click("#release");
   lease = (await ask("POST", "api/v1/lease", { name: "calibrate.test" })).token;
   const { points_mm } = await bench.ask("api/v1/calibration/points");
   const touch = async (point) => {
-    await says("calibrate-point", `point ${point + 1} `);
+    await waitForText("calibrate-point", `point ${point + 1} `);
     await stand(points_mm[point]);
     await page.click("#calibrate-touch");
   };
@@ -79,40 +79,40 @@ test("a person finds the zeros of an arm, sees what would be kept, keeps it, and
   await page.click("#tab-move");
   await page.click("#tab-set_up");
   await page.click("#calibrate-skip");
-  await says("calibrate-point", "point 5 ");
+  await waitForText("calibrate-point", "point 5 ");
   await page.click("#calibrate-back");
   for (const point of [3, 4, 5, 6, 7]) await touch(point);
-  await says("calibrate-result", "typically");
+  await waitForText("calibrate-result", "typically");
   assert.equal(await page.textContent("#calibrate-trust"), "good");
-  await says("calibrate-touches", "Point 8");
+  await waitForText("calibrate-touches", "Point 8");
   assert.equal(await page.locator("#calibrate-touches dt").count(), 8);
   // There is no block on the point, so the touch is far below where its top would be, and is named.
   await page.fill("#calibrate-block", "-3");
-  await says("calibrate-why", "0 to 100 mm");
+  await waitForText("calibrate-why", "0 to 100 mm");
   assert.equal(await page.isDisabled("#calibrate-touch"), true);
   await page.fill("#calibrate-block", "40");
-  await says("calibrate-point", "point 9 ");
+  await waitForText("calibrate-point", "point 9 ");
   await stand(points_mm[8]);
   await page.click("#calibrate-touch");
-  await says("calibrate-touches", "Point 9, 40 mm higher");
-  await says("calibrate-touches", "excluded");
+  await waitForText("calibrate-touches", "Point 9, 40 mm higher");
+  await waitForText("calibrate-touches", "excluded");
   assert.equal(await page.inputValue("#calibrate-block"), "");
   await page.click("#calibrate-back");
-  await says("calibrate-result", "typically");
+  await waitForText("calibrate-result", "typically");
   assert.deepEqual(await known(), { calibration: null, before: null });
   assert.equal(await page.locator("#calibrate-keep").count(), 0);
   await page.click("#calibrate-show");
   await page.click("#calibrate-keep");
-  await says("calibrate-known", "8 points agreed");
+  await waitForText("calibrate-known", "8 points agreed");
   const { zeros } = (await known()).calibration;
   for (const [joint, wanted] of ZEROS.entries()) assert.ok(Math.abs(Object.values(zeros)[joint] - wanted) < 1.5, JSON.stringify(zeros));
 
   await page.click("#calibrate-forget");
   await page.click("#confirm-yes");
-  await says("calibrate-known", "Not calibrated");
+  await waitForText("calibrate-known", "Not calibrated");
   assert.equal((await known()).calibration, null);
   await page.click("#calibrate-before");
-  await says("calibrate-known", "8 points agreed");
+  await waitForText("calibrate-known", "8 points agreed");
   assert.deepEqual((await known()).calibration.zeros, zeros);
 });
 
@@ -121,7 +121,7 @@ test("the arm is told its angles with its base straight ahead, and a reset makes
   lease = undefined;
   await page.click("#calibrate-angles");
   await page.click("#confirm-yes");
-  await says("calibrate-known", "angles were sent");
+  await waitForText("calibrate-known", "angles were sent");
   await page.waitForFunction(() => Math.abs(Number(document.querySelector("[data-pose=base_deg]").textContent)) < 0.1);
   assert.equal((await bench.ask("api/v1/state")).calibrated.zeros_told, true);
   assert.equal(await page.locator("#calibrate-angles").count(), 0);
@@ -131,10 +131,10 @@ test("the arm is told its angles with its base straight ahead, and a reset makes
   await page.fill("#calibrate-bar", "200");
   await page.keyboard.press("Enter");
   await page.click("#calibrate-touch");
-  await says("calibrate-point", "point 2 ");
+  await waitForText("calibrate-point", "point 2 ");
   await ask("PUT", "api/v1/faults", { faults: ["reset@10ms"], seed: 0 });
-  await says("calibrate-lost", "Discarded points: 1");
-  await says("calibrate-point", "point 1 ");
+  await waitForText("calibrate-lost", "Discarded points: 1");
+  await waitForText("calibrate-point", "point 1 ");
   assert.equal(await page.isDisabled("#calibrate-touch"), true);
   await page.click("#calibrate-leave");
   await page.waitForSelector("#calibrate-begin");

@@ -81,7 +81,7 @@ after(async () => {
 const tile = (name) => `.tile[data-member=${name}]`;
 /** Waits until the state of the station of a page is so. */
 const state = (page, isSo) => page.waitForFunction(async (isSo) => new Function(`return ${isSo}`)()(await (await fetch("api/v1/state")).json()), isSo.toString(), { polling: 200 });
-const says = (selector, text) => board.waitForFunction(([selector, text]) => document.querySelector(selector)?.textContent.includes(text), [selector, text]);
+const waitForText = (selector, text) => board.waitForFunction(([selector, text]) => document.querySelector(selector)?.textContent.includes(text), [selector, text]);
 const seen = async (presence) => { for (const name of ["desk-2", "desk-3"]) await board.waitForSelector(`${tile(name)}[data-presence=${presence}]`); };
 /** The entry of the queue with this title. */
 const entry = (title) => `#queue [data-work]:has(.title:text-is("${title}"))`;
@@ -97,13 +97,13 @@ async function submit(text, name) {
 
 test("the board shows each station of the three networks", async () => {
   await seen("present");
-  await says("#count .chip", "3 of 3 online");
+  await waitForText("#count .chip", "3 of 3 online");
 });
 
 test("a drawing that is submitted at the board is taken by the arm that has what it needs, and drawn", async () => {
   await board.click("#queue-open");
   await board.check("#submit-needs [value=a5]");
-  await says("#submit-arms", "desk-2");
+  await waitForText("#submit-arms", "desk-2");
   await board.fill("#submit-down", "-40");
   await submit("i", "Anna");
   await board.waitForSelector(`${entry("i")}[data-phase=done]`);
@@ -115,7 +115,7 @@ test("a drawing that is submitted at the board is taken by the arm that has what
 test("eyes on me holds each arm and is told on the student's page, a message too; release lets go", async () => {
   await board.fill("#lesson-text", "eyes on me");
   await board.click("#lock");
-  await says("#outcome", "3 of 3 locked.");
+  await waitForText("#outcome", "3 of 3 locked.");
   await student.waitForSelector("#locked");
   assert.equal((await student.textContent("#locked")).trim(), "The arm is locked. By teacher: eyes on me.");
   await board.fill("#lesson-text", "Five minutes");
@@ -131,7 +131,7 @@ test("whoever has no arm is given a virtual one by the board, and moves it on a 
   await board.fill("#arm-name", "Chen");
   await board.click("#arm-give");
   await board.waitForSelector(`${tile("chen")}[data-presence=present]`);
-  await says("#count .chip", "4 of 4 online");
+  await waitForText("#count .chip", "4 of 4 online");
   const own = await board.context().newPage();
   await own.goto(await board.getAttribute("#arm-page", "href"));
   await takeAndMove(own);
@@ -147,7 +147,7 @@ test("in the time slot of a student nobody else moves the arm of the desk, and a
   await board.click(`${tile("desk-3")} .name`);
   await board.fill("#slots-arm [name=names]", "Anna\nBen");
   await board.click("#slots-arm [type=submit]");
-  await says(`${tile("desk-3")} .who`, "Anna: ");
+  await waitForText(`${tile("desk-3")} .who`, "Anna: ");
   const [anna, ben] = await Promise.all(["Anna", "Ben"].map((name) => visit("desk-3", `#token=${students[name]}`)));
   await anna.waitForSelector("#slot[data-tone=good]");
   await takeAndMove(anna);
@@ -167,9 +167,9 @@ test("a student who takes a lesson is on the board with the step", async () => {
   await student.click("#first-tour");
   await student.fill("#lesson-who input", "Anna");
   await student.click("#lesson-who button");
-  await says(`${tile("desk-2")} .learner`, "step 1 of 12");
+  await waitForText(`${tile("desk-2")} .learner`, "step 1 of 12");
   await student.click("#lesson-next");
-  await says(`${tile("desk-2")} .learner`, "step 2 of 12");
+  await waitForText(`${tile("desk-2")} .learner`, "step 2 of 12");
   assert.match(await board.textContent(`${tile("desk-2")} .learner`), /^Anna /);
   await student.click("#lesson-end");
 });
@@ -183,9 +183,9 @@ test("with the router killed the others are away, what they have is in doubt, an
   await seen("away");
   await board.waitForSelector(`${entry("Ben")}[data-doubtful=true]`);
   assert.match(await board.textContent(`${entry("Ben")} .reason-note`), /^Desk-2 cannot be reached; \d+ of \d+ commands were done at the last report, and it may continue\.$/);
-  await says("#queue-open", "1 uncertain");
+  await waitForText("#queue-open", "1 uncertain");
   await board.click("#stop");
-  await says("#stop-status", "1 of 3 stopped.");
+  await waitForText("#stop-status", "1 of 3 stopped.");
   assert.match(await board.textContent("#stop-status"), /NO ANSWER from desk-2 and desk-3: press STOP on their own pages\./);
   await state(board, ({ stop }) => stop !== null);
   // The arm that nobody of the fleet reaches is stopped on its own page.
@@ -202,13 +202,13 @@ test("with the router back they find each other, the doubt ends by itself, and n
   const jobs = await board.evaluate(async () => (await fetch("api/v1/jobs")).json());
   assert.deepEqual(jobs, []);
   await board.click("#stop");
-  await says("#stop-status", "3 of 3 stopped.");
+  await waitForText("#stop-status", "3 of 3 stopped.");
   // Only those that the board has heard to be stopped are asked about: each tells of itself every second.
-  await says("#reset", "Clear stops (3)…");
+  await waitForText("#reset", "Clear stops (3)…");
   // An arm that is not seen at rest is not let go.
   for (const page of [board, student]) await state(page, ({ stop }) => stop?.at_rest === true);
   await board.click("#reset");
   await board.click("#confirm-yes");
-  await says("#outcome", "3 of 3 stops cleared.");
+  await waitForText("#outcome", "3 of 3 stops cleared.");
   await state(student, ({ stop }) => stop === null);
 });

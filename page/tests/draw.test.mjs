@@ -33,7 +33,7 @@ async function drop(name, text) {
   await page.dispatchEvent("#panel", "drop", { dataTransfer: files });
 }
 
-const says = (part) => page.waitForFunction((part) => document.querySelector("#draw-status")?.textContent.includes(part), part);
+const waitForText = (part) => page.waitForFunction((part) => document.querySelector("#draw-status")?.textContent.includes(part), part);
 const value = async (name) => Number(await page.inputValue(`#draw-${name}`));
 
 /** How far the ink goes: the least and the most of X, and of Y. */
@@ -46,7 +46,7 @@ async function ink() {
 
 test("a file that is dropped is planned, moved by hand, and drawn where it was put", async () => {
   await drop("square.svg", SVG);
-  await says("Takes ");
+  await waitForText("Takes ");
   const box = await page.locator("#sheet-move").boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
@@ -55,8 +55,8 @@ test("a file that is dropped is planned, moved by hand, and drawn where it was p
   const [x, y] = [await value("x"), await value("y")];
   assert.ok(y > 10, `dragged to the left, so that Y is more than 0: ${y}`);
   assert.ok(x < 210, `dragged down, so that X is less than before: ${x}`);
-  await says("Planning…");
-  await says("Takes ");
+  await waitForText("Planning…");
+  await waitForText("Takes ");
   await page.click("#draw-start");
   await page.waitForSelector("#job-name:text('square.svg')");
   await page.waitForSelector("#job", { state: "detached", timeout: 60_000 });
@@ -77,9 +77,9 @@ test("a file of 100 MB is refused with what to do, and the page goes on", async 
     files.items.add(new File([new Uint8Array(100_000_000)], "huge.png"));
     document.getElementById("panel").dispatchEvent(new DragEvent("drop", { dataTransfer: files, bubbles: true, cancelable: true }));
   });
-  await says("huge.png has 100 MB");
+  await waitForText("huge.png has 100 MB");
   await drop("square.svg", SVG);
-  await says("Takes ");
+  await waitForText("Takes ");
 });
 
 test("a place out of reach is told, and the way back is free", async () => {
@@ -87,7 +87,7 @@ test("a place out of reach is told, and the way back is free", async () => {
   await page.waitForSelector("#draw-status[data-tone=bad]");
   assert.ok(await page.isDisabled("#draw-start"));
   await page.fill("#draw-x", "");
-  await says("Takes ");
+  await waitForText("Takes ");
 });
 
 test("a plan that takes long is given up, and the statuses come as before meanwhile", async () => {
@@ -98,8 +98,8 @@ test("a plan that takes long is given up, and the statuses come as before meanwh
   const { link } = await get("state");
   assert.ok(link.statuses_per_s > 11, `${link.statuses_per_s} statuses in a second`);
   await page.click("#draw-cancel");
-  await says("Planning cancelled");
+  await waitForText("Planning cancelled");
   await page.check("input[name=draw-what][value=text]", { force: true });
   await page.fill("#draw-text", "Hello");
-  await says("Takes ");
+  await waitForText("Takes ");
 });

@@ -11,7 +11,7 @@ import { Hand, tell } from "./story.mjs";
 const FILM = fileURLToPath(new URL("../../docs/pictures/first-minutes.webp", import.meta.url));
 const SIZE = { width: 1120, height: 700 };
 const FRAME_MS = 125;
-/** What is shown while a part goes on, until it is over, and how many times faster than it was. */
+/** Caption of each part of the story, and its playback speed. */
 const PARTS = [
   ["jogged", "Hold a button: the arm moves", 1],
   ["looped", "Teach two points, and loop them", 1.5],
@@ -20,11 +20,11 @@ const PARTS = [
   ["planned", "Drop a picture", 1],
   ["drawn", "Watch it drawn (6 times as fast)", 6],
   ["looked", "Look at it from above", 1],
-  ["refused", "Too far? It says why, and how far it may go", 1],
-  [null, "Too far? It says why, and how far it may go", 1],
+  ["refused", "Out of reach? The page reports why, and how far the arm can go", 1],
+  [null, "Out of reach? The page reports why, and how far the arm can go", 1],
 ];
 
-if (spawnSync("img2webp", ["-version"]).error) throw new Error("img2webp is not there: install the package webp");
+if (spawnSync("img2webp", ["-version"]).error) throw new Error("img2webp not found; install the package webp");
 
 const bench = await open({ virtual: true, webgl: true, viewport: SIZE, options: { deviceScaleFactor: 1, colorScheme: "light" } });
 const { page } = bench;

@@ -5,11 +5,11 @@ import { moved, open, passed, pose, press, rest, takeControl } from "./bench.mjs
 
 const FIELDS = ["x_mm", "y_mm", "z_mm", "base_deg", "rear_deg", "fore_deg"];
 
-let bench, page, told;
+let bench, page, traffic;
 
 before(async () => {
   bench = await open();
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
 });
 after(() => bench.end());
 
@@ -29,18 +29,18 @@ test("a person opens the page, jogs the arm and stops it", async () => {
   for (const name of FIELDS) assert.equal(await pose(page, name), Number(began[name].toFixed(1)), name);
 
   await takeControl(page);
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await press(page, "y_plus");
   await moved(page, "y_mm", 8);
   // Still held: only STOP ends it.
-  assert.deepEqual(new Set(told.jogs(from).map((it) => it.text).filter((it) => it !== "linear 0")), new Set(["linear 3"]));
-  const stopped = told.packets.length;
+  assert.deepEqual(new Set(traffic.jogs(from).map((it) => it.text).filter((it) => it !== "linear 0")), new Set(["linear 3"]));
+  const stopped = traffic.packets.length;
   await page.keyboard.press("Escape");
   await page.waitForSelector("#stopped:visible");
   await rest(page);
-  const jogs = told.jogs(stopped).map((it) => it.text);
+  const jogs = traffic.jogs(stopped).map((it) => it.text);
   assert.equal(jogs.at(-1), "linear 0");
-  assert.ok(told.jogs(from).every((it) => it.text === "linear 3" || it.text === "linear 0"));
+  assert.ok(traffic.jogs(from).every((it) => it.text === "linear 3" || it.text === "linear 0"));
 
   const ended = await armNow();
   assert.ok(ended.y_mm - began.y_mm >= 8, `y went from ${began.y_mm} to ${ended.y_mm} mm`);
@@ -49,12 +49,12 @@ test("a person opens the page, jogs the arm and stops it", async () => {
   assert.equal(await page.isDisabled("[data-axis=y_plus]:visible"), true);
 
   // The button that is still held moves nothing, and the arm stays where it stopped.
-  const quiet = told.packets.length;
+  const quiet = traffic.packets.length;
   await page.mouse.up();
   await page.mouse.down();
   await page.mouse.up();
   await passed(page, 0.5);
-  assert.deepEqual(told.jogs(quiet).filter((it) => it.text !== "linear 0"), []);
+  assert.deepEqual(traffic.jogs(quiet).filter((it) => it.text !== "linear 0"), []);
   assert.equal((await armNow()).y_mm, ended.y_mm);
   assert.deepEqual(bench.errors, []);
 });

@@ -84,7 +84,7 @@ const tile = (name) => `.tile[data-member=${name}]`;
 const picture = (name) => page.$eval(`${tile(name)} canvas`, (it) => it.toDataURL());
 
 /** Waits until what a station answers is so. */
-async function answered(name, path, isSo) {
+async function waitForAnswer(name, path, isSo) {
   for (let tries = 0; tries < 600; tries += 1) {
     const answer = await ask(name, path);
     if (isSo(answer)) return answer;
@@ -147,12 +147,12 @@ test("a jog shows on the tile of its arm alone, and STOP ALL stops every arm whi
   await page.click(`${tile("desk-2")} .name`);
   await page.waitForSelector("#details-title");
   const [before, other] = [await picture("desk-2"), await picture("desk-3")];
-  const told = await listen("desk-2");
+  const traffic = await listen("desk-2");
   const release = await hold("desk-2", "y_plus");
   await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-2] .who").textContent === "Anna");
   await page.waitForFunction((before) => document.querySelector(".tile[data-member=desk-2] canvas").toDataURL() !== before, before);
   assert.equal(await picture("desk-3"), other);
-  await answered("desk-2", "api/v1/state", ({ arm }) => arm.y_mm > 5);
+  await waitForAnswer("desk-2", "api/v1/state", ({ arm }) => arm.y_mm > 5);
 
   await page.click("#stop");
   await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("3 of 3 stopped."));
@@ -163,15 +163,15 @@ test("a jog shows on the tile of its arm alone, and STOP ALL stops every arm whi
     await page.waitForFunction((name) => document.querySelector(`.tile[data-member=${name}] .alarms`).textContent.includes("stopped"), name);
   }
   // The button is held on: it moves nothing any more.
-  await answered("desk-2", "api/v1/state", ({ stop }) => stop.at_rest);
+  await waitForAnswer("desk-2", "api/v1/state", ({ stop }) => stop.at_rest);
   const { arm: { y_mm } } = await ask("desk-2", "api/v1/state");
   await release();
   assert.equal((await ask("desk-2", "api/v1/state")).arm.y_mm, y_mm);
   // What the arm was told last of buttons is that they are let go.
-  const jogs = told.packets.map(({ command }) => command).filter((it) => it?.type === "linear_jog");
+  const jogs = traffic.packets.map(({ command }) => command).filter((it) => it?.type === "linear_jog");
   assert.ok(jogs.some(({ axis }) => axis === "y_plus"));
   assert.equal(jogs.at(-1).axis, "released", JSON.stringify(jogs.slice(-3)));
-  told.end();
+  traffic.end();
 });
 
 test("without a token the other stations let nobody more than watch and stop, and the board says so and asks for one", async () => {
@@ -189,12 +189,12 @@ test("a person lets them move again, one by one or all, after a question", async
   await page.click("#details-reset");
   assert.match(await page.textContent("#confirm-text"), /^desk-2: look at each arm first/);
   await page.click("#confirm-yes");
-  await answered("desk-2", "api/v1/state", ({ stop }) => stop === null);
+  await waitForAnswer("desk-2", "api/v1/state", ({ stop }) => stop === null);
   assert.notEqual((await ask("desk-3", "api/v1/state")).stop, null);
   await page.waitForFunction(() => document.querySelector("#reset")?.textContent === "Clear stops (2)…");
   await page.click("#reset");
   await page.click("#confirm-yes");
-  for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop === null);
+  for (const name of stations.keys()) await waitForAnswer(name, "api/v1/state", ({ stop }) => stop === null);
 });
 
 test("whoever has no arm is given a virtual one, moves it on its own page, and it is gone from the board when a person ends it", async () => {
@@ -227,14 +227,14 @@ test("whoever has no arm is given a virtual one, moves it on its own page, and i
 
 test("Escape stops all, and the button of a group stops its arms alone", async () => {
   await page.click("[data-stop-group=room-2]");
-  await answered("desk-3", "api/v1/state", ({ stop }) => stop !== null);
+  await waitForAnswer("desk-3", "api/v1/state", ({ stop }) => stop !== null);
   assert.equal((await ask("desk-1", "api/v1/state")).stop, null);
   await page.keyboard.press("Escape");
-  for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop !== null);
+  for (const name of stations.keys()) await waitForAnswer(name, "api/v1/state", ({ stop }) => stop !== null);
   await page.waitForFunction(() => document.querySelector("#reset")?.textContent === "Clear stops (3)…");
   await page.click("#reset");
   await page.click("#confirm-yes");
-  for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop === null);
+  for (const name of stations.keys()) await waitForAnswer(name, "api/v1/state", ({ stop }) => stop === null);
 });
 
 test("the job of an arm is on its tile, and it is paused, gone on with and ended from the board", async () => {
@@ -245,19 +245,19 @@ test("the job of an arm is on its tile, and it is paused, gone on with and ended
   await page.click("#details [data-act=start]");
   await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-2] .job .title")?.textContent === "there and back");
   // Control is given back at once: Anna can take it while the job runs.
-  await answered("desk-2", "api/v1/state", ({ job, lease }) => job?.phase === "running" && lease === null);
+  await waitForAnswer("desk-2", "api/v1/state", ({ job, lease }) => job?.phase === "running" && lease === null);
   await page.click("#details [data-act=pause]");
-  await answered("desk-2", "api/v1/state", ({ job }) => job?.phase === "paused");
+  await waitForAnswer("desk-2", "api/v1/state", ({ job }) => job?.phase === "paused");
   await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-2] .alarms").textContent.includes("paused"));
   await page.click("#details [data-act=end]");
-  await answered("desk-2", "api/v1/state", ({ job }) => job === null);
+  await waitForAnswer("desk-2", "api/v1/state", ({ job }) => job === null);
 });
 
 test("eyes on me holds every arm, and its own page says who and why; a message appears there too", async () => {
   const own = await visit("desk-2");
   await page.fill("#lesson-text", "eyes on me");
   await page.click("#lock");
-  for (const name of stations.keys()) await answered(name, "api/v1/state", ({ lock }) => lock?.message === "eyes on me");
+  for (const name of stations.keys()) await waitForAnswer(name, "api/v1/state", ({ lock }) => lock?.message === "eyes on me");
   await own.waitForSelector("#locked");
   assert.equal((await own.textContent("#locked")).trim(), "The arm is locked. By teacher: eyes on me.");
   await page.waitForFunction(() => [...document.querySelectorAll(".tile .alarms")].every((it) => it.textContent.includes("locked")));
@@ -266,7 +266,7 @@ test("eyes on me holds every arm, and its own page says who and why; a message a
   await own.waitForSelector("#message");
   assert.match(await own.textContent("#message p"), /teacher.*Five minutes/);
   await page.click("#release");
-  for (const name of stations.keys()) await answered(name, "api/v1/state", ({ lock }) => !lock);
+  for (const name of stations.keys()) await waitForAnswer(name, "api/v1/state", ({ lock }) => !lock);
   await own.waitForSelector("#locked", { state: "detached" });
   await own.context().close();
 });
@@ -304,7 +304,7 @@ test("in a time slot its student alone has the arm, the others see whose it is a
   // The next one is Ben: whoever has control loses it at once, and he has the arm.
   await page.fill("#slots-arm [name=names]", "Ben");
   await page.click("#slots-arm [type=submit]");
-  await answered("desk-2", "api/v1/state", ({ lease, slots }) => lease === null && slots.now.student === "Ben");
+  await waitForAnswer("desk-2", "api/v1/state", ({ lease, slots }) => lease === null && slots.now.student === "Ben");
   await ben.click("#take");
   await ben.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
   await mate.waitForSelector("#slot[data-tone=warn]");
@@ -358,9 +358,9 @@ test("without the router the others are away, the arm of the board still stops, 
   await end(router.child, "SIGKILL");
   for (const name of ["desk-2", "desk-3"]) await page.waitForSelector(`${tile(name)}[data-presence=away]`);
   for (const name of stations.keys()) await fetch(new URL("api/v1/stop", stations.get(name).url), { method: "DELETE" });
-  await answered("desk-1", "api/v1/state", ({ stop }) => stop === null);
+  await waitForAnswer("desk-1", "api/v1/state", ({ stop }) => stop === null);
   await page.click("#stop");
-  await answered("desk-1", "api/v1/state", ({ stop }) => stop !== null);
+  await waitForAnswer("desk-1", "api/v1/state", ({ stop }) => stop !== null);
   await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("NO ANSWER from"));
   assert.match(await page.textContent("#stop-status"), /1 of \d stopped\./);
   router.child = (await start(["fleet", "router", "--listen", router.at], /the router is at (\S+)/)).child;

@@ -1,4 +1,4 @@
-// Hands on the page's jog buttons: a real pointer in a real browser, judged on what the arm was told.
+// The jog buttons with a real pointer in a real browser, judged by the packets to the arm.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { buttonAt, moved, open, passed, pose, press, rest, takeControl } from "./bench.mjs";
@@ -7,17 +7,17 @@ import { buttonAt, moved, open, passed, pose, press, rest, takeControl } from ".
 const AXES = { x_plus: "linear 1", x_minus: "linear 2", y_plus: "linear 3", y_minus: "linear 4", z_plus: "linear 5", z_minus: "linear 6" };
 const RELEASED = "linear 0";
 
-let bench, page, told, from;
+let bench, page, traffic, from;
 
 before(async () => {
   bench = await open();
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   await takeControl(page);
 });
 after(() => bench.end());
 beforeEach(async () => {
   await rest(page);
-  from = told.packets.length;
+  from = traffic.packets.length;
 });
 afterEach(async () => {
   await page.mouse.up();
@@ -27,14 +27,14 @@ afterEach(async () => {
 
 /** The presses since the test began, without those that follow their like. A release is said more than once, and may be from before. */
 function toldOfButtons() {
-  const all = told.jogs(from).map((it) => it.text);
+  const all = traffic.jogs(from).map((it) => it.text);
   const texts = all.slice(all.findIndex((text) => text !== RELEASED));
   return texts.filter((text, index) => text !== texts[index - 1]);
 }
 
 test("each button that is pressed moves the arm for as long as it is held, also the first time after another one", async () => {
   for (const [axis, name] of [["y_minus", "y_mm"], ["x_minus", "x_mm"], ["z_plus", "z_mm"], ["y_plus", "y_mm"]]) {
-    from = told.packets.length;
+    from = traffic.packets.length;
     await press(page, axis);
     await moved(page, name, 8);
     await page.mouse.up();
@@ -81,7 +81,7 @@ test("a page that is blocked for 3 s lets go at once, and does not move the arm 
   await moved(page, "y_mm", 5);
   const blocked = performance.now();
   await page.evaluate(() => { const until = Date.now() + 3000; while (Date.now() < until); });
-  const jogs = told.jogs(from);
+  const jogs = traffic.jogs(from);
   const released = jogs.find((it) => it.text === RELEASED);
   assert.ok(released.at - blocked < 400, `released ${released.at - blocked} ms after it was blocked`);
   await page.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("fell silent"));

@@ -4,11 +4,11 @@ import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { contents, moved, open, passed, pose, rest, takeControl } from "./bench.mjs";
 
-let bench, page, told;
+let bench, page, traffic;
 
 before(async () => {
   bench = await open();
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   await takeControl(page);
   await rest(page);
   await page.click("#tab-jobs");
@@ -25,14 +25,14 @@ async function queue(title, ...ys_mm) {
 
 const entry = (job) => `[data-job="${job}"]`;
 const act = (job, name) => page.click(`${entry(job)} [data-act=${name}]`);
-const says = (job, part) => page.waitForFunction(([entry, part]) => document.querySelector(entry)?.textContent.includes(part), [entry(job), part]);
+const waitForText = (job, part) => page.waitForFunction(([entry, part]) => document.querySelector(entry)?.textContent.includes(part), [entry(job), part]);
 const listed = async () => (await bench.ask("api/v1/jobs")).map(({ job }) => job);
 /** Where the arm was sent in Y, from a packet on. */
-const ys = (from) => told.targets(from).map((it) => Math.round(it[1]));
+const ys = (from) => traffic.targets(from).map((it) => Math.round(it[1]));
 
 test("what others queued stands there in its order, and is put in another one", async () => {
   const [one, two] = [await queue("the first", 10, -10), await queue("the second", 30)];
-  await says(two, "queued");
+  await waitForText(two, "queued");
   assert.ok(await page.isDisabled(`${entry(one)} [data-act=up]`), "the first one cannot come earlier");
   await act(two, "up");
   await page.waitForFunction(([two]) => document.querySelector(".entry").matches(two), [entry(two)]);
@@ -41,11 +41,11 @@ test("what others queued stands there in its order, and is put in another one", 
 
 test("a job is started, the arm goes where it says, and it is done again", async () => {
   const [, job] = await listed();
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await act(job, "start");
-  await says(job, "done");
+  await waitForText(job, "done");
   assert.deepEqual(ys(from), [10, -10]);
-  const again = told.packets.length;
+  const again = traffic.packets.length;
   await act(job, "again");
   await page.waitForFunction(() => document.querySelectorAll("[aria-labelledby=jobs-finished] .entry").length === 2);
   assert.deepEqual(ys(again), [10, -10]);
@@ -55,17 +55,17 @@ test("a job is started, the arm goes where it says, and it is done again", async
 
 test("a job under way is paused, gone on with and ended, and its progress is seen meanwhile", async () => {
   const job = await queue("to and fro", ...Array.from({ length: 40 }, (_, n) => (n % 2 ? 40 : -40)));
-  await says(job, "queued");
+  await waitForText(job, "queued");
   await act(job, "start");
   await page.waitForFunction((entry) => document.querySelector(`${entry} progress`)?.value > 0, entry(job));
   await act(job, "pause");
-  await says(job, "paused");
+  await waitForText(job, "paused");
   await rest(page);
   await passed(page, 0.4);
   await act(job, "start");
-  await says(job, "running");
+  await waitForText(job, "running");
   await act(job, "end");
-  await says(job, "stopped");
+  await waitForText(job, "stopped");
   assert.ok(ys(0).length < 40, "most of it was not sent");
 });
 
@@ -78,7 +78,7 @@ test("what is over is forgotten, and a refusal stands at its job", async () => {
   assert.ok(!(await listed()).includes(done));
   await fetch(`${bench.url}api/v1/stop`, { method: "POST" });
   await act(waiting, "start");
-  await says(waiting, "stop");
+  await waitForText(waiting, "stop");
   await page.waitForSelector(`${entry(waiting)} .status[data-tone=bad]`);
 });
 
@@ -161,21 +161,21 @@ test("every packet to the arm is shown and exported as it was sent, and the list
   assert.equal(asked, 1);
   await page.check("[name=packets-way][value=to_arm]", { force: true });
   await page.click("#packets-clear");
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await jog("ArrowLeft");
-  const says = () => page.locator(".packets .says").allTextContents();
-  assert.match((await says()).at(-1), /^linear_jog axis y_plus/);
+  const packetLines = () => page.locator(".packets .says").allTextContents();
+  assert.match((await packetLines()).at(-1), /^linear_jog axis y_plus/);
   await page.click("#packets-pause");
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("#packets-save")]);
   const lines = String(await contents(download)).trimEnd().split("\n").map((it) => JSON.parse(it));
   const floats = lines.map(({ bytes }) => Array.from({ length: 10 }, (_, n) => Buffer.from(bytes, "hex").readFloatLE(1 + 4 * n)));
-  assert.deepEqual(floats, told.packets.slice(from).map((it) => it.floats));
+  assert.deepEqual(floats, traffic.packets.slice(from).map((it) => it.floats));
 
-  const paused = await says();
+  const paused = await packetLines();
   await jog("ArrowRight");
-  assert.deepEqual(await says(), paused);
+  assert.deepEqual(await packetLines(), paused);
   await page.click("#packets-pause");
   await page.fill("#packets-filter", "y_minus");
   await page.waitForFunction(() => document.querySelector(".packets .says")?.textContent.includes("y_minus"));
-  assert.ok((await says()).every((it) => it.includes("y_minus")));
+  assert.ok((await packetLines()).every((it) => it.includes("y_minus")));
 });

@@ -9,7 +9,7 @@ const below = (values, share) => values.toSorted((a, b) => a - b)[Math.min(value
 const row = (name, values) => console.log(`${name}: median ${below(values, 0.5).toFixed(0)} ms, p99 ${below(values, 0.99).toFixed(0)} ms, at most ${Math.max(...values).toFixed(0)} ms (${values.length} times)`);
 
 const bench = await open();
-const { page, told } = bench;
+const { page, traffic } = bench;
 const paint = await page.evaluate(async () => {
   await new Promise((done) => setTimeout(done, 1500));
   const [document] = performance.getEntriesByType("navigation");
@@ -25,16 +25,16 @@ for (let press = 0; press < PRESSES; press += 1) {
   // A press while the arm runs down waits until it rests: that is the arm's time, not the page's.
   await page.waitForTimeout(500);
   await page.hover(`[data-axis=${press % 2 ? "y_minus" : "y_plus"}]`);
-  let from = told.packets.length;
+  let from = traffic.packets.length;
   const pressed = performance.now();
   await page.mouse.down();
   await moved(page, "y_mm", 0.5);
-  down.push(told.jogs(from).find((it) => it.text !== "linear 0").at - pressed);
-  from = told.packets.length;
+  down.push(traffic.jogs(from).find((it) => it.text !== "linear 0").at - pressed);
+  from = traffic.packets.length;
   const released = performance.now();
   await page.mouse.up();
   await rest(page);
-  up.push(told.jogs(from).find((it) => it.text === "linear 0").at - released);
+  up.push(traffic.jogs(from).find((it) => it.text === "linear 0").at - released);
 }
 row("pointer down to jog packet", down);
 row("release to stop packet", up);

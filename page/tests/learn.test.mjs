@@ -1,7 +1,7 @@
 // A person without an arm takes the tour, and the arm does what the tour promises.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { answered, open, passed, rest } from "./bench.mjs";
+import { waitForAnswer, open, passed, rest } from "./bench.mjs";
 
 let bench, page;
 
@@ -24,7 +24,7 @@ async function steps(axis, times) {
     await page.click(`[data-axis=${axis}]`);
     while (JSON.stringify((await state()).arm) === JSON.stringify(before)) await passed(page, 0.1);
     // What the page says may be from before it moved.
-    await answered(page, "api/v1/state", ({ arm, queue }) => !arm.moving && queue.waiting + queue.under_way === 0);
+    await waitForAnswer(page, "api/v1/state", ({ arm, queue }) => !arm.moving && queue.waiting + queue.under_way === 0);
     await rest(page);
     await passed(page, 0.4);
   }

@@ -1,4 +1,4 @@
-// A stand-in for the station of a board, with as many members as a test wants: it serves the files of the folder, tells the members, and
+// A mock of the station of a board, with any number of members: it serves the files on disk, reports the members, and
 // keeps what it was asked for.
 import { once } from "node:events";
 import { readFile } from "node:fs/promises";
@@ -58,7 +58,7 @@ const learnersOf = ({ name }) => {
 };
 
 /** @param {object[]} members @param {(request: { method: string, path: string, body: any, token: string | null }) => { status?: number, body: unknown } | typeof SILENT | undefined} answer what is answered otherwise @param {object[]} submitted the work for any arm */
-export async function standIn(members, answer = () => undefined, submitted = []) {
+export async function mockStation(members, answer = () => undefined, submitted = []) {
   const asked = [];
   const listeners = new Set();
   /** The time slots of each, by name. */

@@ -1,13 +1,13 @@
-// Everything by which a person moves the arm besides holding a button and going to a place, judged on what the arm was told.
+// The other controls of Move, besides held buttons and targets, judged by the packets to the arm.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { answered, open, passed, pose, rest, takeControl } from "./bench.mjs";
+import { waitForAnswer, open, passed, pose, rest, takeControl } from "./bench.mjs";
 
-let bench, page, told, from;
+let bench, page, traffic, from;
 
 before(async () => {
   bench = await open();
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   await takeControl(page);
 });
 after(() => bench.end());
@@ -15,7 +15,7 @@ beforeEach(async () => {
   await rest(page);
   // The station counts on it to run down for a little longer than it is seen to.
   await passed(page, 0.4);
-  from = told.packets.length;
+  from = traffic.packets.length;
 });
 afterEach(async () => {
   await page.check("[name=step][value=hold]", { force: true });
@@ -25,12 +25,12 @@ afterEach(async () => {
 
 const choose = (name, value) => page.check(`[name=${name}][value='${value}']`, { force: true });
 const at = (name, value, within = 0.15) => page.waitForFunction(([name, value, within]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - value) < within, [name, value, within]);
-const reads = (id, text) => page.waitForFunction(([id, text]) => document.getElementById(id).textContent.includes(text), [id, text]);
+const waitForText = (id, text) => page.waitForFunction(([id, text]) => document.getElementById(id).textContent.includes(text), [id, text]);
 const unfold = async (id) => (await page.isVisible(`#${id}[open]`)) || page.click(`#${id} > summary`);
 /** The buttons that moved the arm since the test began. */
-const pressed = () => new Set(told.jogs(from).map((it) => it.text).filter((it) => !it.endsWith(" 0")));
+const pressed = () => new Set(traffic.jogs(from).map((it) => it.text).filter((it) => !it.endsWith(" 0")));
 /** The states of the packets since the test began. */
-const states = () => new Set(told.packets.slice(from).map(({ floats: [state] }) => state));
+const states = () => new Set(traffic.packets.slice(from).map(({ floats: [state] }) => state));
 
 test("a press moves the tip by 10 mm, and two quick ones by 20 mm", async () => {
   const y_mm = await pose(page, "y_mm");
@@ -41,7 +41,7 @@ test("a press moves the tip by 10 mm, and two quick ones by 20 mm", async () => 
   await page.click("[data-axis=y_minus]");
   await page.click("[data-axis=y_minus]");
   await at("y_mm", y_mm - 10);
-  assert.equal(told.targets(from).length, 3);
+  assert.equal(traffic.targets(from).length, 3);
   assert.deepEqual(pressed(), new Set());
 });
 
@@ -84,7 +84,7 @@ test("arrow keys on the stage jog for as long as they are held, and leaving the 
   await page.waitForFunction(() => document.querySelector("#moving").dataset.moving === "true");
   await page.focus("#tab-move");
   await rest(page);
-  assert.equal(told.jogs(from).at(-1).text, "linear 0");
+  assert.equal(traffic.jogs(from).at(-1).text, "linear 0");
   await page.keyboard.up("PageUp");
 });
 
@@ -104,16 +104,16 @@ test("Space stops where a button was clicked, and presses the button that the ke
 
 test("the pump goes on and off by its buttons", async () => {
   await page.click("#suction-on");
-  await reads("suction", "on");
+  await waitForText("suction", "on");
   await page.click("#suction-off");
-  await reads("suction", "off");
+  await waitForText("suction", "off");
 });
 
 test("the gripper goes to the angle that is typed, and the arm stays where it is", async () => {
   const x_mm = await pose(page, "x_mm");
   await page.fill("#grip-deg", "45");
   await page.click("#grip button");
-  await reads("gripper", "45°");
+  await waitForText("gripper", "45°");
   await rest(page);
   assert.ok(Math.abs((await pose(page, "x_mm")) - x_mm) < 0.2);
 });
@@ -127,8 +127,8 @@ test("an angle beyond 90 degrees is not sent", async () => {
 
 test("the tool that is mounted is told to the arm", async () => {
   await page.click("[data-mount=gripper]");
-  await answered(page, "api/v1/state", ({ queue }) => queue.under_way === 0);
-  const configured = told.packets.slice(from).filter(({ floats: [state, mode] }) => state === 9 && mode === 4);
+  await waitForAnswer(page, "api/v1/state", ({ queue }) => queue.under_way === 0);
+  const configured = traffic.packets.slice(from).filter(({ floats: [state, mode] }) => state === 9 && mode === 4);
   assert.equal(configured.length, 1);
   await page.click("[data-mount=suction_cup]");
 });
@@ -151,7 +151,7 @@ test("speeds that are set are told to the arm", async () => {
   await page.fill("#speed-percent", "60");
   await page.fill("#acceleration-percent", "70");
   await page.click("#speeds-set");
-  const adjusted = await told.next(from, ({ floats: [state] }) => state === 10);
+  const adjusted = await traffic.next(from, ({ floats: [state] }) => state === 10);
   assert.deepEqual(adjusted.floats.slice(2, 4), [60, 70]);
 });
 
@@ -171,11 +171,11 @@ test("a pointer that is dragged on the mouse pad moves the arm by mouse packets,
   await page.mouse.down();
   await page.mouse.move(box.x + 60, box.y + 30, { steps: 12 });
   await page.waitForFunction((x_mm) => Number(document.querySelector("[data-pose=x_mm]").textContent) > x_mm + 1, x_mm);
-  const released = told.packets.filter(({ floats: [state] }) => state === 1).length;
+  const released = traffic.packets.filter(({ floats: [state] }) => state === 1).length;
   await page.mouse.up();
   await rest(page);
   assert.deepEqual([...states()].filter((it) => it !== 0), [1]);
-  assert.ok(told.packets.filter(({ floats: [state] }) => state === 1).length - released <= 2);
+  assert.ok(traffic.packets.filter(({ floats: [state] }) => state === 1).length - released <= 2);
 });
 
 test("a pointer that is held on the hand pad leads the arm to its place by gestures", async () => {
@@ -216,8 +216,8 @@ test("a stick of a gamepad jogs while the shoulder button is held, and a face bu
 test("the laser is armed after a question, its countdown stands in the strip, and STOP disarms it", async () => {
   await page.click("#arm-laser");
   await page.click("#confirm-yes");
-  await reads("laser-chip", "armed");
+  await waitForText("laser-chip", "armed");
   await page.keyboard.press("Escape");
-  await reads("laser-chip", "off");
-  await reads("laser", "disarmed");
+  await waitForText("laser-chip", "off");
+  await waitForText("laser", "disarmed");
 });

@@ -8,17 +8,17 @@ const height = ([x, y]) => -30 + (x - 200) / 20 - y / 40;
 /** None straight ahead: an arm whose base tells just 0 after a silence may have been reset, and a busy machine is silent at times. */
 const PLACES = [[180, -60], [180, 60], [250, 10]];
 
-let bench, page, told;
+let bench, page, traffic;
 
 before(async () => {
   bench = await open({ speed: 8 });
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   await takeControl(page);
 });
 after(() => bench.end());
 afterEach(() => assert.deepEqual(bench.errors, []));
 
-const says = (id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part]);
+const waitForText = (id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part]);
 
 /** Goes to a place by the fields, as a person does. */
 async function stand(place) {
@@ -35,17 +35,17 @@ async function stand(place) {
 
 test("three touches tell how the paper lies, and it is kept when a person says so", async () => {
   await page.click("#tab-set_up");
-  await says("paper-known", "Not measured");
+  await waitForText("paper-known", "Not measured");
   await page.click("#paper-begin");
   for (const [n, place] of PLACES.entries()) {
     await stand(place);
     await page.click("#paper-touch:enabled");
     await page.waitForFunction((n) => document.querySelectorAll("#paper-touches dt").length === n, n + 1);
   }
-  await says("paper-found", "3.2");
+  await waitForText("paper-found", "3.2");
   assert.equal((await bench.ask("api/v1/calibration")).calibration, null);
   await page.click("#paper-keep");
-  await says("paper-known", "slope 3.2");
+  await waitForText("paper-known", "slope 3.2");
   const { paper } = (await bench.ask("api/v1/calibration")).calibration;
   assert.ok(Math.abs(paper.slope_x - 1 / 20) < 0.002 && Math.abs(paper.slope_y + 1 / 40) < 0.002, JSON.stringify(paper));
 });
@@ -61,12 +61,12 @@ test("what is drawn then follows the paper", async () => {
   await page.fill("#draw-height", "40");
   await asked;
   await page.waitForSelector("#draw-start:enabled");
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await page.click("#draw-start");
-  while (!told.packets.slice(from).some(({ floats: [state] }) => state === 4)) await passed(page, 0.1);
+  while (!traffic.packets.slice(from).some(({ floats: [state] }) => state === 4)) await passed(page, 0.1);
   while (await bench.ask("api/v1/state").then(({ job }) => job)) await passed(page, 0.2);
   // A vector says how far it goes: back on such an arm (note N4), to the left, up.
-  const vectors = told.packets.slice(from).filter(({ floats: [state] }) => state === 4).map(({ floats: [, , back, y, z] }) => [-back, y, z]);
+  const vectors = traffic.packets.slice(from).filter(({ floats: [state] }) => state === 4).map(({ floats: [, , back, y, z] }) => [-back, y, z]);
   const drawn = vectors.filter(([x, y]) => Math.hypot(x, y) > 1);
   assert.ok(drawn.length > 0);
   for (const [x, y, z] of drawn) assert.ok(Math.abs(z - (x / 20 - y / 40)) < 0.05, `${x} ${y} ${z}`);
@@ -75,7 +75,7 @@ test("what is drawn then follows the paper", async () => {
 test("paper that is taken to be level is drawn on as before", async () => {
   await page.click("#tab-set_up");
   await page.click("#paper-forget");
-  await says("paper-known", "Not measured");
+  await waitForText("paper-known", "Not measured");
   await page.click("#tab-draw");
   await page.waitForFunction(() => document.querySelector("#draw-down") && document.querySelector("#draw-down").placeholder !== "as measured");
 });

@@ -3,7 +3,7 @@
 import { mkdir, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { open } from "./bench.mjs";
-import { crowd, queue, standIn } from "./mock_station.mjs";
+import { crowd, queue, mockStation } from "./mock_station.mjs";
 import { VIEWS, look } from "./views.mjs";
 
 const FOLDER = fileURLToPath(new URL("../../docs/pictures/page/", import.meta.url));
@@ -49,7 +49,7 @@ for (const name of names) {
   }
 }
 if (!wanted.length || wanted.includes(BOARD)) {
-  const members = crowd(STATIONS), station = await standIn(members, undefined, queue(members));
+  const members = crowd(STATIONS), station = await mockStation(members, undefined, queue(members));
   for (const [size, theme, language] of LOOKS) {
     const context = await writer.context().browser().newContext(look({ size, theme, language }));
     const page = await context.newPage();

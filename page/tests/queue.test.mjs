@@ -1,8 +1,8 @@
-// The queue of the board, of a stand-in for its station: what was submitted, what is in doubt, and the form for more.
+// The shared queue of the board, on a mock station: submitted jobs, uncertain jobs, and the form.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { launch, leave, visitor } from "./browser.mjs";
-import { SILENT, member, standIn, work } from "./mock_station.mjs";
+import { SILENT, member, mockStation, work } from "./mock_station.mjs";
 
 const WORK = "/api/v1/fleet/work";
 
@@ -27,7 +27,7 @@ const of = (n) => ({ member: { name: DESKS[n].name, id: DESKS[n].id } });
 
 /** The board with its queue open; `submitted` is what the station tells of it, and can be changed. */
 async function open(submitted, answer) {
-  const station = await standIn(DESKS, answer, submitted);
+  const station = await mockStation(DESKS, answer, submitted);
   const context = await visitor(browser, { viewport: { width: 1440, height: 900 }, reducedMotion: "reduce" });
   const page = await context.newPage();
   page.on("pageerror", (error) => errors.push(error));

@@ -1,7 +1,7 @@
-// What the page draws, and when: frames of the stage are counted where WebGL is told to draw.
+// What the page draws, and when: frames of the stage are counted at the WebGL draw calls.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { answered, open, passed } from "./bench.mjs";
+import { waitForAnswer, open, passed } from "./bench.mjs";
 import { drawn } from "./browser.mjs";
 
 const SIZE = { width: 640, height: 400 };
@@ -68,7 +68,7 @@ async function go(y_mm) {
   const { token } = await (await post("api/v1/lease", { name: "redraw.test" })).json();
   const answer = await post("api/v1/commands", { command }, { "dobot-lease": token });
   assert.ok(answer.ok, await answer.text());
-  await answered(page, "api/v1/state", ({ arm, queue }) => Math.abs(arm.y_mm - y_mm) < 0.1 && !arm.moving && queue.waiting + queue.under_way === 0);
+  await waitForAnswer(page, "api/v1/state", ({ arm, queue }) => Math.abs(arm.y_mm - y_mm) < 0.1 && !arm.moving && queue.waiting + queue.under_way === 0);
   await fetch(new URL("api/v1/lease", bench.url), { method: "DELETE", headers: { "dobot-lease": token } });
 }
 

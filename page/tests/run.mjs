@@ -1,5 +1,5 @@
-// Runs the browser tests: some files at once, in one browser. `npm run browser --prefix page`, with names of files behind it for
-// some of them only, as in `-- stage watch`. `npm run browser:fleet` runs those that take a `dobot` with the feature `fleet`.
+// Runs the browser tests in one browser, several files in parallel: `npm run browser --prefix page`, followed by names to run only
+// some files, as in `-- stage watch`. `npm run browser:fleet` runs the tests that need a `dobot` with the feature `fleet`.
 import { spawnSync } from "node:child_process";
 import { readdir } from "node:fs/promises";
 import { basename } from "node:path";
@@ -7,11 +7,11 @@ import { run } from "node:test";
 import { spec } from "node:test/reporters";
 import { serve } from "./browser.mjs";
 
-/** So many files at once: most of the time each waits for its arm. */
-const AT_ONCE = 3;
-/** Those that take longest, so that none of them is alone in the end. */
+/** Files in parallel: most of the time each waits for its arm. */
+const CONCURRENCY = 3;
+/** The slowest files, started first. */
 const FIRST = ["axe", "board", "film", "learn"];
-/** Those that are run when they are named. */
+/** Files that run only when named. */
 const NAMED = ["fleet"];
 
 function fail(message) {
@@ -23,16 +23,16 @@ const folder = new URL("./", import.meta.url);
 const all = (await readdir(folder)).filter((name) => name.endsWith(".test.mjs")).map((name) => name.replace(".test.mjs", ""));
 const wanted = process.argv.slice(2);
 const unknown = wanted.find((name) => !all.includes(name));
-if (unknown) fail(`there are no tests called ${unknown}; there are ${all.join(", ")}`);
+if (unknown) fail(`no tests named ${unknown}; available: ${all.join(", ")}`);
 const names = wanted.length ? wanted : [...FIRST, ...all.filter((name) => !FIRST.includes(name) && !NAMED.includes(name))];
 const dobot = process.env.DOBOT ?? "dobot";
-if (spawnSync(dobot, ["--version"]).error) fail(`${dobot} does not run: build it with cargo build, and say where it is with DOBOT=PATH`);
+if (spawnSync(dobot, ["--version"]).error) fail(`cannot run ${dobot}; build it with cargo build, and set DOBOT to its path`);
 const browser = await serve().catch((error) => fail(error.message));
 process.env.BROWSER_ENDPOINT = browser.wsEndpoint();
 
 /** How long each file took, in ms. */
 const took = new Map();
-const tests = run({ files: names.map((name) => new URL(`${name}.test.mjs`, folder).pathname), concurrency: AT_ONCE });
+const tests = run({ files: names.map((name) => new URL(`${name}.test.mjs`, folder).pathname), concurrency: CONCURRENCY });
 tests.on("test:fail", () => (process.exitCode = 1));
 for (const event of ["test:pass", "test:fail"]) tests.on(event, ({ file, details }) => took.set(file, (took.get(file) ?? 0) + details.duration_ms));
 tests.compose(new spec()).pipe(process.stdout);

@@ -1,7 +1,7 @@
 // What a person sets up on the page, judged on what the station then does.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { answered, open, takeControl, typeTarget } from "./bench.mjs";
+import { waitForAnswer, open, takeControl, typeTarget } from "./bench.mjs";
 
 let real, virtual;
 
@@ -16,14 +16,14 @@ after(async () => {
 });
 afterEach(() => assert.deepEqual([...real.errors, ...virtual.errors], []));
 
-const says = (page, id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part])
+const waitForText = (page, id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part])
   .catch(async (error) => assert.fail(`${error.message} ${id} says: ${await page.textContent(`#${id}`)}`));
 const THERE = { x_mm: 220, y_mm: 100, z_mm: 0 };
 
 test("a keep-out that is put in force refuses a target that was free, and is gone when it is removed", async () => {
-  const { page, told } = real;
+  const { page, traffic } = real;
   await typeTarget(page, THERE);
-  await says(page, "target-status", "The path is free");
+  await waitForText(page, "target-status", "The path is free");
   await page.click("#tab-set_up");
   await page.click("[data-new-zone=box]");
   await page.fill("[data-zone=zone_1] label:nth-of-type(6) input", "60");
@@ -34,22 +34,22 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   // Nothing holds before it is put in force.
   assert.deepEqual((await real.ask("api/v1/policy")).keep_out, {});
   await page.click("#policy-keep");
-  await says(page, "policy-status", "This policy is in force");
+  await waitForText(page, "policy-status", "This policy is in force");
   const policy = await real.ask("api/v1/policy");
   assert.deepEqual(policy.keep_out.zone_1, { box: { x_mm: [200, 260], y_mm: [80, 140], z_mm: [-103, 60] } });
   await page.click("#tab-move");
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await typeTarget(page, { z_mm: 1 });
-  await says(page, "target-status", "keep_out.zone_1");
+  await waitForText(page, "target-status", "keep_out.zone_1");
   assert.equal(await page.isDisabled("#target-go"), true);
-  assert.deepEqual(told.targets(from), []);
+  assert.deepEqual(traffic.targets(from), []);
   await page.click("#tab-set_up");
   await page.click("[data-zone=zone_1] button");
   await page.click("#policy-keep");
-  await answered(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
+  await waitForAnswer(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
   await page.click("#tab-move");
   await typeTarget(page, THERE);
-  await says(page, "target-status", "The path is free");
+  await waitForText(page, "target-status", "The path is free");
   await page.click("#target-clear");
 });
 
@@ -69,7 +69,7 @@ test("the numbers of a keep-out are typed one after the other by keyboard, and s
   await written("z_mm = [-50, 60]");
   await isChecked();
   await page.click("#policy-keep");
-  await says(page, "policy-status", "This policy is in force");
+  await waitForText(page, "policy-status", "This policy is in force");
   await field(6).focus();
   for (const key of ["Control+A", "7", "0", "Tab"]) await page.keyboard.press(key);
   await written("z_mm = [-50, 70]");
@@ -77,7 +77,7 @@ test("the numbers of a keep-out are typed one after the other by keyboard, and s
   await page.waitForFunction(() => document.querySelector("[data-zone=zone_1] label:nth-of-type(6) input").value === "60");
   await page.click("[data-zone=zone_1] button");
   await page.click("#policy-keep");
-  await answered(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
+  await waitForAnswer(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
 });
 
 test("a text that is no policy is told with its line, cannot be put in force, and the old one stays", async () => {
@@ -91,7 +91,7 @@ test("a text that is no policy is told with its line, cannot be put in force, an
   assert.match(await page.textContent("#policy-status"), /Line \d+/);
   assert.equal(await page.isDisabled("#policy-keep"), true);
   await page.click("#policy-forget");
-  await says(page, "policy-status", "This policy is in force");
+  await waitForText(page, "policy-status", "This policy is in force");
   assert.equal(await page.inputValue("#policy-text"), text);
   assert.deepEqual(await real.ask("api/v1/policy"), before);
 });
@@ -123,16 +123,16 @@ test("a token for several people is made as one and shown as one", async () => {
 });
 
 test("the detection asks before it moves the arm, then a little, and says what it saw and what that means", async () => {
-  const { page, told } = real;
+  const { page, traffic } = real;
   await page.click("#tab-set_up");
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await page.click("#detect");
   await page.waitForSelector("#confirm-yes");
-  assert.deepEqual(told.targets(from), []);
+  assert.deepEqual(traffic.targets(from), []);
   await page.click("#confirm-yes");
-  await says(page, "finding", "firmware-1.1");
+  await waitForText(page, "finding", "firmware-1.1");
   assert.ok((await page.locator(".evidence li").count()) > 0);
-  const far = (axis) => Math.max(...told.targets(from).map((it) => it[axis])) - Math.min(...told.targets(from).map((it) => it[axis]));
+  const far = (axis) => Math.max(...traffic.targets(from).map((it) => it[axis])) - Math.min(...traffic.targets(from).map((it) => it[axis]));
   assert.ok(Math.hypot(far(0), far(1), far(2)) < 20);
 });
 
@@ -150,7 +150,7 @@ test("a fault that is set happens to the arm, and one that does not exist is tol
   await page.waitForFunction(() => document.querySelector("#stage").classList.contains("is-old"));
   assert.deepEqual(await virtual.ask("api/v1/faults"), ["withhold@0s..2s"]);
   await page.click("#faults-none");
-  await says(page, "faults-now", "none active");
+  await waitForText(page, "faults-now", "none active");
   assert.deepEqual(await virtual.ask("api/v1/faults"), []);
 });
 
@@ -159,13 +159,13 @@ test("a world that is put there is around the arm", async () => {
   await page.click("#tab-set_up");
   await page.click("[data-world='world.cubes']");
   await page.click("#world-set");
-  await answered(page, "api/v1/world", ({ objects }) => objects.length === 2);
+  await waitForAnswer(page, "api/v1/world", ({ objects }) => objects.length === 2);
   const { tool, objects } = await virtual.ask("api/v1/world");
   assert.equal(tool.kind.type, "suction_cup");
   assert.deepEqual(objects.map((it) => it.name), ["red cube", "blue cube"]);
   await page.click("[data-world='world.pen']");
   await page.click("#world-set");
-  await answered(page, "api/v1/world", ({ tool }) => tool.kind.type === "pen");
+  await waitForAnswer(page, "api/v1/world", ({ tool }) => tool.kind.type === "pen");
 });
 
 test("the language is changed at once, and kept for the next visit", async () => {

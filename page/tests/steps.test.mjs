@@ -1,7 +1,7 @@
 // A press of each jog button as a step, judged on the packets that the arm got and on where it came to.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { answered, open, rest, takeControl } from "./bench.mjs";
+import { waitForAnswer, open, rest, takeControl } from "./bench.mjs";
 
 const STEPS = [0.1, 1, 10];
 /** What each button changes: by frame, in the order of the buttons. Each pair leads back to where it began. */
@@ -19,13 +19,13 @@ const choose = (page, name, value) => page.check(`[name=${name}][value='${value}
 
 /** The one target that a press sends, and where the arm rests afterwards. */
 async function pressed(bench, axis, isThere) {
-  const { page, told } = bench, from = told.packets.length;
+  const { page, traffic } = bench, from = traffic.packets.length;
   await page.click(`[data-axis=${axis}]:visible`);
-  const target = await told.next(from, isTarget);
+  const target = await traffic.next(from, isTarget);
   assert.ok(target, `${axis}: no target; ${await page.textContent("#jog-why")}`);
-  const { arm } = await answered(page, "api/v1/state", ({ arm, queue }) => !arm.moving && queue.waiting + queue.under_way === 0 && isThere(arm));
+  const { arm } = await waitForAnswer(page, "api/v1/state", ({ arm, queue }) => !arm.moving && queue.waiting + queue.under_way === 0 && isThere(arm));
   await rest(page);
-  assert.equal(told.packets.slice(from).filter(isTarget).length, 1, axis);
+  assert.equal(traffic.packets.slice(from).filter(isTarget).length, 1, axis);
   return { floats: target.floats, arm };
 }
 

@@ -1,17 +1,17 @@
-// STOP by hands in a hurry: real fingers and a real mouse, judged on what the arm was told. GESTURES says how many gestures, SEED
+// STOP under stress: real fingers and a real mouse, judged by the packets to the arm. GESTURES says how many gestures, SEED
 // which ones, and STOP_WITHIN_MS within what time of each press the arm has to have its packet: long enough for a busy machine, unless it is said.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { answered, isJog, isStop, open, pose, rest, takeControl } from "./bench.mjs";
+import { waitForAnswer, isJog, isStop, open, pose, rest, takeControl } from "./bench.mjs";
 import { gesture, hand, numbers, words } from "./gestures.mjs";
 
 const { GESTURES = "60", SEED = "1", STOP_WITHIN_MS = "2000" } = process.env;
 
-let bench, page, told, fingers;
+let bench, page, traffic, fingers;
 
 before(async () => {
   bench = await open({ viewport: { width: 390, height: 844 }, options: { hasTouch: true, isMobile: true } });
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   await takeControl(page);
   fingers = await hand(page);
 });
@@ -21,9 +21,9 @@ after(async () => {
 });
 
 /** A person has looked at the arm, and it may move again. */
-async function letMoveAgain() {
+async function clearStop() {
   if (!(await page.isVisible("#stopped"))) return;
-  await answered(page, "api/v1/state", ({ stop }) => stop?.at_rest);
+  await waitForAnswer(page, "api/v1/state", ({ stop }) => stop?.at_rest);
   await fetch(new URL("api/v1/stop", bench.url), { method: "DELETE" });
   await page.waitForSelector("[data-axis=y_plus]:enabled");
   await rest(page);
@@ -32,11 +32,11 @@ async function letMoveAgain() {
 /** Makes a gesture on STOP, and tells how long after the press the arm had its packet; nothing where it got none. */
 async function stopBy(it) {
   // A stopped arm is told to stop by each press all the same, but no button moves it.
-  if (it.rests?.includes("data-axis")) await letMoveAgain();
+  if (it.rests?.includes("data-axis")) await clearStop();
   const resting = it.rests ? await fingers.rest(it.rests) : [];
-  if (it.rests?.includes("data-axis")) await told.next(told.packets.length, isJog);
-  const from = told.packets.length;
-  const stopped = () => told.next(from, isStop);
+  if (it.rests?.includes("data-axis")) await traffic.next(traffic.packets.length, isJog);
+  const from = traffic.packets.length;
+  const stopped = () => traffic.next(from, isStop);
   const pressed = await fingers.press("#stop", it, resting, stopped);
   const packet = await stopped();
   if (!packet) return undefined;
@@ -61,7 +61,7 @@ const PRESSES = {
 for (const [name, other] of Object.entries(PRESSES)) {
   test(`${name} stops the arm`, async () => {
     const took_ms = await stopBy({ ...TAP, ...other });
-    // One that stops by being lifted is lifted after `told.next` has given up.
+    // One that stops by being lifted is lifted after `traffic.next` has given up.
     assert.ok(took_ms < 5000, `${took_ms} ms`);
   });
 }

@@ -2,7 +2,7 @@
 // stops, drops a picture and watches it drawn, and finds out why a target is refused. `film.test.mjs` holds it against what the
 // arm did; `film.mjs` makes the film of it that opens the README.
 
-import { answered } from "./bench.mjs";
+import { waitForAnswer } from "./bench.mjs";
 
 /** A boat on the water: 100 by 70 mm, four pens' strokes of one drawing. */
 const BOAT = `<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="70mm" viewBox="0 0 100 70" fill="none" stroke="black">
@@ -91,7 +91,7 @@ export async function tell(hand, seen) {
     const from = (await arm())[name];
     await page.waitForFunction(([name, from, by]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - from) >= by, [name, from, by]);
   };
-  const rests = () => answered(page, "api/v1/state", ({ arm, queue, stop }) => (stop ? stop.at_rest : !arm.moving && queue.waiting + queue.under_way === 0));
+  const rests = () => waitForAnswer(page, "api/v1/state", ({ arm, queue, stop }) => (stop ? stop.at_rest : !arm.moving && queue.waiting + queue.under_way === 0));
 
   await hand.look(2);
   await hand.click("#first-jog");

@@ -1,56 +1,56 @@
-// Going to a place: typed, or dragged on the stage, judged on what the arm was told.
+// Go to a typed or dragged target, judged by the packets to the arm.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { open, pose, rest, takeControl, typeTarget } from "./bench.mjs";
 import { drawn } from "./browser.mjs";
 import { onScreen } from "./stage_bench.mjs";
 
-let bench, page, told, from;
+let bench, page, traffic, from;
 
 before(async () => {
   bench = await open({ webgl: true, viewport: { width: 900, height: 600 }, options: { reducedMotion: "reduce" } });
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   await takeControl(page);
 });
 after(() => bench.end());
 beforeEach(async () => {
   await rest(page);
-  from = told.packets.length;
+  from = traffic.packets.length;
 });
 afterEach(() => assert.deepEqual(bench.errors, []));
 
-const says = (part) => page.waitForFunction((part) => document.querySelector("#target-status").textContent.includes(part), part);
+const waitForText = (part) => page.waitForFunction((part) => document.querySelector("#target-status").textContent.includes(part), part);
 const at = (name, value) => page.waitForFunction(([name, value]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - value) < 0.15, [name, value]);
 const field = async (name) => Number(await page.inputValue(`#target-${name}`));
 
 test("a place that is typed is checked, and only Go brings the arm there", async () => {
   await typeTarget(page, { x_mm: 210, y_mm: -60, z_mm: 20 });
-  await says("The path is free");
-  assert.deepEqual(told.targets(from), []);
+  await waitForText("The path is free");
+  assert.deepEqual(traffic.targets(from), []);
   await page.click("#target-go");
   await at("y_mm", -60);
-  assert.deepEqual(told.targets(from), [[210, -60, 20]]);
+  assert.deepEqual(traffic.targets(from), [[210, -60, 20]]);
   await page.waitForFunction(() => document.querySelector("#target-x_mm").value === "");
 });
 
 test("a place beyond reach is refused with what is allowed, and the nearest place is one click away", async () => {
   await typeTarget(page, { x_mm: 600, y_mm: 0, z_mm: 20 });
-  await says("too far");
+  await waitForText("too far");
   assert.equal(await page.isDisabled("#target-go"), true);
   await page.click("#target-nearest");
-  await says("The path is free");
+  await waitForText("The path is free");
   assert.ok((await field("x_mm")) < 330 && (await field("x_mm")) > 220);
-  assert.deepEqual(told.targets(from), []);
+  assert.deepEqual(traffic.targets(from), []);
   await page.click("#target-clear");
 });
 
 test("a field without a number asks for one, and nothing is sent", async () => {
   await typeTarget(page, { x_mm: 200 });
-  await says("The path is free");
+  await waitForText("The path is free");
   await page.fill("#target-x_mm", "");
-  await says("Each field needs a number");
+  await waitForText("Each field needs a number");
   assert.equal(await page.isDisabled("#target-go"), true);
-  assert.deepEqual(told.targets(from), []);
+  assert.deepEqual(traffic.targets(from), []);
   await page.click("#target-clear");
 });
 
@@ -65,18 +65,18 @@ test("the tip that is dragged on the stage says where to go, and Go brings the a
   await page.mouse.move(box.x + tip.x - 12, box.y + tip.y + 6, { steps: 6 });
   await page.mouse.up();
   await page.waitForFunction(() => document.querySelector("#target-y_mm").value !== "");
-  await says("The path is free");
+  await waitForText("The path is free");
   const wanted = [await field("x_mm"), await field("y_mm")];
-  assert.deepEqual(told.targets(from), []);
+  assert.deepEqual(traffic.targets(from), []);
   await page.click("#target-go");
   await at("y_mm", wanted[1]);
-  const [[x_mm, y_mm]] = told.targets(from);
+  const [[x_mm, y_mm]] = traffic.targets(from);
   assert.ok(Math.abs(x_mm - wanted[0]) < 0.06 && Math.abs(y_mm - wanted[1]) < 0.06);
 });
 
 test("Escape stops an arm that was told to go somewhere", async () => {
   await typeTarget(page, { x_mm: 200, y_mm: 90, z_mm: 20 });
-  await says("The path is free");
+  await waitForText("The path is free");
   await page.click("#target-go");
   await page.keyboard.press("Escape");
   await page.waitForSelector("#stopped:visible");

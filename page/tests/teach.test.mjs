@@ -4,11 +4,11 @@ import { readFile } from "node:fs/promises";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { contents, open, passed, pose, rest, takeControl } from "./bench.mjs";
 
-let bench, page, told, from;
+let bench, page, traffic, from;
 
 before(async () => {
   bench = await open();
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   await takeControl(page);
 });
 after(() => bench.end());
@@ -16,15 +16,15 @@ beforeEach(async () => {
   await rest(page);
   await passed(page, 0.4);
   await page.click("#tab-teach");
-  from = told.packets.length;
+  from = traffic.packets.length;
 });
 afterEach(() => assert.deepEqual(bench.errors, []));
 
 const rows = () => page.locator(".step .says").allTextContents();
 const count = (n) => page.waitForFunction((n) => document.querySelectorAll(".step").length === n, n);
-const says = (part) => page.waitForFunction((part) => document.querySelector("#panel").textContent.includes(part), part);
+const waitForText = (part) => page.waitForFunction((part) => document.querySelector("#panel").textContent.includes(part), part);
 /** The Cartesian targets since the test began, in whole millimetres. */
-const targets = () => told.targets(from).map((it) => it.map(Math.round));
+const targets = () => traffic.targets(from).map((it) => it.map(Math.round));
 
 const phase = async () => (await bench.ask("api/v1/state")).job?.phase;
 /** Until the job is in one of these phases; none is `undefined`. */
@@ -50,10 +50,10 @@ test("two points are captured and looped, and the arm goes from one to the other
   await step("y_plus", "y_mm", y_mm + 10);
   await page.click("#capture");
   await count(2);
-  from = told.packets.length;
+  from = traffic.packets.length;
   await page.waitForFunction(() => !document.querySelector("#teach-loop").disabled);
   await page.click("#teach-loop");
-  await says("Cycle 2 done");
+  await waitForText("Cycle 2 done");
   const ys = new Set(targets().map((it) => it[1]));
   assert.deepEqual(ys, new Set([Math.round(y_mm), Math.round(y_mm + 10)]));
   await page.click("#teach-end");
@@ -76,7 +76,7 @@ test("steps are moved by keys, undone and done again", async () => {
 
 test("a step alone moves the arm to one point, and from the chosen step on to what follows", async () => {
   await step("z_plus", "z_mm", (await pose(page, "z_mm")) + 10);
-  from = told.packets.length;
+  from = traffic.packets.length;
   await page.click("#step-0");
   await page.waitForFunction(() => !document.querySelector("#teach-step").disabled);
   await page.click("#teach-step");
@@ -85,7 +85,7 @@ test("a step alone moves the arm to one point, and from the chosen step on to wh
   assert.equal(new Set(targets().map(String)).size, 1);
   await page.click("#teach-end");
   await until(undefined, "done");
-  from = told.packets.length;
+  from = traffic.packets.length;
   await page.click("#step-1");
   await page.waitForFunction(() => !document.querySelector("#teach-from").disabled);
   await page.click("#teach-from");
@@ -98,7 +98,7 @@ test("what cannot be done is told with the way to its step, and cannot be run", 
   await page.check("[name=teach-mode][value=text]", { force: true });
   const text = await page.inputValue("#teach-text");
   await page.fill("#teach-text", `${text}\n[[steps]]\ngo = { x = 900, y = 0, z = 0 }\n`);
-  await says("too far");
+  await waitForText("too far");
   await page.waitForFunction(() => document.querySelector("#teach-once").disabled);
   await page.check("[name=teach-mode][value=table]", { force: true });
   await page.click(".problem");

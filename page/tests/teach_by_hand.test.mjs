@@ -5,11 +5,11 @@ import { open, passed, rest, takeControl } from "./bench.mjs";
 import { drawn } from "./browser.mjs";
 import { onScreen } from "./stage_bench.mjs";
 
-let bench, page, told;
+let bench, page, traffic;
 
 before(async () => {
   bench = await open({ webgl: true, viewport: { width: 1100, height: 800 }, speed: 8, options: { hasTouch: true, reducedMotion: "reduce" } });
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   // Compiling the shaders without a GPU blocks the page for seconds, in which it would lose control.
   await page.waitForSelector("#stage[data-shown='3d']");
   await takeControl(page);
@@ -60,10 +60,10 @@ test("a step is carried to another place by its grip, and the arm runs the progr
   await ordered(1, 2, 0, 3);
   await page.waitForFunction(() => document.querySelector("#teach-moved").textContent.includes("step 3 of 4"));
   await page.waitForFunction(() => !document.querySelector("#teach-once").disabled);
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await page.click("#teach-once");
-  while (told.targets(from).length < 4) await passed(page, 0.1);
-  const gone = [...new Set(told.targets(from).map(([x, y]) => `${Math.round(x)} ${Math.round(y)}`))];
+  while (traffic.targets(from).length < 4) await passed(page, 0.1);
+  const gone = [...new Set(traffic.targets(from).map(([x, y]) => `${Math.round(x)} ${Math.round(y)}`))];
   assert.deepEqual(gone, [1, 2, 0, 3].map((row) => PLACES[row].join(" ")));
   while ((await bench.ask("api/v1/state")).job) await passed(page, 0.1);
 });
@@ -104,7 +104,7 @@ test("Escape stops the arm and lets the carried step lie where it was", async ()
 });
 
 test("the place of the chosen step is dragged on the stage; table and text follow, all else in the text stays, and it is one change", async () => {
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await choose(1);
   await page.mouse.move(...(await onStage(PLACES[1])));
   await page.mouse.down();
@@ -123,10 +123,10 @@ test("the place of the chosen step is dragged on the stage; table and text follo
   await ordered(0, 1, 2, 3);
   await page.click("#teach-redo");
   await page.waitForFunction(() => !document.querySelector("#teach-once").disabled);
-  assert.deepEqual(told.targets(from), []);
+  assert.deepEqual(traffic.targets(from), []);
   await page.click("#teach-once");
   const isThere = ([tx, ty]) => Math.abs(tx - x) < 0.1 && Math.abs(ty - y) < 0.1;
-  while (!told.targets(from).some(isThere)) await passed(page, 0.1);
+  while (!traffic.targets(from).some(isThere)) await passed(page, 0.1);
   while ((await bench.ask("api/v1/state")).job) await passed(page, 0.1);
 });
 

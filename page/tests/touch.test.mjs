@@ -3,11 +3,11 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { moved, open, passed, rest, takeControl } from "./bench.mjs";
 
-let bench, page, told, session;
+let bench, page, traffic, session;
 
 before(async () => {
   bench = await open({ viewport: { width: 390, height: 844 }, options: { hasTouch: true, isMobile: true } });
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   session = await page.context().newCDPSession(page);
   await takeControl(page);
   await rest(page);
@@ -26,14 +26,14 @@ async function finger(type, selector) {
 }
 
 test("a finger that holds a button jogs, its lifting stops, and the stage stays in sight", async () => {
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await finger("touchStart", "[data-axis=y_plus]");
   await moved(page, "y_mm", 5);
   const stage = await page.locator("#stage").boundingBox();
   assert.ok(stage.y >= 0 && stage.height > 200 && stage.y + stage.height < 500);
   await finger("touchEnd", "[data-axis=y_plus]");
   await rest(page);
-  const jogs = told.jogs(from).map((it) => it.text);
+  const jogs = traffic.jogs(from).map((it) => it.text);
   assert.deepEqual(new Set(jogs), new Set(["linear 3", "linear 0"]));
   assert.equal(jogs.at(-1), "linear 0");
 });
@@ -42,12 +42,12 @@ test("STOP is within reach of a thumb, and nothing hangs over the edge", async (
   const stop = await page.locator("#stop").boundingBox();
   assert.ok(stop.y > 600 && stop.width > 300);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await finger("touchStart", "[data-axis=x_plus]");
   await moved(page, "x_mm", 3);
   // By a mouse, while the finger stays.
   await page.mouse.click(stop.x + stop.width / 2, stop.y + stop.height / 2);
   await page.waitForSelector("#stopped");
   await finger("touchEnd", "[data-axis=x_plus]");
-  assert.equal(told.jogs(from).at(-1).text, "linear 0");
+  assert.equal(traffic.jogs(from).at(-1).text, "linear 0");
 });

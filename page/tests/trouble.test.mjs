@@ -1,13 +1,13 @@
-// What goes wrong around the page: it stays usable, says what happened, and nothing moves that nobody holds.
+// Failures around the page: it stays usable and reports them, and nothing moves unless it is held.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { isStop, moved, open, pose, press, rest, takeControl, passed } from "./bench.mjs";
 
-let bench, page, told;
+let bench, page, traffic;
 
 before(async () => {
   bench = await open();
-  ({ page, told } = bench);
+  ({ page, traffic } = bench);
   await takeControl(page);
 });
 after(() => bench.end());
@@ -25,13 +25,13 @@ test("on a slow network the arm follows late, and stops after the release", asyn
   await moved(page, "y_mm", 5);
   const released = performance.now();
   await page.mouse.up();
-  const stops = () => told.jogs().find((it) => it.at > released && it.text === RELEASED);
+  const stops = () => traffic.jogs().find((it) => it.at > released && it.text === RELEASED);
   while (!stops()) await page.evaluate(() => new Promise(requestAnimationFrame));
   // What is on its way moves the arm; what comes after the release does not.
   assert.ok(stops().at - released < 500, `${stops().at - released} ms`);
   await rest(page);
   const y_mm = await pose(page, "y_mm");
-  assert.equal(told.jogs().at(-1).text, RELEASED);
+  assert.equal(traffic.jogs().at(-1).text, RELEASED);
   assert.equal(await pose(page, "y_mm"), y_mm);
 });
 
@@ -44,7 +44,7 @@ test("of two pages one has control; the other says who, and gets it when it is g
   await page.click(".give");
   await other.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
   await page.waitForFunction(() => document.querySelector("[data-axis=y_plus]").disabled);
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   await press(other, "y_minus");
   await moved(other, "y_mm", 4);
   // Anybody stops, also without control.
@@ -53,7 +53,7 @@ test("of two pages one has control; the other says who, and gets it when it is g
   await other.mouse.up();
   // The laser goes off first, then the button is let go, by the line's own time.
   await passed(page, 0.4);
-  assert.equal(told.jogs(from).at(-1).text, RELEASED);
+  assert.equal(traffic.jogs(from).at(-1).text, RELEASED);
   await page.click("#reset");
   await page.click("#confirm-yes");
   await other.context().close();
@@ -69,7 +69,7 @@ test("a station that is killed while a button is held stops the arm, and the pag
   await bench.restart();
   await page.waitForFunction(() => document.querySelector("#jog-why").textContent === "The pose is not confirmed." || !document.querySelector("[data-axis=y_plus]").disabled);
   await page.mouse.up();
-  const later = told.jogs().filter((it) => it.at > killed).map((it) => it.text);
+  const later = traffic.jogs().filter((it) => it.at > killed).map((it) => it.text);
   // The watchdog lets go; the button that was still held presses nothing.
   assert.ok(later.length > 0 && later.every((it) => it.endsWith(" 0")), later.join());
   await rest(page);
@@ -96,9 +96,9 @@ test("a STOP that gets no answer is told in red beside it and asked for again, a
   // What appears moves nothing that a hand is on.
   assert.deepEqual(await page.locator("#stop").boundingBox(), stop);
   await page.waitForSelector("#link-chip[data-tone=off]");
-  const from = told.packets.length;
+  const from = traffic.packets.length;
   bench.mend();
-  assert.ok(await told.next(from, isStop), "the arm is stopped once the network is back");
+  assert.ok(await traffic.next(from, isStop), "the arm is stopped once the network is back");
   await page.waitForSelector("#late-stop[data-tone=good]");
   assert.match(await page.textContent("#late-stop"), /^STOP was answered after \d+ s\.$/);
   // The page is back on a connection of its own making, without being told of the end of the other one.

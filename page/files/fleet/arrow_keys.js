@@ -1,9 +1,9 @@
-// From tile to tile by the keys: the one above is the one that a person sees above. Pure.
+// Arrow keys on the board: focus moves to the tile in that direction. Pure.
 
 /** @typedef {{ left: number, top: number, right: number, bottom: number }} Box */
 
 /**
- * Which tile a key leads to; the same one where there is none that way.
+ * Returns the index of the tile in a direction; unchanged at the edge.
  * @param {readonly Box[]} boxes in their order @param {number} from @param {string} key @returns {number | undefined} nothing for a key that leads nowhere
  */
 export function nextTile(boxes, from, key) {
@@ -26,12 +26,12 @@ export function nextTile(boxes, from, key) {
   }
 }
 
-/** The tile of the nearest row that way that is most nearly below or above. @param {readonly Box[]} boxes @param {number} from @param {(it: Box, now: Box) => boolean} isThatWay */
+/** Returns the horizontally closest tile of the nearest row above or below. @param {readonly Box[]} boxes @param {number} from @param {(it: Box, now: Box) => boolean} isThatWay */
 function inRow(boxes, from, isThatWay) {
   const now = boxes[from];
   if (!now) return from;
   const middle = (/** @type {Box} */ { left, right }) => (left + right) / 2;
-  const away = (/** @type {Box} */ it) => Math.abs((it.top + it.bottom) / 2 - (now.top + now.bottom) / 2) * 1000 + Math.abs(middle(it) - middle(now));
+  const away = (/** @type {Box} */ box) => Math.abs((box.top + box.bottom) / 2 - (now.top + now.bottom) / 2) * 1000 + Math.abs(middle(box) - middle(now));
   const found = boxes.map((it, n) => ({ it, n })).filter(({ it }) => isThatWay(it, now)).sort((a, b) => away(a.it) - away(b.it))[0];
   return found?.n ?? from;
 }
@@ -43,7 +43,7 @@ export function listenToWalk(root, selector) {
     const all = /** @type {HTMLElement[]} */ ([...root.querySelectorAll(selector)]);
     const from = all.indexOf(/** @type {HTMLElement} */ (document.activeElement));
     if (from < 0) return;
-    const to = nextTile(all.map((it) => it.getBoundingClientRect()), from, event.key);
+    const to = nextTile(all.map((tile) => tile.getBoundingClientRect()), from, event.key);
     if (to === undefined) return;
     event.preventDefault();
     all[to]?.focus();

@@ -1,4 +1,4 @@
-// One arm of the fleet: what is known of it, its jobs, and what can be done from here.
+// Details of one arm of the fleet: state, jobs and actions.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
@@ -51,11 +51,11 @@ export function details(context) {
 function endArm({ board, t, act }, { name, about }) {
   const giver = about?.given_by;
   if (giver == null) return nothing;
-  const isGone = !board.members.some((it) => it.name === giver && isThere(it));
+  const isGone = !board.members.some((other) => other.name === giver && isThere(other));
   return html`<button id="details-end-arm" type="button" class="small" ?disabled=${isGone} @click=${() => act.send({ type: "question", question: { about: "fleet_end_arm", giver, name, values: { name } } })}>${t("fleet.arm.end")}</button>`;
 }
 
-/** What stands behind the alarms, in the stations' own words. @param {Context} context @param {Member} member */
+/** The reasons of the alarms, in the station's own words. @param {Context} context @param {Member} member */
 function reasons({ t }, { presence, state }) {
   const stop = state?.stop, lock = lockOf(state);
   const texts = [
@@ -66,7 +66,7 @@ function reasons({ t }, { presence, state }) {
     state?.arm && !state.trust.trusted ? state.trust.reason ?? "" : "",
     state?.link.problem ?? "",
   ];
-  return html`${texts.filter(Boolean).map((it) => html`<p class="reason">${it}</p>`)}`;
+  return html`${texts.filter(Boolean).map((text) => html`<p class="reason">${text}</p>`)}`;
 }
 
 /** @param {Context} context @param {Member} member */
@@ -75,7 +75,7 @@ function numbers({ t }, { about, state }) {
   /** @type {[TextKey, string][]} */ const rows = [
     ["fleet.control", lease ? t("fleet.control.for", { name: lease.name, time: formatDuration(t, state.at_s - lease.since_s) }) : t("fleet.free")],
     ["fleet.asks", lease?.asked_by.map(({ name }) => name).join(", ") || "–"],
-    ["fleet.where", arm ? ["x_mm", "y_mm", "z_mm"].map((it) => Math.round(Number(arm[/** @type {"x_mm"} */ (it)]))).join(", ") + " mm" : "–"],
+    ["fleet.where", arm ? ["x_mm", "y_mm", "z_mm"].map((axis) => Math.round(Number(arm[/** @type {"x_mm"} */ (axis)]))).join(", ") + " mm" : "–"],
     ["watch.statuses", t("watch.statuses.value", { rate: state?.link.statuses_per_s.toFixed(1) ?? "–" })],
     ["watch.address", state?.link.address ?? t("watch.not_found")],
     ["fleet.groups", about?.groups.join(", ") || "–"],
@@ -88,7 +88,7 @@ function numbers({ t }, { about, state }) {
 
 /** @param {Context} context @param {Member} member */
 function learners({ t }, { learners = [] }) {
-  return learners.length ? html`<h3 id="details-learners">${t("fleet.learners")} <small>${learners.length}</small></h3>${learners.map((it) => learnerLine(t, it))}` : nothing;
+  return learners.length ? html`<h3 id="details-learners">${t("fleet.learners")} <small>${learners.length}</small></h3>${learners.map((learner) => learnerLine(t, learner))}` : nothing;
 }
 
 /** @param {Context} context @param {Member} member */

@@ -1,4 +1,4 @@
-// What an arm has drawn, as a picture: a file for a person, in millimetres, as one sees it from behind the arm. Pure.
+// The ink of an arm as an SVG file, in millimetres, seen from behind the arm. Pure.
 
 import { LASER_WIDTH_MM, darkness } from "../stage/ink.js";
 
@@ -31,7 +31,7 @@ ${lines.join("\n")}
 `;
 }
 
-/** From behind the arm right is -Y and up is X. @param {readonly Point[]} points @param {number} edge_mm */
+/** From behind the arm, right is -Y and up is X. @param {readonly Point[]} points @param {number} edge_mm */
 function frame(points, edge_mm) {
   const across = points.map(([, y = 0]) => -y), down = points.map(([x = 0]) => -x);
   const least = (/** @type {number[]} */ of) => of.reduce((a, b) => Math.min(a, b)), most = (/** @type {number[]} */ of) => of.reduce((a, b) => Math.max(a, b));
@@ -43,7 +43,7 @@ function frame(points, edge_mm) {
 function pathOf(points) {
   const at = (/** @type {Point} */ [x = 0, y = 0]) => `${number(-y)} ${number(-x)}`;
   const [first = [], ...rest] = points;
-  return `M${at(first)}${rest.length ? rest.map((it) => `L${at(it)}`).join("") : "h0"}`;
+  return `M${at(first)}${rest.length ? rest.map((point) => `L${at(point)}`).join("") : "h0"}`;
 }
 
 /** A thousandth of a millimetre is enough. @param {number} value */
@@ -52,4 +52,4 @@ const number = (value) => Math.round(value * 1000) / 1000;
 const ESCAPES = /** @type {Record<string, string>} */ ({ "&": "&amp;", "<": "&lt;", ">": "&gt;" });
 
 /** @param {string} text */
-const escaped = (text) => text.replace(/[&<>]/g, (it) => ESCAPES[it] ?? it);
+const escaped = (text) => text.replace(/[&<>]/g, (character) => ESCAPES[character] ?? character);

@@ -1,4 +1,4 @@
-// The board of a fleet: wires stations, state and views together.
+// The board of a fleet: wires requests, state and views together.
 
 import { listenToDrops } from "../input/file_drop.js";
 import { listenToStop } from "../input/keys.js";
@@ -26,12 +26,12 @@ import { listenToWalk } from "./arrow_keys.js";
 /** @typedef {ReturnType<typeof createBoard>} Store */
 /** @typedef {import("./state.js").Board} Board */
 /** @typedef {import("./state.js").Message} Message */
-/** What a view of the board is made of. @typedef {{ board: Board, t: import("../i18n/i18n.js").Translate, act: ReturnType<typeof createActions> }} Context */
+/** The context of a view of the board. @typedef {{ board: Board, t: import("../i18n/i18n.js").Translate, act: ReturnType<typeof createActions> }} Context */
 
-/** Arms move all the time: their texts follow them so often, their pictures with each picture of the screen. */
+/** Redraw interval of the texts; pictures follow each frame. */
 const TEXTS_MS = 150;
 const MESSAGE_MS = 12_000;
-/** What comes by itself, many times in a second. */
+/** Messages that come many times per second. */
 const FREQUENT = new Set(["members", "alive", "tick", "queue", "learners", "slots"]);
 
 /** @param {string} id */
@@ -128,7 +128,7 @@ function show() {
 
 /** @type {number | undefined} */ let hideTimer;
 
-/** Takes the message away that says that all went well, unless somebody is at it. */
+/** Hides a success message, unless the pointer or focus is on it. */
 function hideMessage() {
   if (part("toasts").matches(":hover, :focus-within")) hideTimer = setTimeout(hideMessage, MESSAGE_MS);
   else store.send({ type: "outcome_closed", what: "request" });

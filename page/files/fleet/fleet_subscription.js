@@ -1,4 +1,4 @@
-// Follows the stations of the fleet, as the station of this board sees them: connects, connects again. It draws nothing.
+// Subscribes to the fleet through the station of this board, and reconnects. It draws nothing.
 
 import { readEvents } from "../station/event_stream.js";
 import { watchSilence } from "../station/silence.js";
@@ -13,19 +13,19 @@ const LOOK_MS = 500;
 /** @param {Store} store @param {Http} http */
 export function followFleet(store, http) {
   const { send } = store;
-  /** What ends the listening that goes on. @type {AbortController | null} */ let listening = null;
+  /** Aborts the running subscription. @type {AbortController | null} */ let listening = null;
   /** @type {number | undefined} */ let timer;
 
   const now_ms = () => Date.now();
-  // A station tells of its own arm twice in a second at least: one that is silent is asked anew.
-  const heard = watchSilence({ isExpected: () => store.page.connection === "open", silent: () => void follow() });
+  // A station reports its own arm at least twice per second; a silent one is reconnected.
+  const resetSilence = watchSilence({ isExpected: () => store.page.connection === "open", silent: () => void follow() });
 
-  /** Whether the station answers, and there is a fleet. @param {AbortController} mine @returns {Promise<boolean>} */
+  /** Reads the fleet; returns whether there is one. @param {AbortController} mine @returns {Promise<boolean>} */
   async function look(mine) {
     const answer = await http.get("api/v1/fleet", mine.signal);
     const body = await answer?.json().catch(() => undefined);
     if (listening !== mine) return false;
-    heard();
+    resetSilence();
     if (!answer || !body) send({ type: "closed", problem: null });
     else if (answer.ok) send({ type: "fleet", name: body.name, members: body.members, now_ms: now_ms() });
     else if (answer.status === 404) send({ type: "alone" });
@@ -45,22 +45,22 @@ export function followFleet(store, http) {
     const isWanted = () => listening === mine;
     const answer = await http.get("api/v1/fleet/events", mine.signal);
     /** @type {Map<string, Member>} */ let news = new Map();
-    /** The numbers of those that are not kept in mind any more. @type {string[]} */ let gone = [];
+    /** Ids of removed members. @type {string[]} */ let gone = [];
     /** @param {string} event @param {string} data */
-    const hear = (event, data) => {
+    const onEvent = (event, data) => {
       if (event === "gone") gone.push(/** @type {{ id: string }} */ (JSON.parse(data)).id);
       if (event !== "member") return;
       /** @type {Member} */ const member = JSON.parse(data);
       news.set(member.id, member);
     };
-    const came = () => {
-      heard();
+    const onChunk = () => {
+      resetSilence();
       if (news.size || gone.length) send({ type: "members", members: [...news.values()], gone, now_ms: now_ms() });
       else send({ type: "alive", now_ms: now_ms() });
       news = new Map();
       gone = [];
     };
-    if (answer?.ok) await readEvents(answer, { hear, came, isWanted });
+    if (answer?.ok) await readEvents(answer, { onEvent, onChunk, isWanted });
     if (isWanted()) send({ type: "closed", problem: null });
   }
 
@@ -70,7 +70,7 @@ export function followFleet(store, http) {
     const mine = listening = new AbortController();
     send({ type: "connecting" });
     if (await look(mine)) await listen(mine);
-    // With another token it is asked again at once.
+    // A new token restarts it immediately.
     if (listening === mine && store.page.connection !== "token") timer = setTimeout(() => void follow(), AGAIN_MS);
   }
 

@@ -1,4 +1,4 @@
-// The foot of the board: STOP for all, and what came of it.
+// The footer of the board: STOP ALL, and its outcome.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { stops } from "../input/stop_button.js";
@@ -21,8 +21,8 @@ export function footer(context) {
     ${again(context)}`;
 }
 
-/** Those that may move again once somebody has looked at them. @param {readonly Member[]} members @param {import("./state.js").Recipients} to */
-export const stopped = (members, to) => members.filter((it) => isThere(it) && isMeant(to, it) && it.state?.stop);
+/** The stopped members among the recipients. @param {readonly Member[]} members @param {import("./state.js").Recipients} to */
+export const stopped = (members, to) => members.filter((member) => isThere(member) && isMeant(to, member) && member.state?.stop);
 
 /** @param {Context} context */
 function again({ board, t, act }) {

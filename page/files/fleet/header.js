@@ -1,4 +1,4 @@
-// The head of the board: how the fleet is, what is shown of it, and words to all; and what has to be known before all else.
+// The header of the board: counts, filters, class tools and warnings.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -12,7 +12,7 @@ import { problemText, outcomeText, outcomeTone, toText } from "./outcome_text.js
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 
-/** From when on it is told how old all of this is. */
+/** Age at which a banner reports it. */
 const OLD_MS = 2000;
 const SORT_TONES = { running: "good", stopped: "bad", offline: "warn", locked: "warn", stuck: "warn" };
 
@@ -31,7 +31,7 @@ export function header(context) {
       ${all.length ? html`
         <select id="group" aria-label=${t("fleet.group")} @change=${(/** @type {Event} */ event) => act.send({ type: "group", group: /** @type {HTMLSelectElement} */ (event.target).value || null })}>
           <option value="" .selected=${live(board.group === null)}>${t("fleet.groups.all")}</option>
-          ${all.map((it) => html`<option value=${it} .selected=${live(it === board.group)}>${it}</option>`)}
+          ${all.map((name) => html`<option value=${name} .selected=${live(name === board.group)}>${name}</option>`)}
         </select>` : nothing}
       <button id="lesson-open" type="button" class="small" aria-expanded=${String(board.lesson)} aria-controls="lesson" @click=${() => act.send({ type: "lesson", open: !board.lesson })}>${t("fleet.lesson")}</button>
       ${armButton(context)}
@@ -41,7 +41,7 @@ export function header(context) {
     ${lesson(context)}`;
 }
 
-/** Opens the queue; what is in doubt waits for a person, so that it is told here already. @param {Context} context */
+/** Opens the queue; the button shows jobs of uncertain state, which need a person. @param {Context} context */
 function queueButton({ board, t, act }) {
   const { open } = board.queue, { open: number, doubt } = counts(board.queue.all);
   return html`<button id="queue-open" type="button" class="small" data-tone=${doubt ? "warn" : "off"} aria-expanded=${String(open)} aria-controls="queue" @click=${() => act.send({ type: "queue_open", open: !open })}>${t(doubt ? "fleet.queue.open.doubt" : "fleet.queue.open", { number, doubt })}</button>`;
@@ -53,7 +53,7 @@ function armButton({ board, t, act }) {
   return html`<button id="arm-open" type="button" class="small" aria-expanded=${String(board.wanting)} aria-controls="arm" @click=${() => act.send({ type: "wanting", open: !board.wanting })}>${t("fleet.arm.open")}</button>`;
 }
 
-/** Who has no arm asks for a virtual one. @param {Context} context */
+/** The form to request a virtual arm. @param {Context} context */
 function wanting({ board, t, act }) {
   const from = giver(board.members);
   if (!from || !board.wanting) return nothing;
@@ -71,7 +71,7 @@ function wanting({ board, t, act }) {
     </form>`;
 }
 
-/** How many are of a sort; pressed, these are shown alone. @param {Context} context @param {import("./members.js").Sort} sort */
+/** The number of members in a category; pressed, only these are shown. @param {Context} context @param {import("./members.js").Sort} sort */
 function chip({ board, t, act }, sort) {
   const number = count(board.members, sort), pressed = board.sort === sort;
   if (!number && !pressed) return nothing;
@@ -81,7 +81,7 @@ function chip({ board, t, act }, sort) {
 /** Words to all, or to the group that is shown: a message, "eyes on me", and the pictures of what was drawn. @param {Context} context */
 function lesson({ board, t, act }) {
   const to = recipients(board.group);
-  const meant = board.members.filter((it) => isThere(it) && isMeant(to, it));
+  const meant = board.members.filter((member) => isThere(member) && isMeant(to, member));
   const name = toText(t, to, board.language);
   const text = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (/** @type {HTMLElement} */ (event.currentTarget).closest("form")?.elements.namedItem("text"));
   const write = async (/** @type {SubmitEvent} */ event) => {

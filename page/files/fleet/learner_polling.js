@@ -1,16 +1,16 @@
-// Asks the stations of the fleet who takes a lesson there. It draws nothing.
+// Polls the stations of the fleet for the progress of students. It draws nothing.
 
 import { isThere } from "./members.js";
 
 /** @typedef {import("./fleet.js").Store} Store */
 
-/** How far students are no station tells by itself: all are asked so often. */
+/** Polling interval: stations do not announce progress. */
 const AGAIN_MS = 4000;
 
 /** Asks all stations that are there, for as long as the board is seen. @param {Store} store @param {import("../station/http.js").Http} http */
 export function followLearners(store, http) {
   /** @type {number | undefined} */ let timer;
-  /** How often they were asked: an answer to an earlier question is not taken. */
+  /** Number of requests: results of earlier ones are ignored. */
   let requests = 0;
 
   async function read() {

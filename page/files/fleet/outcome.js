@@ -1,13 +1,13 @@
-// What came of a request to several stations. Pure.
+// The outcome of a request to several stations. Pure.
 
 /** @typedef {import("./state.js").MemberAnswer} MemberAnswer */
 /** @typedef {import("../state/types.js").Problem} Problem */
 
 /**
  * @typedef {object} Outcome
- * @property {string[]} done Who did it.
- * @property {string[]} silent Who did not answer: what was asked for may have been done all the same.
- * @property {{ problem: Problem, members: string[] }[]} refused Who refused it, and why; those that say the same are told together.
+ * @property {string[]} done Members that succeeded.
+ * @property {string[]} silent Members without an answer: the request may still have been carried out.
+ * @property {{ problem: Problem, members: string[] }[]} refused Refusals, with equal ones grouped.
  */
 
 /** @param {readonly MemberAnswer[]} answers @returns {Outcome} */
@@ -24,12 +24,12 @@ export function outcomeOf(answers) {
 
 /** @param {Outcome["refused"]} refused @param {string} member @param {Problem} problem */
 function refuse(refused, member, problem) {
-  const same = refused.find((it) => it.problem.detail === problem.detail && it.problem.hint === problem.hint);
+  const same = refused.find((refusal) => refusal.problem.detail === problem.detail && refusal.problem.hint === problem.hint);
   if (same) same.members.push(member);
   else refused.push({ problem, members: [member] });
 }
 
-/** What is wrong with an answer, if anything is. @param {MemberAnswer["answer"]} answer @returns {Problem | null} */
+/** Returns the problem of an answer, or null. @param {MemberAnswer["answer"]} answer @returns {Problem | null} */
 export function problemOf({ status, body }) {
   if (status >= 200 && status < 300) return null;
   const problem = /** @type {Partial<Problem> | null} */ (body);

@@ -1,4 +1,4 @@
-// What came of what several stations were asked for, in words.
+// The outcome of a request to several stations, as text.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { sentence } from "../views/banners.js";
@@ -38,19 +38,19 @@ export function outcomeText(context, request) {
   return html`
     ${what === "give_arm" ? given(context, answers) : html`<strong>${t(`fleet.done.${what}`, { done: done.length, all })}</strong>`}
     ${silent.length ? html`<span class="silent">${t(what === "stop" ? "fleet.silent.stop" : "fleet.silent", { names: list(language, silent) })} ${what === "stop" ? pages(context, silent) : nothing}</span>` : nothing}
-    ${refused.map((it) => html`<span class="refused">${list(language, it.members)}: ${problemText(it.problem)}</span>`)}`;
+    ${refused.map((refusal) => html`<span class="refused">${list(language, refusal.members)}: ${problemText(refusal.problem)}</span>`)}`;
 }
 
-/** The virtual arm that was given, with the way to its page. @param {Context} context @param {readonly import("./state.js").MemberAnswer[]} answers */
+/** The new virtual arm, with a link to its page. @param {Context} context @param {readonly import("./state.js").MemberAnswer[]} answers */
 function given({ t }, answers) {
   const arms = answers.filter(({ answer }) => !problemOf(answer)).map(({ answer }) => /** @type {import("../state/types.js").Schemas["GivenArm"]} */ (answer.body));
   if (!arms.length) return html`<strong>${t("fleet.failed.give_arm")}</strong>`;
   return arms.map(({ name, page }) => html`<strong>${t("fleet.arm.ready", { name })}</strong> <a id="arm-page" href=${pageIn(page) ?? ""} target="_blank" rel="noreferrer">${t("fleet.page.of", { name })}</a>`);
 }
 
-/** The own pages of these stations, as far as they have told them. @param {Context} context @param {readonly string[]} names */
+/** Links to the pages of these stations, if known. @param {Context} context @param {readonly string[]} names */
 function pages({ board, t }, names) {
-  const known = board.members.filter((it) => names.includes(it.name) && !it.here && pageOf(it));
+  const known = board.members.filter((member) => names.includes(member.name) && !member.here && pageOf(member));
   if (!known.length) return nothing;
-  return html`<span class="pages">${known.map((it) => html`<a href=${pageOf(it)} target="_blank" rel="noreferrer">${t("fleet.page.of", { name: it.name })}</a> `)}</span>`;
+  return html`<span class="pages">${known.map((member) => html`<a href=${pageOf(member)} target="_blank" rel="noreferrer">${t("fleet.page.of", { name: member.name })}</a> `)}</span>`;
 }

@@ -1,5 +1,5 @@
-// A small picture of an arm: seen from ahead and right, so that reach, height and turn show at once. Cheap enough for a hundred
-// of them. What is drawn is calculated by pure functions.
+// A small picture of an arm, seen from the front right, so that reach, height and direction are visible together. It is cheap
+// enough for a hundred of them; the calculations are pure functions.
 
 import { links, rad } from "../stage/kinematics.js";
 import { css, colorsOf } from "../stage/colors.js";
@@ -15,13 +15,13 @@ import { css, colorsOf } from "../stage/colors.js";
 const AZIMUTH = rad(-58), ELEVATION = rad(24);
 const RIGHT = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH), 0];
 const UP = [-Math.cos(AZIMUTH) * Math.sin(ELEVATION), -Math.sin(AZIMUTH) * Math.sin(ELEVATION), Math.cos(ELEVATION)];
-/** What a picture shows, in mm: to the right and up. */
+/** The visible area in mm: right and up. */
 const ROOM = { right: [-318, 335], up: [-236, 205] };
 
 /** A point as it is seen, in mm to the right and up. @param {Point} point @returns {[number, number]} */
-export const seen = (point) => /** @type {[number, number]} */ ([RIGHT, UP].map((way) => way.reduce((sum, it, n) => sum + it * (point[n] ?? 0), 0)));
+export const seen = (point) => /** @type {[number, number]} */ ([RIGHT, UP].map((axis) => axis.reduce((sum, it, n) => sum + it * (point[n] ?? 0), 0)));
 
-/** Where the arm's joints are in space, and the tip of its tool: the first one that is served. @param {Joints} joints @param {Facts} facts */
+/** Positions of the arm's joints and of the tip of its first tool. @param {Joints} joints @param {Facts} facts */
 export function armAt(joints, { dimensions, tools: [tool] }) {
   const it = links(joints, { ...dimensions, reach_mm: tool?.reach_mm ?? 0 }), base = rad(joints.base_deg);
   const at = ([r = 0, z = 0]) => /** @type {Point} */ ([r * Math.cos(base), r * Math.sin(base), z]);
@@ -103,7 +103,7 @@ export function paint(pen, { facts, joints, dark, old, laser, size }) {
   if (!joints) return;
   const arm = armAt(joints, facts);
   const metal = old ? look.pin : look.metal, joint = old ? look.pin : look.accent, rim = look.dark;
-  // The shadow tells height and turn.
+  // The shadow shows height and direction.
   line([arm.shoulder, arm.elbow, arm.wrist, arm.tool].map(below), 0x000000, thick, dark ? 0.3 : 0.13);
   line([arm.tip, below(arm.tip)], look.grid, 1, 0.8);
   dot(below(arm.tip), 2, look.grid);

@@ -1,4 +1,4 @@
-// Draws the pictures of all tiles that are in sight: each when its arm, its size or the theme is another one.
+// Draws the pictures of all visible tiles, each when its arm, size or theme changed.
 
 import { Motion } from "../stage/motion.js";
 import { createLimit } from "../stage/render_quality.js";
@@ -75,13 +75,13 @@ export function createPictures({ isStill }) {
   return {
     /** @param {readonly Member[]} members @param {import("./picture.js").Facts | null} facts nothing is drawn without @param {{ dark: boolean, old: boolean }} look */
     show(members, facts, { dark, old }) {
-      shown = { members: new Map(members.map((it) => [it.id, it])), facts, dark, old };
+      shown = { members: new Map(members.map((member) => [member.id, member])), facts, dark, old };
       for (const { id, state } of members) {
         if (!state?.arm) continue;
         const motion = motions.get(id) ?? new Motion();
         motions.set(id, motion);
         motion.status_s = facts?.status_period_s ?? 0;
-        motion.hear({ at_s: state.at_s, joints: state.arm }, performance.now() / 1000);
+        motion.add({ at_s: state.at_s, joints: state.arm }, performance.now() / 1000);
       }
       soon();
     },
@@ -95,7 +95,7 @@ export function createPictures({ isStill }) {
   };
 }
 
-/** As many pixels as it has on the screen. @param {HTMLCanvasElement} canvas @returns {Size} */
+/** Sets the canvas to the resolution of the screen. @param {HTMLCanvasElement} canvas @returns {Size} */
 function fit(canvas) {
   const { clientWidth: width, clientHeight: height } = canvas, density = Math.min(2, devicePixelRatio);
   canvas.width = Math.round(width * density);

@@ -1,4 +1,4 @@
-// Work for any arm: what was submitted to the station of this board, and what a person is about to submit. Pure.
+// The shared queue: submitted jobs, and the form for a new one. Pure.
 
 import { isThere } from "./members.js";
 
@@ -6,17 +6,17 @@ import { isThere } from "./members.js";
 /** @typedef {import("../state/types.js").Problem} Problem */
 /** @typedef {import("./members.js").Member} Member */
 /** @typedef {Schemas["WorkView"]} WorkView */
-/** What a person fills in. `down` is where the pen draws, in millimetres; empty where the station of the arm knows it. @typedef {{ what: "file" | "text", file: File | null, text: string, student: string, group: string, needs: readonly string[], down: string, fit: boolean }} Form */
+/** The form. `down` is the pen-down height in mm; empty for the height known by the arm's station. @typedef {{ what: "file" | "text", file: File | null, text: string, student: string, group: string, needs: readonly string[], down: string, fit: boolean }} Form */
 
 /**
  * @typedef {object} Queue
  * @property {boolean} open
  * @property {readonly WorkView[] | null} all In the order in which it came; nothing where it is not known yet.
- * @property {import("../state/draw.js").Formats} formats What can be drawn.
+ * @property {import("../state/draw.js").Formats} formats The supported formats.
  * @property {Form} form
  * @property {boolean} submitting
- * @property {string | null} submitted What was submitted last.
- * @property {{ work: string | null, problem: Problem } | null} refused Why the last thing that was asked for came to nothing; of no work where it was submitting.
+ * @property {string | null} submitted Title of the last submission.
+ * @property {{ work: string | null, problem: Problem } | null} refused Why the last request was refused; `work` is null for a submission.
  */
 
 /** @type {Queue} */
@@ -52,7 +52,7 @@ export function reduceQueue(queue, message) {
     case "queue_asked":
       return { ...queue, submitting: queue.submitting || message.work === null, refused: null };
     case "queue_submitted":
-      // What was typed meanwhile stays.
+      // Keeps text typed in the meantime.
       return { ...queue, submitting: false, submitted: message.title, form: queue.form === message.form ? { ...queue.form, file: null, text: "" } : queue.form };
     case "queue_refused":
       return { ...queue, submitting: queue.submitting && message.work !== null, refused: { work: message.work, problem: message.problem } };
@@ -65,49 +65,49 @@ const isDoubtful = ({ doubt }) => doubt != null;
 /** Whether it can be cancelled. @param {WorkView} work */
 export const canCancel = ({ phase }) => phase === "waiting" || phase === "offered" || phase === "taken";
 
-/** Whether a person may give it to another arm. @param {WorkView} work */
+/** Whether it can be reassigned. @param {WorkView} work */
 export const canReassign = (work) => isDoubtful(work) || work.phase === "failed";
 
-/** All of it by what a person asks of it. @param {readonly WorkView[]} all */
+/** Groups the jobs by state. @param {readonly WorkView[]} all */
 export const groupWork = (all) => ({
   doubt: all.filter(isDoubtful),
-  assigned: all.filter((it) => !isDoubtful(it) && (it.phase === "offered" || it.phase === "taken")),
+  assigned: all.filter((work) => !isDoubtful(work) && (work.phase === "offered" || work.phase === "taken")),
   waiting: all.filter(({ phase }) => phase === "waiting"),
-  finished: all.filter((it) => !canCancel(it)).reverse(),
+  finished: all.filter((work) => !canCancel(work)).reverse(),
 });
 
-/** How much of it is not over, and how much of that is in doubt. @param {readonly WorkView[] | null} all */
+/** The number of open jobs, and of those in an uncertain state. @param {readonly WorkView[] | null} all */
 export const counts = (all) => ({ open: all?.filter(canCancel).length ?? 0, doubt: all?.filter(isDoubtful).length ?? 0 });
 
 /** @param {Member} member */
 const takes = (member) => isThere(member) && member.about?.takes_work != null;
 
 /** The arms that have all of it, and whose stations take work. @param {readonly Member[]} members @param {readonly string[]} needs */
-export const arms = (members, needs) => members.filter((it) => takes(it) && needs.every((need) => it.about?.offers.includes(need)));
+export const arms = (members, needs) => members.filter((member) => takes(member) && needs.every((need) => member.about?.offers.includes(need)));
 
-/** What can be needed: what those have that take work, and what is chosen already. @param {readonly Member[]} members @param {readonly string[]} chosen */
+/** Equipment that can be required: offered by members that accept work, or already selected. @param {readonly Member[]} members @param {readonly string[]} chosen */
 export const offers = (members, chosen) => [...new Set([...members.filter(takes).flatMap(({ about }) => about?.offers ?? []), ...chosen])].sort();
 
-/** What of it is at an arm or was offered to it, and what waits that it could take. @param {readonly WorkView[] | null} all @param {Member} member */
+/** The jobs assigned or offered to an arm, and the waiting jobs that it could take. @param {readonly WorkView[] | null} all @param {Member} member */
 export function ofMember(all, member) {
   const { assigned, doubt, waiting } = groupWork(all ?? []);
-  const wasThere = (/** @type {WorkView} */ { before }) => before?.some((it) => it.member.id === member.id);
+  const wasThere = (/** @type {WorkView} */ { before }) => before?.some((attempt) => attempt.member.id === member.id);
   return {
-    has: [...doubt, ...assigned].filter((it) => it.member?.id === member.id),
-    suitable: waiting.filter((it) => arms([member], it.needs).length && !wasThere(it)),
+    has: [...doubt, ...assigned].filter((work) => work.member?.id === member.id),
+    suitable: waiting.filter((work) => arms([member], work.needs).length && !wasThere(work)),
   };
 }
 
 /** @param {Form} form */
 const height = ({ down }) => (down.trim() === "" ? undefined : Number(down.replace(",", ".")));
 
-/** Whether the height is no number. @param {Form} form */
+/** Whether the height is not a number. @param {Form} form */
 export const isWrongHeight = (form) => Number.isNaN(height(form) ?? 0);
 
-/** Whether all is there that a submission takes. @param {Form} form */
+/** Whether the form is complete. @param {Form} form */
 export const canSubmit = (form) => (form.what === "file" ? form.file !== null : form.text.trim() !== "") && form.student.trim() !== "" && !isWrongHeight(form);
 
-/** How it is to be drawn; what is left out is as the station of the arm has it. @param {Form} form */
+/** The drawing options; omitted ones are chosen by the arm's station. @param {Form} form */
 export function optionsOf(form) {
   const pen_down = height(form);
   return { ...(form.what === "text" && { what: { text: form.text } }), place: { fit: form.fit, ...(pen_down !== undefined && { pen_down }) } };

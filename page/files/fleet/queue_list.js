@@ -1,4 +1,4 @@
-// The work for any arm: what was submitted here, what has become of it, and the form for more.
+// The shared queue: its jobs, and the form for a new one.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
@@ -12,7 +12,7 @@ import { problemText } from "./outcome_text.js";
 /** @typedef {import("./queue.js").WorkView} WorkView */
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
 
-/** So many that are over, or that one arm could take, are told. */
+/** The most finished jobs, and the most suitable jobs of one arm, that are listed. */
 const MOST_FINISHED = 20, MOST_SUITABLE = 5;
 const TONES = { waiting: "off", offered: "off", taken: "good", done: "good", failed: "bad", cancelled: "off" };
 
@@ -38,7 +38,7 @@ function list(context, names) {
     ${names.includes("waiting") && !groups.waiting.length ? html`<p id="queue-none" class="quiet">${t(all ? "fleet.queue.none" : "fleet.queue.reading")}</p>` : nothing}
     ${names.map((name) => (groups[name].length ? html`
       <h3 id="queue-${name}">${t(`fleet.queue.${name}`)} <small>${groups[name].length}</small></h3>
-      <ol class="jobs" aria-labelledby="queue-${name}">${repeat(groups[name].slice(0, name === "finished" ? MOST_FINISHED : undefined), ({ id }) => id, (it) => entry(context, it))}</ol>` : nothing))}`;
+      <ol class="jobs" aria-labelledby="queue-${name}">${repeat(groups[name].slice(0, name === "finished" ? MOST_FINISHED : undefined), ({ id }) => id, (work) => entry(context, work))}</ol>` : nothing))}`;
 }
 
 /** @param {Context} context @param {WorkView} work */
@@ -52,20 +52,20 @@ function entry(context, work) {
       ${place(context, work)}
       ${doubt == null ? nothing : html`<p class="status-of" data-tone="warn">${sentence(doubt)}.</p>`}
       ${reason ? html`<p class="quiet">${sentence(reason)}</p>` : nothing}
-      ${before.map((it) => html`<p class="quiet before">${t("fleet.work.before", { name: it.member.name, drawn: it.drawn })}</p>`)}
+      ${before.map((attempt) => html`<p class="quiet before">${t("fleet.work.before", { name: attempt.member.name, drawn: attempt.drawn })}</p>`)}
       ${acts(context, work)}
       ${refused?.work === id ? html`<p class="status-of" data-tone="bad" role="alert">${problemText(refused.problem)}</p>` : nothing}
     </li>`;
 }
 
-/** Whose it is, what it needs, and since when it is here. @param {Context} context @param {WorkView} work */
+/** Student, requirements and submission time. @param {Context} context @param {WorkView} work */
 const whose = ({ board, t }, { student, group, needs, submitted_ms }) => [
   group ? `${student} (${group})` : student,
   ...(needs.length ? [t("fleet.work.needs", { needs: needs.join(", ") })] : []),
   t("fleet.work.at", { time: new Date(submitted_ms).toLocaleTimeString(board.language, { hour: "2-digit", minute: "2-digit" }) }),
 ].join(" · ");
 
-/** Which arm has it, and how far that one is. @param {Context} context @param {WorkView} work */
+/** The assigned arm and its progress. @param {Context} context @param {WorkView} work */
 function place({ t }, { member, job, phase, doubt }) {
   if (!member) return nothing;
   const begun = phase === "taken" && job && (job.phase === "running" || job.phase === "paused");
@@ -87,17 +87,17 @@ function acts(context, work) {
   return html`<div class="row">${canReassign(work) ? button("reassign") : nothing}${canCancel(work) ? button("cancel") : nothing}</div>`;
 }
 
-/** What of the queue an arm has, was offered, or could take. @param {Context} context @param {import("./members.js").Member} member */
+/** The queue as seen from one arm: assigned, offered and suitable jobs. @param {Context} context @param {import("./members.js").Member} member */
 export function ofArm(context, member) {
   const { board, t } = context;
   const { has, suitable } = ofMember(board.queue.all, member);
   if (!has.length && !suitable.length) return nothing;
   return html`
     <h3 id="details-queue">${t("fleet.queue")} <small>${t("fleet.queue.suitable", { number: suitable.length })}</small></h3>
-    <ol class="jobs" aria-labelledby="details-queue">${repeat([...has, ...suitable.slice(0, MOST_SUITABLE)], ({ id }) => id, (it) => html`
-      <li class="entry" data-work=${it.id}>
-        <p class="job"><span class="title">${it.title}</span> <span class="chip" data-tone=${it.doubt == null ? TONES[it.phase] : "warn"}>${t(it.doubt == null ? `fleet.work.${it.phase}` : "fleet.work.doubt")}</span></p>
-        <p class="quiet">${whose(context, it)}</p>
+    <ol class="jobs" aria-labelledby="details-queue">${repeat([...has, ...suitable.slice(0, MOST_SUITABLE)], ({ id }) => id, (work) => html`
+      <li class="entry" data-work=${work.id}>
+        <p class="job"><span class="title">${work.title}</span> <span class="chip" data-tone=${work.doubt == null ? TONES[work.phase] : "warn"}>${t(work.doubt == null ? `fleet.work.${work.phase}` : "fleet.work.doubt")}</span></p>
+        <p class="quiet">${whose(context, work)}</p>
       </li>`)}
     </ol>`;
 }

@@ -1,4 +1,4 @@
-// Reads the work for any arm that was submitted to the station of this board, and asks for what is to become of it.
+// Requests about the shared queue of this board's station.
 
 import { readDrawing } from "../station/drawing_file.js";
 import { optionsOf } from "./queue.js";
@@ -8,7 +8,7 @@ import { optionsOf } from "./queue.js";
 /** @typedef {import("./queue.js").Form} Form */
 /** @typedef {import("./queue.js").WorkView} WorkView */
 
-/** What becomes of it at other stations nobody tells: it is read so often. */
+/** Polling interval: other stations do not announce changes. */
 const AGAIN_MS = 2000;
 const WORK = "api/v1/fleet/work";
 const KEY_BYTES = 16;
@@ -17,9 +17,9 @@ const KEY_BYTES = 16;
 export function createQueueRequests(store, http) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
-  /** How often it was read: an answer to an earlier question is not taken. */
+  /** Number of reads: results of earlier ones are ignored. */
   let requests = 0;
-  /** What the submission of the form as it is now goes by: after a lost answer it can be sent again. */
+  /** Idempotency key of the current form: a submission can be repeated after a lost answer. */
   let key = newKey();
 
   async function read() {
@@ -63,7 +63,7 @@ export function createQueueRequests(store, http) {
       send({ type: "queue_submitted", form, title: value.title });
       await read();
     },
-    /** A person does not want it any more. @param {string} work */
+    /** Cancels a job. @param {string} work */
     cancel: (work) => decide(work, "DELETE", `${WORK}/${work}`),
     /** A person has looked at the arm, and another one is to do it. @param {string} work */
     reassign: (work) => decide(work, "POST", `${WORK}/${work}/give`),

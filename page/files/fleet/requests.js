@@ -1,4 +1,4 @@
-// What a person asks of several stations at once, by the station of this board.
+// Requests to several stations, through the station of this board.
 
 import { saveAs } from "../parts/download.js";
 import { createStop } from "../station/stop.js";
@@ -14,7 +14,7 @@ import { listsOf } from "./slots.js";
 /** @typedef {{ method: string, path: string, body?: unknown, lease?: string }} Request */
 /** @typedef {ReturnType<typeof createRequests>} Requests */
 
-/** What other clients do with the jobs of a station nobody tells: they are read so often while they are seen. */
+/** Polling interval of the visible job list: jobs of other clients are not announced. */
 const JOBS_MS = 2000;
 const LEASE = "/api/v1/lease", SLOTS = "/api/v1/slots", ARMS = "/api/v1/fleet/virtual-arms";
 
@@ -31,7 +31,7 @@ export function createRequests(store, http) {
   /** @param {Recipients} to @param {Request} request @returns {Promise<import("../station/http.js").Outcome<MemberAnswer[]>>} */
   const request = (to, request) => http.ask("POST", "api/v1/fleet/requests", { to, ...request });
 
-  /** Asks, and tells what came of it. @param {What} what @param {Recipients} to @param {() => ReturnType<typeof request>} does @returns {Promise<MemberAnswer[]>} */
+  /** Sends a request and shows its outcome. @param {What} what @param {Recipients} to @param {() => ReturnType<typeof request>} does @returns {Promise<MemberAnswer[]>} */
   async function withOutcome(what, to, does) {
     const number = lastNumber += 1;
     // First of all: a stop waits for nothing.
@@ -57,7 +57,7 @@ export function createRequests(store, http) {
     if (answer && !problemOf(answer)) send({ type: "jobs", id: member.id, jobs: /** @type {import("../state/jobs.js").JobView[]} */ (answer.body) });
   }
 
-  /** Reads the time slots of those whose slots are seen, again and again. */
+  /** Polls the time slots of the visible members. */
   async function readSlots() {
     clearTimeout(slotsTimer);
     const { chosen, members, slots: { open }, group } = store.page;
@@ -88,14 +88,14 @@ export function createRequests(store, http) {
   }
 
   return {
-    /** Stops several arms: each press asks anew, and again until something answers. @param {Recipients} to */
+    /** Stops several arms: each press sends a new request, repeated until it is answered. @param {Recipients} to */
     stop(to) {
       const reason = `pressed on the board of ${store.page.name || "a fleet"}`;
       const own = store.page.members.find(({ here }) => here);
       const number = lastNumber += 1;
       /** @param {MemberAnswer[] | null} answers @param {import("../state/types.js").Problem | null} problem */
       const tell = (answers, problem) => send({ type: "answered", number, answers, problem });
-      // Where the fleet cannot be asked, the arm of this station stops at least, before anything is said about it.
+      // If the fleet cannot be reached, at least the arm of this station is stopped, before anything is shown.
       const stopOwn = () => void ((!own || isMeant(to, own)) && http.stop("api/v1/stop", { reason }));
       /** @param {string} reason */
       async function ask(reason) {
@@ -114,7 +114,7 @@ export function createRequests(store, http) {
     async reset(to) {
       await ask("reset", to, { method: "DELETE", path: "/api/v1/stop" });
       const { group, members } = store.page;
-      if (group === null && members.every((it) => !it.state?.stop?.of_fleet || isMeant(to, it))) void http.ask("DELETE", "api/v1/fleet/stop");
+      if (group === null && members.every((member) => !member.state?.stop?.of_fleet || isMeant(to, member))) void http.ask("DELETE", "api/v1/fleet/stop");
     },
 
     /** @param {Recipients} to @param {string} message */
@@ -123,7 +123,7 @@ export function createRequests(store, http) {
     /** @param {Recipients} to */
     release: (to) => void ask("release", to, { method: "DELETE", path: "/api/v1/lock" }),
 
-    /** Gives each arm its own slots, in place of those that it has. @param {Recipients} to @param {readonly import("./slots.js").Share[]} shares */
+    /** Sets the time slots of each arm, replacing existing ones. @param {Recipients} to @param {readonly import("./slots.js").Share[]} shares */
     async setSlots(to, shares) {
       const answers = await withOutcome("slots", to, async () => ({ value: (await Promise.all(shares.map(setShare))).flat() }));
       await readSlots();
@@ -148,7 +148,7 @@ export function createRequests(store, http) {
     /** @param {string} name @param {number} job */
     endJob: (name, job) => void ofJob(name, { method: "DELETE", path: `/api/v1/jobs/${job}` }),
 
-    /** Starts a job, or goes on with it: that takes control, which is given back at once; the job goes on without. @param {string} name @param {number} job */
+    /** Starts or resumes a job: takes control, and releases it immediately; the job continues without it. @param {string} name @param {number} job */
     async startJob(name, job) {
       const [taken] = await ofJob(name, { method: "POST", path: LEASE, body: { name: `board of ${store.page.name}` } });
       if (!taken || problemOf(taken.answer)) return;

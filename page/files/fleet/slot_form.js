@@ -1,4 +1,4 @@
-// Time slots of one arm or of several: the form to give them, and the lists of who is at which arm when.
+// Time slots of one or several arms: the form, and the schedule.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { formatDuration } from "../i18n/i18n.js";
@@ -19,14 +19,14 @@ export function slotsAside(context) {
   const { board, t, act } = context;
   if (!board.slots.open) return nothing;
   const to = recipients(board.group);
-  const members = board.members.filter((it) => isThere(it) && isMeant(to, it));
+  const members = board.members.filter((member) => isThere(member) && isMeant(to, member));
   return html`
     <div class="details-head">
       <h2 id="slots-title">${t("fleet.slots.of", { to: toText(t, to, board.language) })}</h2>
       <button id="slots-close" type="button" class="small" @click=${() => act.send({ type: "slots_open", open: false })}>${t("close")}</button>
     </div>
     ${form(context, "group", to, members)}
-    ${members.map((it) => html`<h3 id="slots-of-${it.id}">${it.name}</h3>${list(context, it)}`)}`;
+    ${members.map((member) => html`<h3 id="slots-of-${member.id}">${member.name}</h3>${list(context, member)}`)}`;
 }
 
 /** Those of one arm, among its details. @param {Context} context @param {Member} member */
@@ -66,7 +66,7 @@ function list({ board, t }, { id }) {
   const slots = board.slots.lists[id];
   if (!slots) return html`<p class="quiet">${t("fleet.slots.reading")}</p>`;
   if (!slots.length) return html`<p class="quiet">${t("fleet.slots.none")}</p>`;
-  return html`<ol class="slots" aria-labelledby="slots-of-${id}">${slots.map((it) => html`<li data-now=${String(it.starts_in_s === 0)}><span class="title">${it.student}</span> <span class="quiet">${when(t, it)}</span></li>`)}</ol>`;
+  return html`<ol class="slots" aria-labelledby="slots-of-${id}">${slots.map((slot) => html`<li data-now=${String(slot.starts_in_s === 0)}><span class="title">${slot.student}</span> <span class="quiet">${when(t, slot)}</span></li>`)}</ol>`;
 }
 
 /** @param {Context["t"]} t @param {TimeSlot} slot */

@@ -1,14 +1,14 @@
-// Time slots for a class: who has which arm, when. Pure.
+// Time slots for a class. Pure.
 
 import { problemOf } from "./outcome.js";
 
 /** @typedef {import("../state/slots.js").TimeSlot} TimeSlot */
 /** @typedef {import("./members.js").Member} Member */
 /** @typedef {import("./state.js").MemberAnswer} MemberAnswer */
-/** What an arm is given. @typedef {{ name: string, id: string, slots: TimeSlot[] }} Share */
+/** The slots of one arm. @typedef {{ name: string, id: string, slots: TimeSlot[] }} Share */
 
 /** Names as a teacher writes them, one per line. @param {string} text */
-export const namesOf = (text) => text.split("\n").map((it) => it.trim()).filter(Boolean);
+export const namesOf = (text) => text.split("\n").map((name) => name.trim()).filter(Boolean);
 
 /**
  * Deals names over arms in turn; at each arm one comes after the other, from now on.

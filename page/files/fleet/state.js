@@ -14,31 +14,31 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
 /** @typedef {import("../state/jobs.js").JobView} JobView */
 
 /** `token`: the station of this board wants one. `alone`: it belongs to no fleet. @typedef {"connecting" | "open" | "closed" | "token" | "alone"} Connection */
-/** What several stations are asked for. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing" | "slots" | "no_slots" | "give_arm" | "end_arm"} What */
-/** What came of it: the answers of all, or why nobody could be asked; nothing of both while they are waited for. @typedef {{ number: number, what: What, to: Recipients, answers: readonly MemberAnswer[] | null, problem: Problem | null }} FleetRequest */
-/** What a person is asked before it is done. @typedef {({ about: "fleet_reset", to: Recipients } | { about: "fleet_reassign" | "fleet_cancel", work: string } | { about: "fleet_end_arm", giver: string, name: string }) & { values: Record<string, string | number> }} Question */
+/** The kinds of requests to several stations. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing" | "slots" | "no_slots" | "give_arm" | "end_arm"} What */
+/** A request with its outcome: all answers, or the problem; neither while it is pending. @typedef {{ number: number, what: What, to: Recipients, answers: readonly MemberAnswer[] | null, problem: Problem | null }} FleetRequest */
+/** A question that asks for confirmation. @typedef {({ about: "fleet_reset", to: Recipients } | { about: "fleet_reassign" | "fleet_cancel", work: string } | { about: "fleet_end_arm", giver: string, name: string }) & { values: Record<string, string | number> }} Question */
 
 /**
  * @typedef {object} Board
  * @property {Connection} connection
- * @property {string} name What the station of this board is called; empty until that is known.
+ * @property {string} name Name of this board's station; empty until known.
  * @property {readonly Member[]} members In the order in which they are shown.
- * @property {import("../state/types.js").Facts | null} facts What the station of this board serves of its arm: all arms are drawn so.
+ * @property {import("../state/types.js").Facts | null} facts The facts of this station's arm, used to draw all arms.
  * @property {number} received_ms When something came last, by the clock of this page.
  * @property {number} now_ms
- * @property {string} filter What a tile has to contain to be shown.
+ * @property {string} filter Filter for tiles.
  * @property {string | null} group The group that is shown alone.
  * @property {import("./members.js").Sort | null} sort The only sort that is shown.
  * @property {string | null} current The station whose tile the tab key leads to, by its number.
  * @property {string | null} chosen The station whose details are shown, by its number.
  * @property {import("./queue.js").Queue} queue Work for any arm.
- * @property {{ open: boolean, lists: Record<string, readonly import("../state/slots.js").TimeSlot[]> }} slots Time slots: whether those of several arms are shown, and what each station has told of its own, by its number.
+ * @property {{ open: boolean, lists: Record<string, readonly import("../state/slots.js").TimeSlot[]> }} slots Time slots: whether the panel is open, and the slots of each station by its id.
  * @property {readonly JobView[] | null} jobs The jobs of that station; nothing where they are not known yet.
  * @property {FleetRequest | null} stop The stop that was asked for last; its outcome stays until it is let go.
- * @property {FleetRequest | null} request What else was asked for last.
- * @property {Problem | null} denied Why a token is wanted, by a station or by several.
- * @property {boolean} lesson Whether a phone shows the words to all.
- * @property {boolean} wanting Whether somebody is about to ask for a virtual arm.
+ * @property {FleetRequest | null} request The last other request.
+ * @property {Problem | null} denied Why a token is required.
+ * @property {boolean} lesson Whether the class tools are open on a phone.
+ * @property {boolean} wanting Whether the form for a virtual arm is open.
  * @property {Question | null} question
  * @property {Language} language
  * @property {Theme} theme
@@ -107,7 +107,7 @@ export function reduce(board, message) {
     case "alive":
       return { ...board, received_ms: message.now_ms, now_ms: message.now_ms };
     case "learners":
-      return { ...board, members: board.members.map((it) => ({ ...it, learners: learnersOf(message.answers, it) })) };
+      return { ...board, members: board.members.map((member) => ({ ...member, learners: learnersOf(message.answers, member) })) };
     case "facts":
       return { ...board, facts: message.facts };
     case "connecting":
@@ -131,7 +131,7 @@ export function reduce(board, message) {
     case "jobs":
       return message.id === board.chosen ? { ...board, jobs: message.jobs } : board;
     case "requested":
-      // Once somebody has looked at the arms, who did not answer is told by the tiles.
+      // After a reset the tiles show which stations did not answer.
       return { ...board, ...(message.request.what === "reset" && { stop: null }), [placeOf(message.request.what)]: message.request, question: null };
     case "answered":
       return answered(board, message);
@@ -161,28 +161,28 @@ const placeOf = (what) => (what === "stop" ? "stop" : "request");
 
 /** Members that came or changed among all of them; who came first has the same place as before. @param {readonly Member[]} members @param {readonly Member[]} news */
 function withNews(members, news) {
-  const changed = new Map(news.map((it) => [it.id, it]));
-  const isNew = [...changed.values()].some(({ id }) => members.every((it) => it.id !== id));
-  if (!isNew) return members.map((it) => changed.get(it.id) ?? it);
-  const all = new Map([...members, ...news].map((it) => [it.id, it]));
+  const changed = new Map(news.map((member) => [member.id, member]));
+  const isNew = [...changed.values()].some(({ id }) => members.every((member) => member.id !== id));
+  if (!isNew) return members.map((member) => changed.get(member.id) ?? member);
+  const all = new Map([...members, ...news].map((member) => [member.id, member]));
   return order([...all.values()]);
 }
 
-/** Those that are not gone. @param {readonly Member[]} members @param {readonly string[]} gone */
+/** The remaining members. @param {readonly Member[]} members @param {readonly string[]} gone */
 const without = (members, gone) => (gone.length ? members.filter(({ id }) => !gone.includes(id)) : members);
 
-/** Members as they are told anew, with the students that are known of them. @param {readonly Member[]} members @param {readonly Member[]} news @returns {Member[]} */
+/** Updated members, with their known students. @param {readonly Member[]} members @param {readonly Member[]} news @returns {Member[]} */
 function withLearners(members, news) {
-  const known = new Map(members.map((it) => [it.id, it.learners]));
-  return news.map((it) => {
-    const learners = known.get(it.id);
-    return learners ? { ...it, learners } : it;
+  const known = new Map(members.map((member) => [member.id, member.learners]));
+  return news.map((member) => {
+    const learners = known.get(member.id);
+    return learners ? { ...member, learners } : member;
   });
 }
 
 /** The students of a station; where it does not answer nothing is known of them. @param {readonly MemberAnswer[]} answers @param {Member} member */
 function learnersOf(answers, { id }) {
-  const answer = answers.find((it) => it.id === id)?.answer;
+  const answer = answers.find((entry) => entry.id === id)?.answer;
   return answer && !problemOf(answer) ? /** @type {import("./members.js").Learner[]} */ (answer.body) : [];
 }
 

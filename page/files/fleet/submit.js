@@ -1,4 +1,4 @@
-// The form by which a drawing is submitted to any arm of the fleet.
+// The form that submits a drawing to the shared queue.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -47,13 +47,13 @@ function subject(context) {
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) set(context, { file: input.files[0] });
-    // The same file again is a change, too: it may have been made anew.
+    // Choosing the same file again is a change too: its content may be new.
     input.value = "";
   };
   return html`
     <fieldset class="segments">
       <legend>${t("draw.what")}</legend>
-      ${/** @type {const} */ (["file", "text"]).map((it) => html`<label><input type="radio" name="submit-what" value=${it} .checked=${live(it === form.what)} @change=${() => set(context, { what: it })}><span>${t(`draw.${it}`)}</span></label>`)}
+      ${/** @type {const} */ (["file", "text"]).map((source) => html`<label><input type="radio" name="submit-what" value=${source} .checked=${live(source === form.what)} @change=${() => set(context, { what: source })}><span>${t(`draw.${source}`)}</span></label>`)}
     </fieldset>
     ${form.what === "text" ? html`<textarea id="submit-text" rows="2" aria-label=${t("draw.text")} .value=${live(form.text)} @input=${(/** @type {Event} */ event) => set(context, { text: value(event) })}></textarea>` : html`
       <div class="drop">
@@ -70,15 +70,15 @@ function whose(context) {
   return html`
     <label><span>${t("fleet.submit.student")}</span><input id="submit-student" type="text" maxlength="60" required autocomplete="off" .value=${live(form.student)} @input=${(/** @type {Event} */ event) => set(context, { student: value(event) })}></label>
     <label><span>${t("fleet.group")}</span><input id="submit-group" type="text" maxlength="40" list="submit-groups" autocomplete="off" placeholder="room-2" .value=${live(form.group)} @input=${(/** @type {Event} */ event) => set(context, { group: value(event) })}></label>
-    <datalist id="submit-groups">${groups(board.members).map((it) => html`<option value=${it}></option>`)}</datalist>`;
+    <datalist id="submit-groups">${groups(board.members).map((group) => html`<option value=${group}></option>`)}</datalist>`;
 }
 
-/** What an arm has to have, of what there is; and which arms have all of it. @param {Context} context */
+/** The required equipment, and the suitable arms. @param {Context} context */
 function needs(context) {
   const { board, t } = context;
   const { needs } = board.queue.form;
   const found = arms(board.members, needs).map(({ name }) => name);
-  const toggled = (/** @type {string} */ word, /** @type {boolean} */ on) => set(context, { needs: on ? [...needs, word] : needs.filter((it) => it !== word) });
+  const toggled = (/** @type {string} */ word, /** @type {boolean} */ on) => set(context, { needs: on ? [...needs, word] : needs.filter((need) => need !== word) });
   const all = offers(board.members, needs);
   return html`
     ${all.length ? html`

@@ -1,4 +1,4 @@
-// The arms of the fleet, a tile for each, in sections.
+// The arms of the fleet, one tile each, in sections.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
@@ -13,7 +13,7 @@ import { problemText } from "./outcome_text.js";
 /** @typedef {import("./members.js").Member} Member */
 /** @typedef {import("./members.js").Section} Section */
 
-/** Up to so many tiles are large ones, and with more than so many they are small. */
+/** The most large tiles, and the number above which tiles are small. */
 const FEW = 6, MANY = 24;
 /** @param {Context} context */
 export function tiles(context) {
@@ -64,10 +64,10 @@ function tile({ board, t, act }, member, first) {
     </li>`;
 }
 
-/** What it does, and who has control. @param {Context["t"]} t @param {Member} member */
+/** The job, and the lease holder. @param {Context["t"]} t @param {Member} member */
 function work(t, { state, learners = [] }) {
   const job = state?.job, lease = state?.lease;
-  // There is room for one student, and a tile keeps its size: the details tell all.
+  // A tile has room for one student; the details show all.
   const learner = learners.find(isStuck) ?? learners[0];
   return html`
     ${job ? html`
@@ -77,7 +77,7 @@ function work(t, { state, learners = [] }) {
     ${learner ? learnerLine(t, learner, learners.length - 1) : nothing}`;
 }
 
-/** Whose time it is and who has control: one of both where they are the same. @param {Context["t"]} t @param {Member["state"]} state */
+/** The time slot and the lease holder, once if they are the same person. @param {Context["t"]} t @param {Member["state"]} state */
 function whose(t, state) {
   const now = timeNow(state), lease = state?.lease;
   if (!now) return lease?.name ?? t("fleet.free");
@@ -85,7 +85,7 @@ function whose(t, state) {
   return lease && !isSamePerson(lease.person || lease.name, now.student) ? `${text} · ${lease.name}` : text;
 }
 
-/** Why nothing is known of it now, and what to do. @param {Context["t"]} t @param {Member} member */
+/** Why the state is unknown, and what to do. @param {Context["t"]} t @param {Member} member */
 function gone(t, member) {
   const { presence } = member, page = pageOf(member);
   return html`

@@ -1,23 +1,22 @@
-// Every text of the page, in each language. What the station says (why something is refused, what happened) comes from it,
-// in English.
+// The texts of the page in each language. Texts from the station (refusals, notices) are in English.
 
 import { en } from "./en.js";
 import { zh } from "./zh.js";
 
 /** @typedef {keyof typeof en} TextKey */
 /** @typedef {keyof typeof LANGUAGES} Language */
-/** Says a text; `{name}` in it is replaced by the value of that name. @typedef {(word: TextKey, values?: Record<string, string | number>) => string} Translate */
+/** Returns the text of a key, with each `{name}` replaced by its value. @typedef {(key: TextKey, values?: Record<string, string | number>) => string} Translate */
 
-/** The languages, as they call themselves. */
+/** The languages, each by its own name. */
 export const LANGUAGES = { en: "English", zh: "中文" };
 
 /** @type {Record<Language, Record<TextKey, string>>} */
 export const TEXTS = { en, zh };
 
 /** @param {Language} language @returns {Translate} */
-export const translator = (language) => (word, values = {}) => TEXTS[language][word].replace(/\{(\w+)\}/g, (all, name) => String(values[name] ?? all));
+export const translator = (language) => (key, values = {}) => TEXTS[language][key].replace(/\{(\w+)\}/g, (all, name) => String(values[name] ?? all));
 
-/** The language that a browser asks for, of those that there are. @param {readonly string[]} wanted @returns {Language} */
+/** Returns the first supported language of a browser's list. @param {readonly string[]} wanted @returns {Language} */
 export function languageOf(wanted) {
   for (const tag of wanted) {
     const known = /** @type {Language} */ (tag.slice(0, 2).toLowerCase());
@@ -26,7 +25,7 @@ export function languageOf(wanted) {
   return "en";
 }
 
-/** A time in words. @param {Translate} t @param {number} seconds */
+/** Formats a duration with units. @param {Translate} t @param {number} seconds */
 export function formatDuration(t, seconds) {
   const whole = Math.max(0, Math.round(seconds));
   const [minutes, rest] = [Math.floor(whole / 60), whole % 60];
@@ -34,5 +33,5 @@ export function formatDuration(t, seconds) {
   return minutes < 60 ? t("time.min", { min: minutes, s: String(rest).padStart(2, "0") }) : t("time.h", { h: Math.floor(minutes / 60), min: String(minutes % 60).padStart(2, "0") });
 }
 
-/** A time as on a clock: 9:41. @param {number} seconds */
+/** Formats a duration as minutes and seconds: 9:41. @param {number} seconds */
 export const formatClock = (seconds) => `${Math.floor(Math.max(0, seconds) / 60)}:${String(Math.floor(Math.max(0, seconds) % 60)).padStart(2, "0")}`;

@@ -1,6 +1,6 @@
-// Files that are dropped anywhere on the page: they must not take it, and STOP, away.
+// Files dropped anywhere on the page: without this the browser would open them and STOP would be gone.
 
-/** @param {HTMLElement} element is marked while a file is over the page @param {(file: File) => void} take */
+/** @param {HTMLElement} element gets a class while a file is over the page @param {(file: File) => void} take */
 export function listenToDrops(element, take) {
   const hasFile = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes("Files") ?? false;
   const mark = (/** @type {boolean} */ over) => element.classList.toggle("is-over", over);

@@ -1,13 +1,13 @@
-// A gamepad: the sticks jog while the right shoulder button is held, and any of the face buttons stops.
+// A gamepad: the sticks jog while the right shoulder button is held; any face button stops.
 
 /** @typedef {import("../state/jog.js").Axis} Axis */
 
 const ENABLES = 5;
 const STOPS = [0, 1, 2, 3];
-/** A stick that is less far from its middle rests. */
+/** Deflection below which a stick is at rest. */
 const REST = 0.25;
 
-/** Each axis of the sticks, as gamepads number them, and what it jogs towards its positive and its negative end. */
+/** The axes of the sticks by their number, and the jog axes of their positive and negative ends. */
 const STICKS = /** @type {const} */ ([
   [0, "y_minus", "y_plus"],
   [1, "x_minus", "x_plus"],
@@ -16,7 +16,7 @@ const STICKS = /** @type {const} */ ([
 ]);
 
 /**
- * What the sticks t: the one that is furthest out, and how far, from 0 to 1.
+ * Returns the axis of the stick that is furthest out, and its deflection from 0 to 1.
  * @param {readonly number[]} axes @returns {{ axis: Axis, share: number } | null}
  */
 export function pushed(axes) {
@@ -34,13 +34,13 @@ export function pushed(axes) {
  * @param {() => void} outside.stop
  * @param {import("./jog.js").JogInput} outside.jog
  * @param {() => number} outside.speed_percent
- * @param {() => void} outside.linear sets the buttons to the tip in straight lines
+ * @param {() => void} outside.linear selects the linear frame
  */
 export function listenToGamepad({ stop, jog, speed_percent, linear }) {
   let frame = 0, stopped = false, share = 0;
 
   function look() {
-    const pad = navigator.getGamepads().find((it) => it?.connected);
+    const pad = navigator.getGamepads().find((gamepad) => gamepad?.connected);
     if (!pad) {
       frame = 0;
       return jog.releaseBy("gamepad");

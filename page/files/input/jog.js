@@ -1,5 +1,5 @@
-// Jogging: nothing moves unless something is held. What holds is a button, a key or a stick; there is one at a time, and a
-// new one lets go of the one before.
+// Jogging: the arm moves only while a button, a key or a stick is held. One input holds at a time; a new one releases the
+// previous one.
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/jog.js").Axis} Axis */
@@ -14,12 +14,12 @@ const JOG_MS = 50;
 /**
  * @param {Store} store
  * @param {import("../station/socket.js").Socket} socket
- * @param {() => void} takeControlIfFree takes control where nobody has it
+ * @param {() => void} takeControlIfFree takes control if no client has it
  */
 export function createJog(store, socket, takeControlIfFree) {
   /** @type {{ by: unknown, axis: Axis, timer: number, speed_percent: () => number } | undefined} */ let held;
 
-  /** @param {unknown} by what holds @param {Axis} axis @param {() => number} speed_percent of each press */
+  /** @param {unknown} by the input that holds @param {Axis} axis @param {() => number} speed_percent of each press */
   function hold(by, axis, speed_percent = () => store.page.jog.speed_percent) {
     if (held && held.by === by && held.axis === axis) return;
     release();
@@ -34,14 +34,14 @@ export function createJog(store, socket, takeControlIfFree) {
     async function press() {
       const jog = /** @type {Schemas["Jog"]} */ ({ frame, axis, speed_percent: mine.speed_percent() });
       const { problem } = await socket.ask({ type: "jog", jog });
-      // A refusal ends the press: it is told beside the button, and a new press is needed.
+      // A refusal ends the press: it is shown next to the button, and a new press is needed.
       if (!problem || held !== mine) return;
       release();
       store.send({ type: "jog_refused", axis, detail: problem.detail });
     }
   }
 
-  /** What does not hold any more lets go of nothing else. @param {unknown} by */
+  /** Releases the jog only if this input still holds it. @param {unknown} by */
   function releaseBy(by) {
     if (held?.by === by) release();
   }
@@ -54,7 +54,7 @@ export function createJog(store, socket, takeControlIfFree) {
     if (socket.isOpen()) void socket.ask({ type: "release" });
   }
 
-  /** Moves by one step, from where the arm is when the steps before it are over. @param {Axis} axis @param {number} by millimetres or degrees */
+  /** Moves by one step, starting where the previous step ends. @param {Axis} axis @param {number} by millimetres or degrees */
   async function stepBy(axis, by) {
     const { page } = store;
     if (!page.station?.arm || blockedReason(page)) return;
@@ -75,7 +75,7 @@ export function createJog(store, socket, takeControlIfFree) {
     hold,
     releaseBy,
     release,
-    /** Begins what a press of a button means: to hold it, or a step. @param {unknown} by @param {Axis} axis */
+    /** Handles a press of a button: holds it, or moves by a step. @param {unknown} by @param {Axis} axis */
     press(by, axis) {
       const { step: distance } = store.page.jog;
       if (distance === null) hold(by, axis);

@@ -12,8 +12,8 @@ const WRITES = "input:not([type=checkbox], [type=radio], [type=range], [type=fil
 const PRESSED = "button, a, summary, select, [type=checkbox], [type=radio], [type=file], [type=color]";
 
 /**
- * What a key means before all else. Escape stops from anywhere. Space writes in a text field, and presses what the keyboard
- * has chosen; what was only clicked does not keep it.
+ * Whether a key stops the arm. Escape always does. Space does not in a text field, nor on a control focused by the keyboard; a
+ * control focused by a click does not keep it.
  * @param {string} key @param {Pick<Element, "matches"> | null} focused @param {boolean} byKeys whether the focus came there by keys
  */
 export function isStop(key, focused, byKeys) {
@@ -22,13 +22,13 @@ export function isStop(key, focused, byKeys) {
   return !(byKeys && focused?.matches(PRESSED));
 }
 
-/** Which button a key on the stage stands for. @param {KeyboardEvent} event @param {Frame} frame @returns {Axis | undefined} */
+/** Returns the jog axis of a key pressed on the stage. @param {KeyboardEvent} event @param {Frame} frame @returns {Axis | undefined} */
 export function axisOf({ key, ctrlKey, altKey, metaKey, shiftKey }, frame) {
   if (ctrlKey || altKey || metaKey || shiftKey) return undefined;
   return JOG_KEYS[frame][key];
 }
 
-/** Stops by Escape and Space, wherever the focus is, before anything else hears of the key. @param {() => void} stop */
+/** Stops on Escape and Space wherever the focus is, before any other listener. @param {() => void} stop */
 export function listenToStop(stop) {
   let byKeys = false, lastWasKey = false;
   document.addEventListener("pointerdown", () => (byKeys = lastWasKey = false), { capture: true });
@@ -50,7 +50,7 @@ export function listenToStop(stop) {
  */
 export function listenToKeys({ stage, stop, jog, frame }) {
   listenToStop(stop);
-  // A key that is let go of may say another name than it said when it was pressed.
+  // The name of a key may change between press and release; its code does not.
   stage.addEventListener("keydown", (event) => {
     const axis = axisOf(event, frame());
     if (!axis) return;

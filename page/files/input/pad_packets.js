@@ -1,13 +1,13 @@
-// Mouse and gesture mode: packets for a pointer that is held on a pad. Those are carried out to their end, so that few may
-// be under way when the pointer is let go.
+// Mouse and gesture mode: packets for a pointer held on a pad. The arm executes each packet to its end, so only a few may be
+// in flight when the pointer is released.
 
 /** @typedef {import("../state/types.js").Command} Command */
 /** @typedef {import("../state/types.js").Arm} Arm */
 /** @typedef {import("../state/types.js").Schemas["GestureFacts"]} Gesture */
 
-/** So many packets may be under way: the arm goes on without a break, and little is left when the pointer is let go. */
+/** The most packets in flight: enough for continuous motion, few enough to stop soon after a release. */
 const AHEAD = 2;
-/** How many pixels of the pad are one unit of a mouse packet. */
+/** Pad pixels per unit of a mouse packet. */
 const PIXELS = 4;
 /** The largest increment of a packet, in units. */
 const FURTHEST = 5;
@@ -16,10 +16,10 @@ const FURTHEST = 5;
 const bounded = (value) => Math.max(-FURTHEST, Math.min(FURTHEST, value));
 
 /**
- * The mouse packet for a way of the pointer: up the pad is ahead, to its left is the arm's left. In a dialect that swings,
- * Y swings the base, to the right where it is positive, and the rotation is the servo's angle.
+ * Returns the mouse packet for a displacement of the pointer: up is forward, left is the arm's left. In a dialect that swings,
+ * positive Y turns the base to the right, and the rotation is the servo's angle.
  * @param {[number, number]} pixels @param {Arm} arm @param {boolean} swings as the station serves it @param {number} lift in units
- * @returns {{ command: Command, used: [number, number] }} `used`: what of the way it makes
+ * @returns {{ command: Command, used: [number, number] }} `used`: the displacement that it covers
  */
 export function mousePacket([right, down], arm, swings, lift = 0) {
   const x = bounded(-down / PIXELS), left = bounded(-right / PIXELS);
@@ -28,7 +28,7 @@ export function mousePacket([right, down], arm, swings, lift = 0) {
 }
 
 /**
- * The gesture packet for a place on the pad, with shares from -1 (right, near) to 1 (left, far) and a height in mm, in the
+ * Returns the gesture packet for a position on the pad, from -1 (right, near) to 1 (left, far), and a height in mm, in the
  * units of the arm's dialect.
  * @param {{ far: number, left: number, z_mm: number, grab: boolean }} hand @param {Gesture} scale as the station serves it
  * @returns {Command}
@@ -39,19 +39,19 @@ export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
 }
 
 /**
- * Sends packets one after the other while there is something to send, a few ahead.
+ * Sends packets while there is something to send, a few ahead.
  * @param {object} outside
  * @param {import("../state/store.js").Store} outside.store
  * @param {import("../station/socket.js").Socket} outside.socket
  * @param {() => void} outside.takeControlIfFree
- * @param {() => Command | null} outside.next what is to be sent now, or nothing
+ * @param {() => Command | null} outside.next the packet to send now, or null
  * @param {(detail: string) => void} outside.refused
  */
 export function createStream({ store, socket, takeControlIfFree, next, refused }) {
   let isHeld = false;
-  /** Packets that are asked for or under way. @type {Set<number>} */ const inFlight = new Set();
+  /** Requested and in-flight packets. @type {Set<number>} */ const inFlight = new Set();
   let pending = 0;
-  /** What was over before its acceptance was heard. @type {Set<number>} */ const finished = new Set();
+  /** Commands that finished before their acceptance arrived. @type {Set<number>} */ const finished = new Set();
 
   async function fill() {
     while (isHeld && inFlight.size + pending < AHEAD) {
@@ -89,7 +89,7 @@ export function createStream({ store, socket, takeControlIfFree, next, refused }
       isHeld = true;
       void fill();
     },
-    /** There is something new to send. */
+    /** New input is available. */
     more: () => void fill(),
     end() {
       isHeld = false;

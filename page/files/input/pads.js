@@ -1,11 +1,11 @@
-// The mouse pad (state 1) and the hand pad (state 8): what a pointer that is held on them sends.
+// The mouse pad (state 1) and the hand pad (state 8): packets from a held pointer.
 
 import { createStream, gesturePacket, mousePacket } from "./pad_packets.js";
 
 /** @typedef {ReturnType<typeof createPads>} Pads */
 
 const MM = { zero_mm: 0, units_per_mm: 1 };
-/** While nobody knows the dialect the station refuses the packet, and says why. */
+/** While the dialect is unknown the station refuses the packet, with the reason. */
 const UNDECIDED = { x: MM, y: MM, z: MM };
 
 /**
@@ -21,7 +21,7 @@ export function createPads(store, socket, takeControlIfFree) {
   }
   const refused = (/** @type {string} */ detail) => store.send({ type: "pad_refused", detail });
 
-  /** How far the pointer went since the last packet, in pixels, and the lift in units. */
+  /** Pointer travel since the last packet in pixels, and the lift in units. */
   let way = /** @type {[number, number]} */ ([0, 0]), lift = 0;
   const mouse = createStream({ store, socket, takeControlIfFree, refused, next() {
     const arm = store.page.station?.arm, known = facts();
@@ -35,7 +35,7 @@ export function createPads(store, socket, takeControlIfFree) {
   let hand = { far: 0, left: 0 }, z_mm = 40, grab = false, repeats = 0;
   const gesture = createStream({ store, socket, takeControlIfFree, refused, next() {
     const known = facts(), mounted = store.page.around?.tool.kind ?? "suction_cup";
-    // It is averaged with those before it, and one that moves nothing may never end.
+    // Gestures are averaged with earlier ones; a gesture that moves nothing may never end.
     if (!known || repeats >= (known.dialect?.gesture_samples ?? 1)) return null;
     repeats += 1;
     return gesturePacket({ ...hand, z_mm, grab }, known.tools.find(({ kind }) => kind === mounted)?.gesture ?? UNDECIDED);

@@ -1,21 +1,21 @@
-// A row of a list that is carried to another place: by its grip, with a mouse or a finger. STOP gives it up.
+// Moves a row of a list by its grip, with a mouse or a finger. STOP cancels the drag.
 
-/** How high a row is, in pixels. */
+/** Height of a row, in pixels. */
 export const ROW_PX = 34;
-/** So near the edge of the list it scrolls, by so much in each picture. */
+/** Distance from the edge at which the list scrolls, and the scroll step per frame. */
 const EDGE_PX = 26;
 const SCROLL_PX = 9;
 
 /** @typedef {{ over(from: number, to: number): void, drop(from: number, to: number): void, cancel(): void }} RowDrag */
 
-/** Which row lies there. @param {number} y_px below the upper edge of all rows @param {number} count */
+/** Returns the row at a position. @param {number} y_px below the upper edge of all rows @param {number} count */
 export const rowBelow = (y_px, count) => Math.max(0, Math.min(count - 1, Math.floor(y_px / ROW_PX)));
 
-/** How far the list scrolls while the pointer is there. @param {number} y_px below the upper edge of what is seen @param {number} seen_px */
+/** Returns the scroll step for a pointer position. @param {number} y_px below the upper edge of the visible part @param {number} seen_px */
 export const scrollAt = (y_px, seen_px) => (y_px < EDGE_PX ? -SCROLL_PX : y_px > seen_px - EDGE_PX ? SCROLL_PX : 0);
 
-/** Begins where a grip was pressed. @param {PointerEvent} event @param {number} count how many rows there are @param {RowDrag} rowDrag */
-export function carry(event, count, rowDrag) {
+/** Starts a drag at a pressed grip. @param {PointerEvent} event @param {number} count number of rows @param {RowDrag} rowDrag */
+export function startRowDrag(event, count, rowDrag) {
   const grip = /** @type {Element} */ (event.target).closest(".grip");
   if (!grip || event.button !== 0) return;
   const list = /** @type {HTMLElement} */ (event.currentTarget);
@@ -30,7 +30,7 @@ export function carry(event, count, rowDrag) {
     to = next;
     rowDrag.over(from, to);
   }
-  /** The list scrolls for as long as the pointer stays at its edge. */
+  /** Scrolls the list while the pointer stays at its edge. */
   function follow() {
     if (over.signal.aborted) return;
     const { top, height } = list.getBoundingClientRect();

@@ -1,10 +1,10 @@
-// STOP buttons act on the press, of any pointer: a finger that moves, slides off, or is not the only one makes no click.
+// STOP buttons act on the press of any pointer: a finger that moves, slides off, or is not the only one creates no click.
 
-/** The press whose click is still to come. @type {EventTarget | null} */
+/** The button whose click is still to come. @type {EventTarget | null} */
 let pressed = null;
 
 /**
- * What a STOP button listens to, for `@pointerdown` and `@click`. A click that no press led to is that of a key or of a screen reader.
+ * Listener for `@pointerdown` and `@click`. A click without a press comes from a key or a screen reader.
  * @param {() => void} stop
  */
 export const stops = (stop) => ({

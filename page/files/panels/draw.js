@@ -1,4 +1,4 @@
-// Draw: a file or a text, where it lies and how it is drawn; what the station plans of it; and Start.
+// Draw: source, position, settings, the station's plan, and Start.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -16,8 +16,8 @@ import { sheet } from "./sheet.js";
 
 const FONTS = /** @type {const} */ (["sans", "script", "serif", "gothic"]);
 const LAYERS = /** @type {const} */ (["nothing", "color", "group"]);
-/** So many warnings are told; more of them help nobody. */
-const MOST_TOLD = 8;
+/** The most warnings shown. */
+const MOST_WARNINGS = 8;
 
 /** @param {Context} context */
 export const draw = (context) => html`${subject(context)}${place(context)}${way(context)}${plan(context)}${context.page.draw.timeline ? player(context) : nothing}`;
@@ -31,7 +31,7 @@ function subject({ page, t, act }) {
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) act.openFile(input.files[0]);
-    // The same file again is a change, too: it may have been made anew.
+    // Choosing the same file again is a change too: its content may be new.
     input.value = "";
   };
   return html`
@@ -39,7 +39,7 @@ function subject({ page, t, act }) {
       <h2 id="draw-title">${t("draw")}</h2>
       <fieldset class="segments">
         <legend>${t("draw.what")}</legend>
-        ${/** @type {const} */ (["file", "text"]).map((it) => html`<label><input type="radio" name="draw-what" value=${it} .checked=${live(it === what)} @change=${() => act.send({ type: "draw_what", what: it })}><span>${t(`draw.${it}`)}</span></label>`)}
+        ${/** @type {const} */ (["file", "text"]).map((source) => html`<label><input type="radio" name="draw-what" value=${source} .checked=${live(source === what)} @change=${() => act.send({ type: "draw_what", what: source })}><span>${t(`draw.${source}`)}</span></label>`)}
       </fieldset>
       ${what === "text" ? html`<textarea id="draw-text" rows="2" aria-label=${t("draw.text")} .value=${live(text)} @input=${(/** @type {Event} */ event) => act.send({ type: "draw_text", text: value(event) })}></textarea>` : html`
         <div class="drop">
@@ -84,7 +84,7 @@ function place(context) {
 /** A choice of pens and materials. @param {Context} context @param {string} id @param {string} chosen @param {string} label @param {(name: string) => void} choose */
 function pens({ page, t }, id, chosen, label, choose) {
   const group = (/** @type {"pen" | "laser"} */ tool) => html`
-    <optgroup label=${t(`draw.${tool}s`)}>${page.draw.materials.filter((it) => it.tool === tool).map(({ name }) => html`<option value=${name} ?selected=${name === chosen}>${name}</option>`)}</optgroup>`;
+    <optgroup label=${t(`draw.${tool}s`)}>${page.draw.materials.filter((material) => material.tool === tool).map(({ name }) => html`<option value=${name} ?selected=${name === chosen}>${name}</option>`)}</optgroup>`;
   return html`<select id=${id} aria-label=${label} .value=${live(chosen)} @change=${(/** @type {Event} */ event) => choose(value(event))}>${group("pen")}${group("laser")}</select>`;
 }
 
@@ -101,7 +101,7 @@ function way(context) {
       <div class="setting"><span>${t("draw.tool")}</span>${pens(context, "draw-tool", draw.set.tool, t("draw.tool"), (tool) => set({ tool }))}</div>
       ${draw.what === "text" ? html`
         <div class="setting"><span>${t("draw.font")}</span><select id="draw-font" aria-label=${t("draw.font")} .value=${live(draw.set.font)} @change=${(/** @type {Event} */ event) => set({ font: value(event) })}>${FONTS.map((font) => html`<option value=${font}>${font}</option>`)}</select></div>` : html`
-        <div class="setting"><span>${t("draw.layers")}</span><select id="draw-layers" aria-label=${t("draw.layers")} .value=${live(draw.set.layers)} @change=${(/** @type {Event} */ event) => set({ layers: /** @type {Settings["layers"]} */ (value(event)) })}>${LAYERS.map((it) => html`<option value=${it}>${t(`draw.layers.${it}`)}</option>`)}</select></div>
+        <div class="setting"><span>${t("draw.layers")}</span><select id="draw-layers" aria-label=${t("draw.layers")} .value=${live(draw.set.layers)} @change=${(/** @type {Event} */ event) => set({ layers: /** @type {Settings["layers"]} */ (value(event)) })}>${LAYERS.map((choice) => html`<option value=${choice}>${t(`draw.layers.${choice}`)}</option>`)}</select></div>
         ${layers.map(({ name }, n) => html`<div class="setting layer"><span class="swatch" data-pass=${n}>${name}</span>${pens(context, `draw-layer-${n}`, draw.set.pens[name] ?? draw.set.tool, `${t("draw.layer")} ${name}`, (pen) => set({ pens: { ...draw.set.pens, [name]: pen } }))}</div>`)}
         ${check(context, "hatch")}`}
       <div class="fields">
@@ -111,10 +111,10 @@ function way(context) {
     </section>`;
 }
 
-/** What the station says of a drawing. @param {Context["t"]} t @param {string} text */
+/** A text of the station, with the page's field names. @param {Context["t"]} t @param {string} text */
 const named = (t, text) => sentence(withFieldNames(t, text));
 
-/** What is said of the plan, and how. @param {Context} context @returns {[string, string]} */
+/** Status text of the plan, and its tone. @param {Context} context @returns {[string, string]} */
 function statusOf({ page, t }) {
   const { draw } = page;
   if (wrongField(draw.set)) return [t("target.number"), "off"];
@@ -124,7 +124,7 @@ function statusOf({ page, t }) {
     case "planning":
       return [t("draw.planning"), "off"];
     case "failed":
-      return draw.problem ? [[draw.problem.detail, draw.problem.hint].flatMap((it) => (it ? [`${named(t, it)}.`] : [])).join(" "), "bad"] : [t("draw.cancelled"), "off"];
+      return draw.problem ? [[draw.problem.detail, draw.problem.hint].flatMap((part) => (part ? [`${named(t, part)}.`] : [])).join(" "), "bad"] : [t("draw.cancelled"), "off"];
     case "planned": {
       const refused = draw.planned?.plan.refused;
       if (refused) return [`${sentence(refused.detail)}.`, "bad"];
@@ -151,7 +151,7 @@ function plan(context) {
     <section class="card" aria-labelledby="draw-plan">
       <h2 id="draw-plan">${t("draw.plan")}</h2>
       <p id="draw-status" class="status" role="status" data-tone=${tone}>${draw.phase === "planned" && why ? t(`blocked.${why}`) : text}</p>
-      ${warnings.length ? html`<ul id="draw-warnings" class="warnings">${repeat(warnings.slice(0, MOST_TOLD), (it) => it, (it) => html`<li>${named(t, it)}.</li>`)}${warnings.length > MOST_TOLD ? html`<li>${t("draw.more", { count: warnings.length - MOST_TOLD })}</li>` : nothing}</ul>` : nothing}
+      ${warnings.length ? html`<ul id="draw-warnings" class="warnings">${repeat(warnings.slice(0, MOST_WARNINGS), (warning) => warning, (warning) => html`<li>${named(t, warning)}.</li>`)}${warnings.length > MOST_WARNINGS ? html`<li>${t("draw.more", { count: warnings.length - MOST_WARNINGS })}</li>` : nothing}</ul>` : nothing}
       ${needsPen ? html`<p class="status" data-tone="warn">${t("draw.no_pen")} <button id="draw-pen" type="button" class="small" @click=${() => act.addPen()}>${t("draw.add_pen")}</button></p>` : nothing}
       <div class="row">
         <button id="draw-start" type="button" class="strong" ?disabled=${!ready} @click=${() => act.draw("whole")}>${t("draw.start")}</button>

@@ -1,4 +1,4 @@
-// The jobs of the station: what is under way, what waits, what is over; and its recordings.
+// The jobs of the station (active, queued, finished) and its recordings.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
@@ -48,14 +48,14 @@ function entry(context, job, waiting) {
     </li>`;
 }
 
-/** How long it took, takes still, or should take. @param {Context["t"]} t @param {JobView} job */
+/** Actual, remaining or planned duration. @param {Context["t"]} t @param {JobView} job */
 function time(t, { phase, took_s, left_s, planned_s }) {
   if (took_s != null) return t("jobs.took", { time: formatDuration(t, took_s) });
   if (left_s != null && phase !== "queued") return t("jobs.left", { time: formatDuration(t, left_s) });
   return planned_s == null ? t("jobs.untimed") : t("jobs.takes", { time: formatDuration(t, planned_s) });
 }
 
-/** What can be done with it. @param {Context} context @param {JobView} job @param {readonly JobView[]} waiting */
+/** The actions for a job. @param {Context} context @param {JobView} job @param {readonly JobView[]} waiting */
 function acts({ page, t, act }, { job, phase, title }, waiting) {
   const button = (/** @type {string} */ id, /** @type {TextKey} */ word, /** @type {() => void} */ does, strong = false, off = false) => html`
     <button type="button" class="small ${strong ? "strong" : ""}" data-act=${id} aria-label=${`${t(word)}: ${title}`} ?disabled=${off} @click=${does}>${t(word)}</button>`;

@@ -1,4 +1,4 @@
-// The jog buttons: they move the arm for as long as they are held, or by a step.
+// The jog buttons: they move the arm while held, or by one step.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -6,7 +6,7 @@ import { blockedReason } from "../state/selectors.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
-/** A button: its axis, its name, its way, and where it lies. @typedef {[axis: string, name: string, way: TextKey, place: string]} Button */
+/** A button: its axis, label, direction and place. @typedef {[axis: string, name: string, way: TextKey, place: string]} Button */
 
 /** @type {readonly Button[]} */
 const LINEAR = [
@@ -34,7 +34,7 @@ const JOINT = [
 const JOINTS = ["pose.base", "pose.base", "pose.rear", "pose.rear", "pose.fore", "pose.fore", "pose.servo", "pose.servo"];
 const STEPS = [0.1, 1, 10];
 
-/** What a press of a button is called beside it. @param {string} axis */
+/** Returns the label of an axis. @param {string} axis */
 export const nameOf = (axis) => [...LINEAR, ...JOINT].find(([it]) => it === axis)?.[1] ?? axis;
 
 /** @param {Context} context */
@@ -69,11 +69,11 @@ export function jogPanel({ page, t, act, jog }) {
       <div class="choices">
         <fieldset class="segments">
           <legend>${t("jog.mode")}</legend>
-          ${(/** @type {const} */ (["linear", "joint"])).map((it) => html`<label><input type="radio" name="frame" value=${it} .checked=${live(it === frame)} @change=${() => act.send({ type: "jog_set", set: { frame: it } })}><span>${t(`jog.${it}`)}</span></label>`)}
+          ${(/** @type {const} */ (["linear", "joint"])).map((choice) => html`<label><input type="radio" name="frame" value=${choice} .checked=${live(choice === frame)} @change=${() => act.send({ type: "jog_set", set: { frame: choice } })}><span>${t(`jog.${choice}`)}</span></label>`)}
         </fieldset>
         <fieldset class="segments">
           <legend>${t("jog.step")} <small>${t("jog.mm_or_deg")}</small></legend>
-          ${[null, ...STEPS].map((it) => html`<label><input type="radio" name="step" value=${it ?? "hold"} .checked=${live(it === step)} @change=${() => act.send({ type: "jog_set", set: { step: it } })}><span>${it ?? t("jog.hold")}</span></label>`)}
+          ${[null, ...STEPS].map((choice) => html`<label><input type="radio" name="step" value=${choice ?? "hold"} .checked=${live(choice === step)} @change=${() => act.send({ type: "jog_set", set: { step: choice } })}><span>${choice ?? t("jog.hold")}</span></label>`)}
         </fieldset>
       </div>
       <div class=${frame === "linear" ? "pad" : "pad joints"} @pointerdown=${pointer} @pointerup=${release} @pointercancel=${release} @lostpointercapture=${release}

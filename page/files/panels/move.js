@@ -1,4 +1,4 @@
-// Moving the arm by hand.
+// The Move panel.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { jogPanel } from "./jog.js";

@@ -1,4 +1,4 @@
-// Every packet between station and arm, both ways, with what it means.
+// All packets between station and arm, in both directions, decoded.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -10,7 +10,7 @@ import { sentence } from "../views/banners.js";
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/packets.js").Passed} Passed */
 
-/** So many are shown; all that are kept are exported. */
+/** The most packets shown; the export has all that are kept. */
 const SEEN = 120;
 const WAYS = /** @type {const} */ (["both", "to_arm", "from_arm"]);
 const ARROWS = { to_arm: "→", from_arm: "←" };
@@ -19,7 +19,7 @@ const ARROWS = { to_arm: "→", from_arm: "←" };
 export function packets(context) {
   const { page, t, act } = context;
   const { listening } = page.packets;
-  // The state alone says whether it is open: a picture may be drawn before the browser tells that it has opened it.
+  // Only the state decides whether it is open: a frame may be drawn before the browser's toggle event.
   const toggle = (/** @type {Event} */ event) => {
     event.preventDefault();
     act.send({ type: "packets_wanted", listening: !listening });
@@ -39,7 +39,7 @@ function list({ page, t, act }) {
   return html`
     <fieldset class="segments">
       <legend class="unseen">${t("packets.direction")}</legend>
-      ${WAYS.map((it) => html`<label><input type="radio" name="packets-way" value=${it} .checked=${live(it === way)} @change=${() => act.send({ type: "packets_way", way: it })}><span>${t(`packets.direction.${it}`)}</span></label>`)}
+      ${WAYS.map((choice) => html`<label><input type="radio" name="packets-way" value=${choice} .checked=${live(choice === way)} @change=${() => act.send({ type: "packets_way", way: choice })}><span>${t(`packets.direction.${choice}`)}</span></label>`)}
     </fieldset>
     <input id="packets-filter" type="text" placeholder=${t("watch.filter")} aria-label=${t("watch.filter")} .value=${live(filter)} @input=${(/** @type {Event} */ event) => act.send({ type: "packets_filter", text: /** @type {HTMLInputElement} */ (event.target).value })}>
     <div class="row">

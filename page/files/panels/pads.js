@@ -5,7 +5,7 @@ import { blockedReason } from "../state/selectors.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 
-/** Where the pointer is on a pad: up and left are 1, down and right -1. @param {PointerEvent} event @returns {[far: number, left: number]} */
+/** Pointer position on a pad: up and left are 1, down and right -1. @param {PointerEvent} event @returns {[far: number, left: number]} */
 function shares({ currentTarget, clientX, clientY }) {
   const { left, top, width, height } = /** @type {Element} */ (currentTarget).getBoundingClientRect();
   const share = (/** @type {number} */ value) => Math.max(-1, Math.min(1, 1 - 2 * value));

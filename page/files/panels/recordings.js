@@ -1,4 +1,4 @@
-// The recordings of the station: a list of files, and a player that shows on the stage where the arm was.
+// The recordings of the station: a list of files, and a player that shows them on the stage.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -39,7 +39,7 @@ function entry({ page, t, act }, { name, begin_ms, bytes, being_written }) {
     </li>`;
 }
 
-/** How long a file is. @param {number} bytes */
+/** File size as text. @param {number} bytes */
 const size = (bytes) => (bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
 
 /** @param {Context} context */
@@ -59,7 +59,7 @@ function player({ page, t, act }) {
         <button id="player-play" type="button" class="small strong" @click=${() => act.send({ type: "recording_plays", now_ms: plays ? null : Date.now() })}>${t(plays ? "play.pause" : "play.play")}</button>
         <fieldset class="segments">
           <legend class="unseen">${t("play.speed")}</legend>
-          ${SPEEDS.map((it) => html`<label><input type="radio" name="player-speed" value=${it} .checked=${live(it === speed)} @change=${() => act.send({ type: "recording_speed", speed: it })}><span>${it}×</span></label>`)}
+          ${SPEEDS.map((factor) => html`<label><input type="radio" name="player-speed" value=${factor} .checked=${live(factor === speed)} @change=${() => act.send({ type: "recording_speed", speed: factor })}><span>${factor}×</span></label>`)}
         </fieldset>
       </div>
       ${states.spacing_s > 0 ? html`<p class="quiet">${t("recordings.thinned", { s: states.spacing_s.toFixed(1) })}</p>` : nothing}

@@ -1,4 +1,4 @@
-// What is set once: the arm, its safety policy, who may come, what surrounds a virtual arm, and this page.
+// The Set up panel: page, arm, calibration, policy, tokens, virtual arm.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { isVirtual } from "../state/selectors.js";

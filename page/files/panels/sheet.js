@@ -1,4 +1,4 @@
-// The paper from above, as a person behind the arm sees it: the drawing lies on it, and is moved, turned and enlarged by hand.
+// The paper from above, seen from behind the arm: the drawing can be moved, rotated and scaled on it.
 
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { memoize } from "../state/selectors.js";
@@ -8,9 +8,9 @@ import { liesOf } from "../state/draw.js";
 /** @typedef {import("../state/draw.js").Lies} Lies */
 /** @typedef {import("../state/draw.js").Plan} Plan */
 
-/** What is seen: Y to the left and X up, in mm. */
+/** The visible area: Y to the left and X up, in mm. */
 const SEEN = { left_mm: 180, top_mm: 335, width_mm: 360, height_mm: 265 };
-/** So many corners are drawn: more are not seen here. */
+/** The most vertices drawn; more are not visible here. */
 const MOST_CORNERS = 20_000;
 const HANDLE_MM = 7;
 const LEAST_SCALE = 0.01;
@@ -34,10 +34,10 @@ const outline = memoize((/** @type {{ plan: Plan, lies: Lies }} */ { plan, lies 
   return { path: corners.join(""), left, right, top, bottom };
 });
 
-/** How a hand moves it: where it lay, and where the hand was. @type {{ kind: "move" | "turn" | "scale", lies: Lies, from: [number, number] } | null} */
+/** The running drag: placement and pointer position at its start. @type {{ kind: "move" | "turn" | "scale", lies: Lies, from: [number, number] } | null} */
 let held = null;
 
-/** Where the pointer is on the paper: X and Y in mm. @param {PointerEvent} event @returns {[number, number]} */
+/** Pointer position on the paper: X and Y in mm. @param {PointerEvent} event @returns {[number, number]} */
 function placeOf(event) {
   const element = /** @type {SVGElement} */ (event.currentTarget);
   const paper = /** @type {SVGSVGElement} */ (element.ownerSVGElement ?? element);
@@ -47,7 +47,7 @@ function placeOf(event) {
   return [-y, -x];
 }
 
-/** What a hand that has come to a place makes of it. @param {NonNullable<typeof held>} held @param {[number, number]} to @returns {Partial<import("../state/draw.js").Settings>} */
+/** Returns the settings for a pointer position. @param {NonNullable<typeof held>} held @param {[number, number]} to @returns {Partial<import("../state/draw.js").Settings>} */
 export function moved({ kind, lies, from }, to) {
   const [x, y] = [to[0] - lies.x_mm, to[1] - lies.y_mm];
   const [x0, y0] = [from[0] - lies.x_mm, from[1] - lies.y_mm];

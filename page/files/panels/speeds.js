@@ -1,4 +1,4 @@
-// How fast targets and programs go: shares of what the arm was set to (state 10).
+// Speeds of moves and programs, in percent of the configured ones (state 10).
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { blockedReason } from "../state/selectors.js";

@@ -1,5 +1,5 @@
-// Go to a place: by numbers, or by dragging the ghost on the stage. The station says while one types where the way leads,
-// or why it is refused and how far it is allowed; nothing moves before Go.
+// Go to: the target is typed, or dragged as a ghost on the stage. The station checks the path at each change, and reports why
+// it is refused and the nearest allowed position. Nothing moves before Go.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -15,7 +15,7 @@ const NAMES = { x_mm: ["X", "mm"], y_mm: ["Y", "mm"], z_mm: ["Z", "mm"], rotatio
 /** @type {readonly Path[]} */
 const PATHS = ["movj", "movl", "jump"];
 
-/** What is said of the target, and how. @param {Context} context @returns {[string, string]} */
+/** Status text of the target, and its tone. @param {Context} context @returns {[string, string]} */
 function statusOf({ page, t }) {
   const { target } = page;
   if (!target.typed) return [t("target.hint"), "off"];

@@ -1,11 +1,11 @@
-// A program: shown to the arm point by point, as a table, a text and a time line.
+// The program, taught point by point, as a table, a text and a timeline.
 
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
 import { blockedReason, memoize, rowsIn } from "../state/selectors.js";
 import { rowAt, stepsIn } from "../state/teach.js";
-import { ROW_PX, carry } from "../input/row_drag.js";
+import { ROW_PX, startRowDrag } from "../input/row_drag.js";
 import { saveAs } from "../parts/download.js";
 import { sentence } from "../views/banners.js";
 import { formatDuration } from "../i18n/i18n.js";
@@ -17,7 +17,7 @@ import { formatDuration } from "../i18n/i18n.js";
 const MODES = ["table", "text", "time"];
 /** @type {readonly import("../state/types.js").Schemas["MovingMode"][]} */
 const PATHS = ["movj", "movl", "jump"];
-/** What is seen of a long program: so many rows of this height in pixels. */
+/** The most rows rendered of a long program. */
 const SEEN = 40;
 
 const timed = memoize(stepsIn);
@@ -32,7 +32,7 @@ export function teach(context) {
   const modeChoice = html`
     <fieldset class="segments">
       <legend class="unseen">${t("teach.view")}</legend>
-      ${MODES.map((it) => html`<label><input type="radio" name="teach-mode" value=${it} .checked=${live(it === mode)} @change=${() => act.send({ type: "teach_mode", mode: it })}><span>${t(`teach.${it}`)}</span></label>`)}
+      ${MODES.map((choice) => html`<label><input type="radio" name="teach-mode" value=${choice} .checked=${live(choice === mode)} @change=${() => act.send({ type: "teach_mode", mode: choice })}><span>${t(`teach.${choice}`)}</span></label>`)}
     </fieldset>`;
   const views = { table: () => table(context, rows), text: () => area(context), time: () => timeline(context) };
   return html`
@@ -42,7 +42,7 @@ export function teach(context) {
         <button id="capture" type="button" class="strong" ?disabled=${why === "no_connection" || why === "no_arm"} @click=${() => act.teach.capture()}>${t("teach.capture")}</button>
         <fieldset class="segments">
           <legend class="unseen">${t("target.path")}</legend>
-          ${PATHS.map((it) => html`<label><input type="radio" name="teach-path" value=${it} .checked=${live(it === path)} @change=${() => act.send({ type: "teach_path", path: it })}><span>${it.toUpperCase()}</span></label>`)}
+          ${PATHS.map((choice) => html`<label><input type="radio" name="teach-path" value=${choice} .checked=${live(choice === path)} @change=${() => act.send({ type: "teach_path", path: choice })}><span>${choice.toUpperCase()}</span></label>`)}
         </fieldset>
       </div>
       <div class="row">
@@ -72,7 +72,7 @@ function table({ page, t, act }, rows) {
   const key = (/** @type {KeyboardEvent} */ event) => {
     const way = /** @type {Record<string, number>} */ ({ ArrowUp: -1, ArrowDown: 1 })[event.key];
     if (event.key === "Delete") act.teach.remove();
-    // What has the focus: the picture may be older than the key.
+    // The focused row: the frame may be older than the key.
     const row = /** @type {HTMLElement | null} */ (/** @type {Element} */ (event.target).closest("[data-row]"))?.dataset.row ?? chosen;
     if (!way || row === null) return;
     event.preventDefault();
@@ -83,12 +83,12 @@ function table({ page, t, act }, rows) {
     act.send({ type: "teach_chosen", row: next });
     focus();
   };
-  /** Where a row lies that is carried over this one. @param {number} row */
+  /** Class of a row under the dragged one. @param {number} row */
   const under = (row) => (carried?.from === row ? "is-carried" : carried?.to !== row ? "" : carried.from < row ? "takes-below" : "takes-above");
   const sized = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("height", `${rows.length * ROW_PX}px`);
   const placed = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("transform", `translateY(${from * ROW_PX}px)`);
   return html`
-    <div id="steps" class="steps-seen" @scroll=${scroll} @keydown=${key} @pointerdown=${(/** @type {PointerEvent} */ event) => carry(event, rows.length, rowDrag(act))} role="listbox" aria-label=${t("teach.table")} tabindex="-1">
+    <div id="steps" class="steps-seen" @scroll=${scroll} @keydown=${key} @pointerdown=${(/** @type {PointerEvent} */ event) => startRowDrag(event, rows.length, rowDrag(act))} role="listbox" aria-label=${t("teach.table")} tabindex="-1">
       <div ${ref(sized)}><div ${ref(placed)}>
         ${rows.slice(from, from + SEEN).map(({ says }, n) => {
           const row = from + n;
@@ -100,7 +100,7 @@ function table({ page, t, act }, rows) {
     <p class="unseen" id="teach-moved" role="status">${page.teach.moved ? t("teach.moved", { step: page.teach.moved.to + 1, steps: page.teach.moved.of }) : ""}</p>`;
 }
 
-/** What a row that is carried does. @param {Context["act"]} act @returns {import("../input/row_drag.js").RowDrag} */
+/** Callbacks of a row drag. @param {Context["act"]} act @returns {import("../input/row_drag.js").RowDrag} */
 const rowDrag = (act) => ({
   over: (from, to) => act.send({ type: "teach_carried", carried: { from, to } }),
   drop(from, to) {
@@ -124,7 +124,7 @@ function timeline({ page, t, act }) {
     const from = (1000 * at_s) / whole_s;
     at_s += takes_s;
     const width = (1000 * takes_s) / whole_s;
-    // What is thinner than a hair is not seen.
+    // Hairline bars are not visible.
     if (width < 0.4) return nothing;
     return svg`<rect class=${row === page.teach.chosen ? "bar is-chosen" : "bar"} x=${from} y="4" width=${Math.max(0.3, width - 0.8)} height="44" @click=${() => act.send({ type: "teach_chosen", row })}><title>${row + 1}: ${label} (${takes_s.toFixed(1)} s)</title></rect>`;
   });
@@ -148,7 +148,7 @@ function edits({ page, t, act }, rows) {
     </div>`;
 }
 
-/** What is wrong, each with the way to its step. @param {Context} context @param {readonly Row[]} rows */
+/** The problems of the program, each with a button that selects its step. @param {Context} context @param {readonly Row[]} rows */
 function problems({ page, t, act }, rows) {
   const { report, refused, text } = page.teach;
   const found = text.trim() ? report?.problems ?? [] : [];

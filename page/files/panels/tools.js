@@ -1,4 +1,4 @@
-// Pump, gripper and laser. Each is one command to the station, which decides; what is shown is what the arm then reports.
+// Pump, gripper and laser. Each control sends one command; the display shows what the arm reports.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { blockedReason, laser } from "../state/selectors.js";
@@ -7,7 +7,7 @@ import { formatClock, formatDuration } from "../i18n/i18n.js";
 /** @typedef {import("../views/context.js").Context} Context */
 
 const TONES = { off: "off", armed: "warn", burning: "bad" };
-/** What the arm can be told to carry: its reach and its height depend on it. */
+/** The tools that can be mounted: reach and height depend on them. */
 const MOUNTS = /** @type {const} */ ([["suction_cup", "tool.suction_cup"], ["gripper", "tool.gripper_tool"], ["laser", "tool.laser_tool"]]);
 
 /** @param {Context} context */

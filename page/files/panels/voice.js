@@ -1,9 +1,9 @@
-// The words of voice mode, as buttons and as a text.
+// Voice mode commands, as buttons and as text.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { blockedReason } from "../state/selectors.js";
 
-/** What the arm is told in English, in every language of the page. */
+/** The commands, in English for every language of the page. */
 const WORDS = /** @type {const} */ ({ forward: "ahead ten", back: "back ten", left: "left ten", right: "right ten", up: "up ten", down: "down ten", catch: "catch", release: "release" });
 
 /** @param {import("../views/context.js").Context} context */

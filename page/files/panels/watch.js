@@ -1,4 +1,4 @@
-// What the link does, what happened, and every packet.
+// Connection figures, charts, events and packets.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { chart } from "../parts/chart.js";
@@ -12,14 +12,14 @@ import { repeat } from "../vendor/lit-html/directives/repeat.js";
 /** @param {Context} context */
 export const watch = (context) => html`${link(context)}${charts(context)}${happened(context)}${packets(context)}`;
 
-/** What is drawn over time, by what is read together. @type {readonly (readonly [TextKey, readonly [number, number], readonly (readonly [keyof History, TextKey, string])[]])[]} */
+/** The charts, by related values. @type {readonly (readonly [TextKey, readonly [number, number], readonly (readonly [keyof History, TextKey, string])[]])[]} */
 const CHARTS = [
   ["chart.rate", [0, 15], [["rate", "watch.statuses", "--key"]]],
   ["chart.latency", [0, 50], [["latency_ms", "watch.latency", "--key"]]],
   ["chart.queue", [0, 5], [["queue", "watch.waiting", "--key"]]],
   ["chart.joints", [-10, 90], [["base_deg", "pose.base", "--line-1"], ["rear_deg", "pose.rear", "--line-2"], ["fore_deg", "pose.fore", "--line-3"], ["servo_deg", "pose.servo", "--line-4"]]],
 ];
-/** Lines are told apart by their dashes, too. */
+/** Lines also differ by their dashes. */
 const DASHES = [[], [8, 4], [2, 3], [8, 3, 2, 3]];
 
 /** The newest value of a line, in words. @param {readonly (number | null)[]} values */
@@ -29,7 +29,7 @@ const last = (values) => values.at(-1)?.toFixed(1) ?? "–";
 function charts({ page, t }) {
   const { history } = page;
   const now_s = history.at_s.at(-1) ?? 0;
-  const times = history.at_s.map((it) => (it ?? 0) - now_s);
+  const times = history.at_s.map((at_s) => (at_s ?? 0) - now_s);
   const theme = document.documentElement.dataset.theme;
   return html`
     <section class="card" aria-labelledby="charts-title">

@@ -1,6 +1,6 @@
-// The bytes of a file as text.
+// File content as Base64.
 
-/** What a file holds, in Base64. @param {File} file @returns {Promise<string | null>} nothing where it cannot be read */
+/** Returns the content of a file in Base64. @param {File} file @returns {Promise<string | null>} nothing where it cannot be read */
 export function base64(file) {
   const reader = new FileReader();
   return new Promise((done) => {

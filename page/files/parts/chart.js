@@ -1,4 +1,4 @@
-// A chart over time. It draws only while it is on the page, and again when there is something new.
+// A chart over time, drawn only while it is in the document and when its data changed.
 
 import { AsyncDirective } from "../vendor/lit-html/async-directive.js";
 import { directive } from "../vendor/lit-html/directive.js";
@@ -11,7 +11,7 @@ import uPlot from "../vendor/uplot/uplot.js";
 /** The values that are seen at least, whatever the lines do. @typedef {readonly [low: number, high: number]} Seen */
 
 const HEIGHT = 120;
-/** So many seconds are seen at least. */
+/** The least visible time span, in seconds. */
 const LEAST_S = 30;
 
 class Chart extends AsyncDirective {
@@ -51,7 +51,7 @@ class Chart extends AsyncDirective {
         x: { time: false, range: (_, first) => [Math.min(-LEAST_S, first ?? 0), 0] },
         y: { range: (_, least, most) => [Math.min(low, least ?? low), Math.max(high, most ?? high)] },
       },
-      axes: [{ ...axis, size: 24, values: (_, ticks) => ticks.map((it) => `${it} s`) }, { ...axis, size: 44 }],
+      axes: [{ ...axis, size: 24, values: (_, ticks) => ticks.map((tick) => `${tick} s`) }, { ...axis, size: 44 }],
       series: [{}, ...lines.map(({ color: name, dash }) => ({ stroke: color(name), width: 1.5, dash, points: { show: false } }))],
     }, [[], ...lines.map(() => [])], element);
     this.#watched = new ResizeObserver(() => this.#plot?.setSize({ width: Math.max(200, element.clientWidth), height: HEIGHT }));

@@ -1,4 +1,4 @@
-// Gives a person a file.
+// Downloads files.
 
 /** @param {Blob} file @param {string} name */
 export function saveAs(file, name) {

@@ -1,4 +1,4 @@
-// What a person wishes of every page of this station, kept in this browser.
+// The user's preferences for all pages of this station, kept in this browser.
 
 import { LANGUAGES } from "../i18n/i18n.js";
 
@@ -8,7 +8,7 @@ import { LANGUAGES } from "../i18n/i18n.js";
 
 const KEY = "dobot";
 
-/** What was kept, where it can be read and still means something. @returns {Partial<Preferences>} */
+/** Returns the stored preferences that are still valid. @returns {Partial<Preferences>} */
 export function readPreferences() {
   try {
     const { language, theme, greeted } = JSON.parse(localStorage.getItem(KEY) ?? "{}");

@@ -1,4 +1,4 @@
-// The value of a field, as the state has it, except while somebody is in the field: what is typed is not state before it is done.
+// Sets a field's value from the state, except while the field has the focus: unfinished input is not state.
 
 import { Directive, directive } from "../vendor/lit-html/directive.js";
 import { setCommittedValue } from "../vendor/lit-html/directive-helpers.js";

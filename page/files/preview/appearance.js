@@ -1,12 +1,12 @@
 // @ts-check
-// How a timeline looks, and where it lies on the sheet: what is calculated before anything is drawn.
+// Appearance and layout of a timeline: pure calculations before drawing.
 
 /** @typedef {import("./timeline.js").Timeline} Timeline */
 /** Width and height in CSS pixels, and how many device pixels each of them has. */
 /** @typedef {{width: number, height: number, ratio: number}} Frame */
-/** How each class of ink looks, and the class of each row. */
+/** The styles of the ink classes, and the class of each row. */
 /** @typedef {{classes: Uint16Array, styles: {color: string, width_mm: number}[]}} Look */
-/** Where the base frame lies on the sheet. */
+/** Position of the base frame on the sheet. */
 /** @typedef {{frame: Frame, scale: number, x: (y_mm: number) => number, y: (x_mm: number) => number}} View */
 
 // --- What the colours mean: as in the picture that `dobot draw --picture` makes ----
@@ -35,19 +35,19 @@ export function lookOfErrors({ path }, tolerance_mm) {
   return { classes: Uint16Array.from(path.error_mm, classOf), styles: ERRORS };
 }
 
-/** That of the file, darker if nobody would see it on paper. @param {number[] | null} color @param {number} pass */
+/** The colour of the file, darkened if it is too light for paper. @param {number[] | null} color @param {number} pass */
 function passColor(color, pass) {
   if (!color) return PASSES[pass % PASSES.length];
   const brightness = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
   const share = brightness > 200 ? 130 / brightness : 1;
-  return `rgb(${color.map((it) => Math.trunc(it * share)).join(", ")})`;
+  return `rgb(${color.map((channel) => Math.trunc(channel * share)).join(", ")})`;
 }
 
 // --- In words, and over time -----------------------------------------------------
 
 const MOST_LETTERS = 60;
 
-/** What the colours of errors mean. @param {import("../i18n/i18n.js").Translate} t @param {number} tolerance_mm */
+/** Names of the error colours. @param {import("../i18n/i18n.js").Translate} t @param {number} tolerance_mm */
 export function errorNames(t, tolerance_mm) {
   return [t("play.error.half", { mm: tolerance_mm / 2 }), t("play.error.whole", { mm: tolerance_mm }), t("play.error.more")];
 }
@@ -58,7 +58,7 @@ export function passName(t, { name, tool }, i) {
   return (short || t("play.pass.number", { number: i + 1 })) + (tool === "laser" ? ` (${t("play.laser")})` : "");
 }
 
-/** As in 1:05, or 2:03:04. @param {number} seconds */
+/** Formats a time as 1:05 or 2:03:04. @param {number} seconds */
 export function clock(seconds) {
   const whole = Math.round(seconds);
   const [hours, minutes, rest] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
@@ -66,14 +66,14 @@ export function clock(seconds) {
   return hours ? `${hours}:${String(minutes).padStart(2, "0")}:${two}` : `${minutes}:${two}`;
 }
 
-/** The class of the ink at each of so many moments, -1 where there is none. @param {Timeline} timeline @param {Look} look @param {number} columns */
+/** Returns the class of the ink for each column of the time bar, -1 without ink. @param {Timeline} timeline @param {Look} look @param {number} columns */
 export function inkOfColumns({ duration_s, path }, look, columns) {
   const inks = new Int32Array(columns).fill(-1);
   if (duration_s === 0) return inks;
   const { t_s, ink } = path;
   for (let row = 1; row < t_s.length; row += 1) {
     if (ink[row] !== 1) continue;
-    const [from, to] = [t_s[row - 1], t_s[row]].map((it) => Math.floor((it / duration_s) * (columns - 1)));
+    const [from, to] = [t_s[row - 1], t_s[row]].map((time_s) => Math.floor((time_s / duration_s) * (columns - 1)));
     inks.fill(look.classes[row], from, to + 1);
   }
   return inks;
@@ -82,7 +82,7 @@ export function inkOfColumns({ duration_s, path }, look, columns) {
 // --- Where it lies ---------------------------------------------------------------
 
 export const EDGE = 18;
-/** What the marks below the drawing take. */
+/** Height of the marks below the drawing. */
 const MARKS = 34;
 
 /** @param {Timeline} timeline */
@@ -99,13 +99,13 @@ export function boundsOf({ path }) {
   return { x: ends(path.x_mm), y: ends(path.y_mm) };
 }
 
-/** How high a canvas of this width has to be. @param {{x: number[], y: number[]}} bounds @param {number} width @param {number} most */
+/** Returns the height for a canvas of this width. @param {{x: number[], y: number[]}} bounds @param {number} width @param {number} most */
 export function heightFor({ x, y }, width, most) {
   const share = Math.max(1, x[1] - x[0]) / Math.max(1, y[1] - y[0]);
   return Math.round(Math.max(220, Math.min(most, (width - 2 * EDGE) * share + EDGE + MARKS)));
 }
 
-/** As a person behind the arm sees it from above: X up, Y to the left. @param {{x: number[], y: number[]}} bounds @param {Frame} frame @returns {View} */
+/** The view from above, from behind the arm: X up, Y to the left. @param {{x: number[], y: number[]}} bounds @param {Frame} frame @returns {View} */
 export function viewOf({ x, y }, frame) {
   const { width, height } = frame;
   const across = (width - 2 * EDGE) / Math.max(1, y[1] - y[0]);
@@ -122,7 +122,7 @@ export function viewOf({ x, y }, frame) {
 /** One, two or five times a power of ten, as long as fits. @param {number} most */
 export function roundLength(most) {
   const power = 10 ** Math.floor(Math.log10(most));
-  return power * ([5, 2].find((it) => it * power <= most) ?? 1);
+  return power * ([5, 2].find((factor) => factor * power <= most) ?? 1);
 }
 
 /** The lines of a timeline for the stage: its ways, and its ink in the colours of the passes. @param {Timeline} timeline @returns {import("../stage/view.js").Drawing} */

@@ -1,5 +1,5 @@
 // @ts-check
-// The player: a person goes to any moment of a drawing before it is made.
+// The player: shows any moment of a drawing before it is drawn.
 
 import { boundsOf, clock, errorNames, heightFor, inkOfColumns, lookOfErrors, lookOfPasses, passName, viewOf } from "./appearance.js";
 import { Sketch } from "./sketch.js";
@@ -72,7 +72,7 @@ export function player(context) {
   return root;
 }
 
-/** What stands in the player, in another language. */
+/** Translates the texts of the player. */
 function translate() {
   for (const [name, word] of Object.entries(TEXTS)) part(name).textContent = t(word);
   for (const [name, word] of Object.entries(LABELS)) part(name).setAttribute("aria-label", t(word));
@@ -92,7 +92,7 @@ function take(read) {
 
 // --- How it looks ------------------------------------------------------------------
 
-/** What the colours mean was changed, or the drawing. */
+/** The colour mode or the drawing changed. */
 function recolor() {
   if (!timeline) return;
   const errors = chosen("colors") === "errors";
@@ -143,7 +143,7 @@ function theme() {
   return { sheet: color("--sheet"), travel: color("--travel"), tool: color("--tool"), words: color("--sheet-words") };
 }
 
-/** Above the scrub bar: when there is ink, in its colour. @param {number} width */
+/** Draws the ink over time above the time bar. @param {number} width */
 function drawStrip(width) {
   const canvas = /** @type {HTMLCanvasElement} */ (part("strip"));
   [canvas.width, canvas.height] = [Math.round(width), 1];
@@ -211,7 +211,7 @@ function tell(place, { duration_s, passes }) {
   for (const axis of /** @type {const} */ (["x_mm", "y_mm", "z_mm"])) write(axis, place[axis].toFixed(2));
 }
 
-/** What a tool does, as a word. @param {string} kind */
+/** Returns the text key of a move kind. @param {string} kind */
 const doing = (kind) => /** @type {import("../i18n/i18n.js").TextKey} */ (`play.does.${kind}`);
 
 // --- Hands -----------------------------------------------------------------------------

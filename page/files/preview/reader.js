@@ -1,5 +1,5 @@
 // @ts-check
-// Reads a timeline beside the page: a large file takes a second, and STOP and the jog buttons cannot wait for it.
+// Reads a timeline in a worker: a large file takes a second, and STOP and the jog buttons cannot wait.
 
 import { Refused, checkSize, readTimeline } from "./timeline.js";
 
@@ -13,9 +13,9 @@ async function read(file) {
   }
 }
 
-/** What is handed over, not copied. @param {import("./timeline.js").Timeline} timeline */
+/** Transferred buffers. @param {import("./timeline.js").Timeline} timeline */
 function buffers({ moves, path }) {
-  return [...Object.values(path), moves.kind, moves.pass, moves.from_s].map((it) => it.buffer);
+  return [...Object.values(path), moves.kind, moves.pass, moves.from_s].map((column) => column.buffer);
 }
 
 addEventListener("message", async ({ data }) => {

@@ -1,6 +1,6 @@
 // @ts-check
-// Draws a timeline on a canvas: the sheet with all that is to come, the ink so far, the tool. Long drawings are drawn in
-// slices, a few thousand lines at a time, and pictures of the ink at some moments make the way back short.
+// Draws a timeline on a canvas: the sheet with the whole drawing, the ink up to now, and the tool. Long drawings are drawn in
+// slices of a few thousand lines, and snapshots of the ink shorten the way back.
 
 import { EDGE, roundLength } from "./appearance.js";
 
@@ -13,13 +13,13 @@ import { EDGE, roundLength } from "./appearance.js";
 /** @typedef {import("./appearance.js").View} View */
 /** @typedef {{canvas: HTMLCanvasElement, context: CanvasRenderingContext2D, row: number}} Layer */
 
-/** So many lines are drawn at once, so many of them in one path, and the ink is kept at so many moments. */
+/** Lines per slice, lines per path, and number of ink snapshots. */
 const SLICE = 6000;
 const BATCH = 250;
 const KEPT_BYTES = 64e6;
 /** A line without length would not be drawn. */
 const DOT = 0.01;
-/** How much of the ink to come is seen. */
+/** Opacity of the ink to come. */
 const TO_COME = 0.14;
 
 export class Sketch {
@@ -32,19 +32,19 @@ export class Sketch {
     this.theme = theme;
     this.x = timeline.path.y_mm.map(view.x);
     this.y = timeline.path.x_mm.map(view.y);
-    /** All of the ink, all travel moves, and the ink so far. */
+    /** The whole ink, all travel moves, and the ink up to now. */
     this.all = layer(view.frame);
     this.ways = layer(view.frame);
     this.ways.context.globalAlpha = this.shadeOfTravel();
     this.ink = layer(view.frame);
-    /** The ink so far at every `stride` rows. @type {(HTMLCanvasElement | undefined)[]} */
+    /** Ink snapshots every `stride` rows. @type {(HTMLCanvasElement | undefined)[]} */
     this.kept = [];
     const bytes = this.ink.canvas.width * this.ink.canvas.height * 4;
     const most = Math.max(2, Math.min(24, Math.floor(KEPT_BYTES / bytes)));
     this.stride = Math.max(SLICE, Math.ceil(this.rows / (most + 1)));
   }
 
-  /** Draws a slice of what is missing for this row; whether nothing is missing any more. @param {number} row */
+  /** Draws one slice up to this row; returns whether it is complete. @param {number} row */
   advance(row) {
     this.advanceAll();
     this.goBack(row);
@@ -57,7 +57,7 @@ export class Sketch {
     return this.ink.row === row && this.all.row === this.rows - 1;
   }
 
-  /** What does not change with time. */
+  /** The static layers. */
   advanceAll() {
     const { all, ways, rows } = this;
     if (all.row === rows - 1) return;
@@ -66,7 +66,7 @@ export class Sketch {
     ways.row = all.row;
   }
 
-  /** The ink cannot be taken back: begin anew from a picture of before, or with a later one if that is nearer. @param {number} row */
+  /** Ink cannot be removed: start from an earlier snapshot, or from a later one if that is nearer. @param {number} row */
   goBack(row) {
     const { ink, stride } = this;
     let mark = Math.floor(row / stride);
@@ -145,7 +145,7 @@ export class Sketch {
     context.setLineDash([]);
   }
 
-  /** Whether this row is elsewhere than the one before, seen from above. @param {number} row */
+  /** Whether this row is at another place than the one before, seen from above. @param {number} row */
   isMove(row) {
     return this.x[row] !== this.x[row - 1] || this.y[row] !== this.y[row - 1];
   }
@@ -203,7 +203,7 @@ export class Sketch {
     context.setLineDash([]);
   }
 
-  /** A full point while there is ink, a ring while there is none. @param {CanvasRenderingContext2D} context @param {Place} place */
+  /** A filled dot with ink, a ring without. @param {CanvasRenderingContext2D} context @param {Place} place */
   showTool(context, { x_mm, y_mm, inks }) {
     const [x, y] = [this.view.x(y_mm), this.view.y(x_mm)];
     context.beginPath();
@@ -218,7 +218,7 @@ export class Sketch {
     if (inks) context.fill();
   }
 
-  /** Which way is which, and how long a length is. @param {CanvasRenderingContext2D} context */
+  /** Axis arrows and a scale bar. @param {CanvasRenderingContext2D} context */
   showMarks(context) {
     const { width, height } = this.view.frame;
     context.font = "12px system-ui, sans-serif";

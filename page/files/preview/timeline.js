@@ -1,6 +1,6 @@
 // @ts-check
-// The timeline of a drawing, as `dobot draw --timeline` writes it: read, checked, and asked what is at a moment. Nothing
-// here knows of the page, so a worker can read a large file while the page stays awake.
+// The timeline of a drawing, as written by `dobot draw --timeline`: parsed, validated, and queried by time. Independent of the
+// page, so that a worker can read a large file.
 
 /** @typedef {{name: string, color: number[] | null, tool: string}} Pass */
 /**
@@ -11,18 +11,18 @@
  * @property {{kinds: string[], kind: Uint8Array, pass: Uint16Array, from_s: Float64Array}} moves
  * @property {{t_s: Float64Array, x_mm: Float32Array, y_mm: Float32Array, z_mm: Float32Array, ink: Uint8Array, error_mm: Float32Array, pass: Uint16Array}} path
  */
-/** Where the tool is, behind which row, what it does, in which pass, and whether it leaves ink just then. */
+/** Tool position, its row, the move kind, the pass, and whether it leaves ink. */
 /** @typedef {{row: number, x_mm: number, y_mm: number, z_mm: number, inks: boolean, kind: string, pass: number}} Place */
 
 export const MOST_BYTES = 50_000_000;
 const COMMAND = "dobot draw FILE --dry-run --timeline OUT.json";
 const VERSION = 1;
-/** Three times as far as the arm reaches, and a month: what lies beyond is no drawing of this arm. */
+/** Limits for a drawing of this arm: three times its reach, and a month. */
 const MOST_MM = 1000;
 const MOST_S = 31 * 24 * 3600;
 const MOST_PASSES = 10_000;
 
-/** Why a file is none: what was found, and what is expected instead. */
+/** A file that is not a timeline: what was found, and what was expected. */
 export class Refused extends Error {
   /** @param {string} found @param {string} expected */
   constructor(found, expected) {
@@ -30,7 +30,7 @@ export class Refused extends Error {
   }
 }
 
-/** Refuses a file that is too large before it is read. @param {number} bytes */
+/** Refuses an empty or too large file before it is read. @param {number} bytes */
 export function checkSize(bytes) {
   const large = (bytes / 1e6).toFixed(1);
   if (bytes > MOST_BYTES) throw new Refused(`has ${large} MB`, `a timeline of at most ${MOST_BYTES / 1e6} MB`);
@@ -108,7 +108,7 @@ function readPath(found, moves, duration_s) {
   };
 }
 
-/** The pass of each row; a line has that of its beginning. @param {Float64Array} t_s @param {Uint8Array} ink @param {Timeline["moves"]} moves */
+/** Returns the pass of each row; a line has the pass of its start. @param {Float64Array} t_s @param {Uint8Array} ink @param {Timeline["moves"]} moves */
 function passOfRows(t_s, ink, { from_s, pass }) {
   let move = 0;
   const passes = new Uint16Array(t_s.length);
@@ -121,7 +121,7 @@ function passOfRows(t_s, ink, { from_s, pass }) {
 
 // --- A moment ----------------------------------------------------------------
 
-/** The last row of a rising column that is not after this time, and the first one before all. @param {Float64Array} column @param {number} t_s */
+/** Returns the last row of an increasing column that is not after this time; the first row if all are. @param {Float64Array} column @param {number} t_s */
 export function lastAt(column, t_s) {
   let low = 0;
   let high = column.length;
@@ -153,7 +153,7 @@ export function placeAt({ path, moves }, t_s) {
   };
 }
 
-// --- What a file has to hold ---------------------------------------------------
+// --- Validation ---------------------------------------------------
 
 /** @param {unknown} found @returns {found is Record<string, unknown>} */
 function isTable(found) {
@@ -162,7 +162,7 @@ function isTable(found) {
 
 /** @param {unknown} found @returns {found is number[]} */
 function isColor(found) {
-  return Array.isArray(found) && found.length === 3 && found.every((it) => Number.isInteger(it) && it >= 0 && it <= 255);
+  return Array.isArray(found) && found.length === 3 && found.every((channel) => Number.isInteger(channel) && channel >= 0 && channel <= 255);
 }
 
 /** @param {unknown} found @param {string} name */
@@ -193,7 +193,7 @@ function within(found, least, most) {
 function column(found, name, rows, least, most) {
   const values = list(found, name);
   if (values.length !== rows) throw new Refused(`has ${values.length} rows in ${name}`, `${rows}, as in the other columns`);
-  const wrong = values.findIndex((it) => !within(it, least, most));
+  const wrong = values.findIndex((value) => !within(value, least, most));
   if (wrong >= 0) throw new Refused(`has ${shown(values[wrong])} at ${name}[${wrong}]`, `a number from ${least} to ${most}`);
   return /** @type {number[]} */ (values);
 }
@@ -201,7 +201,7 @@ function column(found, name, rows, least, most) {
 /** @param {unknown} found @param {string} name @param {number} rows @param {number} most */
 function whole(found, name, rows, most) {
   const values = column(found, name, rows, 0, most);
-  const wrong = values.findIndex((it) => !Number.isInteger(it));
+  const wrong = values.findIndex((value) => !Number.isInteger(value));
   if (wrong >= 0) throw new Refused(`has ${shown(values[wrong])} at ${name}[${wrong}]`, "a whole number");
   return values;
 }
@@ -219,7 +219,7 @@ function missing(found, name, expected) {
   return new Refused(found === undefined ? `has no ${name}` : `has ${shown(found)} as ${name}`, expected);
 }
 
-/** What was found, in a few words. @param {unknown} found */
+/** A short description of a value. @param {unknown} found */
 function shown(found) {
   if (found === undefined) return "nothing";
   if (Array.isArray(found)) return `a list of ${found.length}`;

@@ -1,5 +1,5 @@
-// The arm, as it is built: foot, turret, rear arm, forearm, crank, three rods, the wrist that stays level, and the tool.
-// Which part is beside which can be read from the Y of its plates.
+// The 3D arm: foot, turret, rear arm, forearm, crank, three rods, the level wrist, and the tool.
+// The Y of its plates shows which parts lie side by side.
 
 import { CatmullRomCurve3, Group, TubeGeometry, Vector3 } from "../vendor/three/three.js";
 import { links, rad } from "./kinematics.js";
@@ -38,7 +38,7 @@ export function createArm(materials, { foot }) {
 }
 
 /**
- * All that turns.
+ * Builds the rotating parts.
  * @param {ArmShape} shape
  * @param {View["tool"]} tool
  * @param {Materials} materials
@@ -74,14 +74,14 @@ function build(shape, { kind, length_mm }, materials) {
 /** @param {import("../vendor/three/three.js").Object3D} group */
 function drop(group) {
   group.removeFromParent();
-  group.traverse((it) => {
-    if ("geometry" in it) /** @type {{ dispose(): void }} */ (it.geometry).dispose();
+  group.traverse((object) => {
+    if ("geometry" in object) /** @type {{ dispose(): void }} */ (object.geometry).dispose();
   });
 }
 
 /** @param {ArmShape} shape @param {Materials} materials */
 function standing({ pivot_above_table_mm: foot_mm }, { metal, dark, accent }) {
-  const cable = new CatmullRomCurve3([[-66, 0, -90], [-92, 2, -94], [-128, 22, -99.5], [-180, 30, -99.5], [-240, 4, -99.5], [-296, 0, -99.5], [-305, 0, -104], [-308, 0, -150]].map((it) => new Vector3(...it)));
+  const cable = new CatmullRomCurve3([[-66, 0, -90], [-92, 2, -94], [-128, 22, -99.5], [-180, 30, -99.5], [-240, 4, -99.5], [-296, 0, -99.5], [-305, 0, -104], [-308, 0, -150]].map((point) => new Vector3(...point)));
   return solid([
     [dark, [block([146, 146, 36], [0, 0, -foot_mm + 20], 20), new TubeGeometry(cable, 40, 3.2, 8), block([10, 26, 14], [-73, 0, -90], 3)]],
     [metal, [block([132, 132, 4], [0, 0, -foot_mm + 40], 18)]],

@@ -1,6 +1,6 @@
-// From where the stage is looked at: a place that turns about a point. Pure.
+// The camera of the stage: it orbits a point. Pure.
 //
-// `around_deg` is counted counter-clockwise from straight ahead of the arm, `up_deg` from the level.
+// `around_deg` is measured counter-clockwise from the arm's forward direction, `up_deg` from the horizontal.
 
 import { rad } from "./kinematics.js";
 
@@ -91,7 +91,7 @@ export function pan(camera, right_mm, up_mm) {
 }
 
 /**
- * On the way from one to another; `share` from 0 to 1. It turns the shorter way.
+ * Interpolates between two cameras along the shorter turn; `share` is 0 to 1.
  * @param {Camera} from
  * @param {Camera} to
  * @param {number} share

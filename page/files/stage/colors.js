@@ -1,4 +1,4 @@
-// The colours of the stage, in both themes. Red means refused, amber near a limit, grey old; nothing else has them.
+// The colours of the stage, in both themes. Red means refused, amber near a limit, grey outdated; nothing else uses them.
 
 /** @typedef {typeof LIGHT} Look */
 

@@ -1,17 +1,17 @@
-// The world of a virtual arm, as the stage shows it.
+// The ink of a virtual arm's scene, as the stage shows it.
 
 /** @typedef {import("../api").components["schemas"]["WorldState"]} WorldState */
 /** @typedef {import("./view.js").Marks} Marks */
 /** @typedef {import("./view.js").View} View */
 
-/** How wide a burn is. */
+/** Width of a burn. */
 export const LASER_WIDTH_MM = 0.3;
 /** The energy for a millimetre that makes paper brown, in joules. */
 const BROWN_J_MM = 0.02;
 const FAINTEST = 0.15;
 
 /**
- * The parts of a view that a world tells.
+ * The parts of a view that come from a world.
  * @param {WorldState} world
  * @returns {Pick<View, "tool" | "table_z_mm" | "paper" | "things">}
  */
@@ -25,7 +25,7 @@ export function partsOf({ tool, table_z_mm, paper, objects }) {
   };
 }
 
-/** Collects the marks of a world that is asked again and again, each time for what is new only. */
+/** Collects the marks of a world that is polled, with only new lines in each answer. */
 export class Ink {
   /** @type {Marks} */ #marks = empty(0.5);
   #lines = 0;
@@ -93,7 +93,7 @@ export class Ink {
 const empty = (width_mm) => ({ width_mm, ends_mm: [], shades: [] });
 
 /**
- * How many points two lines have in common, from the first on.
+ * Returns the number of leading points that two lines have in common.
  * @param {readonly number[][]} a
  * @param {readonly number[][]} b
  */
@@ -108,5 +108,5 @@ function sameUntil(a, b) {
  */
 const isBurn = (line) => "power_w" in line;
 
-/** How dark a burn is, from 0 to 1. @param {number} dose_j_mm The energy for a millimetre, in joules. */
+/** Darkness of a burn, from 0 to 1. @param {number} dose_j_mm The energy for a millimetre, in joules. */
 export const darkness = (dose_j_mm) => Math.max(FAINTEST, 1 - Math.exp(-dose_j_mm / BROWN_J_MM));

@@ -1,4 +1,4 @@
-// What the arm must not do: keep-outs, faint until something comes near, and the limits that the tool is near to.
+// Keep-out zones, faint until the arm is near, and the limits that the tool is near to.
 
 import {
   BoxGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, SRGBColorSpace, ShaderMaterial,
@@ -15,7 +15,7 @@ import { rgb } from "./paper.js";
 
 const SHEET_MM = 130;
 
-/** The keep-outs: what no part of the arm may touch. */
+/** The keep-out zones: no part of the arm may enter them. */
 export function createKeepOuts() {
   const group = new Group();
   /** @type {{ name: string, face: MeshBasicMaterial, edge: LineBasicMaterial }[]} */ let made = [];
@@ -33,7 +33,7 @@ export function createKeepOuts() {
         return { name, face, edge };
       });
     },
-    /** Brings out those that arm or ghost are near to. @param {View["near"]["keep_outs"]} near */
+    /** Highlights the zones near the arm or the ghost. @param {View["near"]["keep_outs"]} near */
     warn(near) {
       for (const { name, face, edge } of made) {
         const closeness = near[name] ?? 0;
@@ -59,7 +59,7 @@ function form(keepOut) {
   return new CylinderGeometry(radius_mm, radius_mm, z1 - z0, 48).rotateX(Math.PI / 2).translate(x_mm, y_mm, (z0 + z1) / 2);
 }
 
-/** The limits: a sheet at the tool for those of its place, a sector at the joint for those of an angle. */
+/** The limits: a sheet at the tool for positions, a sector at the joint for angles. */
 export function createLimits() {
   const group = new Group();
   const color = { value: /** @type {[number, number, number]} */ ([0, 0, 0]) };
@@ -78,7 +78,7 @@ export function createLimits() {
 
   return {
     group,
-    /** @param {Joints | null} joints @param {ArmShape} shape @param {readonly Near[]} limits those that it is near to */
+    /** @param {Joints | null} joints @param {ArmShape} shape @param {readonly Near[]} limits the limits nearby */
     warn(joints, shape, limits) {
       for (const { group: sign } of made.values()) sign.visible = false;
       if (!joints) return;
@@ -95,10 +95,10 @@ export function createLimits() {
   };
 }
 
-/** How large the sector of a joint is, in mm. */
+/** Radius of a joint's sector, in mm. */
 const JOINTS = { base: 96, rear: 78, fore: 78, opening: 78, servo: 44 };
 
-/** A sheet of dots around the tool, in the plane that it must not cross. @param {{ value: number[] }} color */
+/** A dotted sheet around the tool, in the plane that it must not cross. @param {{ value: number[] }} color */
 function createSheet(color) {
   const strength = { value: 0 };
   const sheet = new Mesh(new PlaneGeometry(2 * SHEET_MM, 2 * SHEET_MM), new ShaderMaterial({
@@ -120,13 +120,13 @@ function createSheet(color) {
       strength.value = closeness;
       sheet.position.set(quantity === "x" ? bound : x_mm, quantity === "y" ? bound : y_mm, quantity === "z" ? bound : z_mm);
       if (quantity === "reach") sheet.position.set(bound * Math.cos(direction), bound * Math.sin(direction), z_mm);
-      // A plane looks along Z: turned to look along the way out, or to the left.
+      // The plane's normal is Z: turn it outward, or to the left.
       if (quantity !== "z") sheet.rotation.set(Math.PI / 2, quantity === "y" ? 0 : Math.PI / 2 + (quantity === "reach" ? direction : 0), 0);
     },
   };
 }
 
-/** A sector at a joint, in the direction in which it ends. @param {{ value: [number, number, number] }} color */
+/** A sector at a joint, in the direction of its limit. @param {{ value: [number, number, number] }} color */
 function createSector(color) {
   const material = new MeshBasicMaterial({ transparent: true, side: DoubleSide, depthTest: false });
   const ring = new Mesh(new RingGeometry(0.5, 1, 24, 1, rad(-11), rad(22)), material);
@@ -153,9 +153,9 @@ function createSector(color) {
 
 /** @param {Group} group */
 function clear(group) {
-  group.traverse((/** @type {any} */ it) => {
-    it.geometry?.dispose();
-    it.material?.dispose();
+  group.traverse((/** @type {any} */ object) => {
+    object.geometry?.dispose();
+    object.material?.dispose();
   });
   group.clear();
 }

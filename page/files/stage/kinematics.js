@@ -1,8 +1,8 @@
-// Where the links of the arm are: its two parallelograms as they are built. Pure; the lengths are those that the station serves.
+// Positions of the arm's links: its two parallelograms. Pure; the lengths come from the station.
 //
-// The arm turns about Z as a whole; what is calculated here lies in its own plane, as `[reach, z]` in mm from the rear arm's
-// pivot. The rear arm and a rod beside it carry a plate at the elbow that stays level; the forearm and a rod beside it carry
-// the wrist, which stays level by that plate. A crank at the shoulder and a third rod turn the forearm.
+// The whole arm rotates about Z; these functions calculate in its plane, as `[reach, z]` in mm from the rear arm's pivot.
+// The rear arm and a parallel rod carry a plate at the elbow that stays level; the forearm and a parallel rod carry
+// the wrist, which stays level with that plate. A crank at the shoulder and a third rod move the forearm.
 
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {import("./view.js").Pose} Pose */
@@ -10,7 +10,7 @@
 /** @typedef {[number, number]} InPlane Reach and z. */
 
 /**
- * All joints of the arm in its plane.
+ * Returns all joints in the arm's plane.
  * @param {Joints} joints
  * @param {ArmShape} shape
  */
@@ -33,7 +33,7 @@ export function links({ rear_deg, fore_deg }, { rear_arm_mm, forearm_mm, crank_m
 }
 
 /**
- * Where the joints bring the tool.
+ * Returns the tool pose for joint angles.
  * @param {Joints} joints
  * @param {ArmShape} shape
  * @returns {Pose}
@@ -63,7 +63,7 @@ export function inverse({ x_mm, y_mm, z_mm, rotation_deg }, { rear_arm_mm: rear,
 
 /**
  * @param {readonly number[]} from
- * @param {readonly number[]} way
+ * @param {readonly number[]} direction
  * @param {number} times
  * @returns {InPlane}
  */

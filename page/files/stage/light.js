@@ -1,4 +1,4 @@
-// Light, shadow and what metal mirrors: one sun, and a plain room that is never seen itself.
+// Light, shadow and reflections: one sun, and an invisible room that metal reflects.
 
 import {
   BackSide, BoxGeometry, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial, PMREMGenerator, Scene,
@@ -26,7 +26,7 @@ export function createLight(shadow_px) {
 }
 
 /**
- * What the metal mirrors.
+ * Renders the reflected room.
  * @param {WebGLRenderer} renderer
  */
 export function createMirrored(renderer) {

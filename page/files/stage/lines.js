@@ -1,4 +1,4 @@
-// Where the tool was, and where it is planned to go: thin lines.
+// Thin lines: the trail of the tool, and planned paths.
 
 import { BufferAttribute, BufferGeometry, Color, Line, LineBasicMaterial, LineSegments, Vector3 } from "../vendor/three/three.js";
 
@@ -9,7 +9,7 @@ import { BufferAttribute, BufferGeometry, Color, Line, LineBasicMaterial, LineSe
 const KEPT = 400;
 const STEP_MM = 1.5;
 
-/** The way that the tip has gone, paler the longer ago. */
+/** The trail of the tip, fading with age. */
 export function createTrail() {
   const places = new BufferAttribute(new Float32Array(KEPT * 3), 3);
   const colors = new BufferAttribute(new Float32Array(KEPT * 4), 4);
@@ -35,7 +35,7 @@ export function createTrail() {
     follow(tip) {
       const last = points.at(-1);
       if (last && last.distanceTo(tip) < STEP_MM) return;
-      // Another arm, or one that was set up anew, does not come from there.
+      // A jump is another arm, or a restarted one.
       if (last && last.distanceTo(tip) > 80) points = [];
       points.push(tip.clone());
       if (points.length > KEPT) points.shift();
@@ -79,11 +79,11 @@ export function createDrawing() {
   };
 }
 
-/** How much of the ways between the ink is seen; and how far above the paper the ink to come is drawn. */
+/** Opacity of travel moves; height of planned ink above the paper. */
 const WAY = 0.35;
 const ABOVE_MM = 1.5;
 
-/** The way that is planned, of the tip. */
+/** The planned path of the tip. */
 export function createPlanned() {
   const material = new LineBasicMaterial({ transparent: true, opacity: 0.9, depthWrite: false });
   const line = new Line(new BufferGeometry(), material);

@@ -12,7 +12,7 @@ import { areaOf, fineness } from "./marks_area.js";
 /** @typedef {import("./view.js").Marks} Marks */
 /** @typedef {import("./marks_area.js").Area} Area */
 
-/** How many lines are drawn at a time, and how thin they are at least, in pixels of the picture. */
+/** Lines per draw call, and the least line width in pixels. */
 const AT_ONCE = 8192;
 const THIN_PX = 1.6;
 
@@ -77,7 +77,7 @@ export function createMarks(renderer) {
   function paint(ends, from, to, clear) {
     const scene = new Scene();
     /** @type {BufferGeometry | null} */ let geometry = null;
-    if (to > from) scene.add(new Mesh((geometry = lines(ends, marks?.shades.slice(from, to) ?? [])), line)).children.forEach((it) => void (it.frustumCulled = false));
+    if (to > from) scene.add(new Mesh((geometry = lines(ends, marks?.shades.slice(from, to) ?? [])), line)).children.forEach((mesh) => void (mesh.frustumCulled = false));
     const kept = renderer.autoClear;
     renderer.autoClear = false;
     renderer.setRenderTarget(picture);
@@ -129,7 +129,7 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * vec4(place, 0.0, 1.0);
 }`;
 
-// How far it is from the line, whose ends are round.
+// Distance from the line, with round ends.
 const LINE_FRAGMENT = `
 uniform float width;
 uniform float pixel;

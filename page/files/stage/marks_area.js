@@ -1,4 +1,4 @@
-// How large the picture of the marks is. Pure.
+// Area and resolution of the picture of the marks. Pure.
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {{ from_mm: [number, number], to_mm: [number, number] }} Area */
@@ -34,7 +34,7 @@ export function areaOf(area, ends_mm, from) {
 }
 
 /**
- * How many pixels for a millimetre.
+ * Returns the resolution in pixels per millimetre.
  * @param {Area} area
  */
 export function fineness({ from_mm: [x0, y0], to_mm: [x1, y1] }) {

@@ -1,87 +1,87 @@
-// Between two statuses: where the arm was on its way from one reported place to the next. Pure, but for what it has heard.
+// Interpolates the arm between two statuses. Pure, except for the statuses it has received.
 //
-// The stage runs behind the arm by a status and half a one for those that are late, so that there nearly always is a next one. It never goes
-// beyond the last one, and between two of them it stays between them: what is drawn has been reported.
+// The display lags the arm by one and a half status periods, so that the next status has nearly always arrived. It never
+// extrapolates beyond the last status, and stays between the positions of two statuses.
 
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {{ at_s: number, joints: Joints }} Sample */
 
-/** How many statuses are kept: more than pass in that time. */
+/** The most statuses kept: more than arrive during the delay. */
 const KEPT = 8;
-/** A stop for longer than that is not a gap in a motion: the arm stood, or nothing was heard. */
+/** A longer gap is not part of a motion: the arm stood still, or no status arrived. */
 const GAP_S = 0.5;
-/** How fast the guess of what the clocks differ by gives way, so that one status that was quick does not hold for ever. */
+/** Drift rate of the clock offset, so that one early status does not fix it forever. */
 const DRIFT = 0.002;
 
 const NAMES = /** @type {const} */ (["base_deg", "rear_deg", "fore_deg", "servo_deg"]);
 
 export class Motion {
   /** @type {Sample[]} */ #samples = [];
-  /** What to add to the station's clock to get ours; of all statuses the one that was quickest tells it best. */
+  /** Offset between the station's clock and ours, from the fastest status. */
   #ahead_s = Infinity;
-  /** When the last place was told the last time. */
+  /** Time of the last report of the last position. */
   #last_report_s = 0;
   #status_s = 0;
 
-  /** From one status to the next, as the station serves it. @param {number} seconds */
+  /** The status period, from the station. @param {number} seconds */
   set status_s(seconds) {
     this.#status_s = seconds;
   }
 
-  /** How far behind; a place that was told again, and is another one not before so long after, is one where the arm stood. */
-  get #behind_s() {
+  /** The display delay; a position repeated for longer than this is one where the arm stood still. */
+  get #delay_s() {
     return 1.5 * this.#status_s;
   }
 
   /**
-   * Takes what was reported. A station tells more often than the arm does: what is the same as before is no status, until it
-   * has been so for longer than a status takes.
+   * Adds a report. A station reports more often than the arm does: an unchanged position counts as a new status only after it
+   * has lasted longer than a status period.
    * @param {Sample} sample
    * @param {number} now_s
    */
-  hear(sample, now_s) {
+  add(sample, now_s) {
     const last = this.#samples.at(-1);
     if (last && sample.at_s === last.at_s) return;
     // A station that was started again counts from 0.
-    if (last && sample.at_s < last.at_s) return this.#again(sample, now_s);
+    if (last && sample.at_s < last.at_s) return this.#restart(sample, now_s);
     this.#ahead_s = Math.min(this.#ahead_s + DRIFT, now_s - sample.at_s);
     if (last && NAMES.every((name) => sample.joints[name] === last.joints[name])) {
       this.#last_report_s = sample.at_s;
       return;
     }
     const until_s = Math.min(this.#last_report_s, sample.at_s - this.#status_s);
-    if (last && this.#last_report_s > last.at_s && sample.at_s > last.at_s + this.#behind_s) this.#samples.push({ at_s: until_s, joints: last.joints });
+    if (last && this.#last_report_s > last.at_s && sample.at_s > last.at_s + this.#delay_s) this.#samples.push({ at_s: until_s, joints: last.joints });
     this.#samples.push(sample);
     this.#last_report_s = sample.at_s;
     while (this.#samples.length > KEPT) this.#samples.shift();
   }
 
   /** @param {Sample} sample @param {number} now_s */
-  #again(sample, now_s) {
-    this.forget();
-    this.hear(sample, now_s);
+  #restart(sample, now_s) {
+    this.clear();
+    this.add(sample, now_s);
   }
 
-  forget() {
+  clear() {
     this.#samples = [];
     this.#ahead_s = Infinity;
     this.#last_report_s = 0;
   }
 
   /**
-   * What is drawn now, and whether that will be something else a moment later.
+   * Returns the joints to draw, and whether they are still changing.
    * @param {number} now_s
    * @returns {{ joints: Joints, moving: boolean } | null}
    */
   at(now_s) {
     const last = this.#samples.at(-1);
     if (!last) return null;
-    const when = now_s - this.#ahead_s - this.#behind_s;
-    const next = this.#samples.findIndex((it) => it.at_s > when);
+    const when = now_s - this.#ahead_s - this.#delay_s;
+    const next = this.#samples.findIndex((sample) => sample.at_s > when);
     if (next < 0) return { joints: last.joints, moving: false };
     const to = /** @type {Sample} */ (this.#samples[next]);
     const from = this.#samples[next - 1];
-    // Before the first one there is nothing to come from.
+    // Nothing precedes the first sample.
     if (!from) return { joints: to.joints, moving: next < this.#samples.length - 1 };
     const start_s = Math.max(from.at_s, to.at_s - GAP_S);
     const joints = between({ ...from, at_s: start_s }, to, this.#samples[next - 2], this.#samples[next + 1], when);
@@ -103,20 +103,20 @@ function between(from, to, before, after, when) {
   for (const name of NAMES) {
     const [a, b] = [from.joints[name], to.joints[name]];
     const slope = (b - a) / long;
-    const start = before ? gentle((a - before.joints[name]) / (from.at_s - before.at_s), slope) : slope;
-    const end = after ? gentle(slope, (after.joints[name] - b) / (after.at_s - to.at_s)) : slope;
+    const start = before ? limitedSlope((a - before.joints[name]) / (from.at_s - before.at_s), slope) : slope;
+    const end = after ? limitedSlope(slope, (after.joints[name] - b) / (after.at_s - to.at_s)) : slope;
     joints[name] = hermite(a, b, start * long, end * long, share);
   }
   return joints;
 }
 
 /**
- * The slope in a place with these slopes before and behind it, by which a cubic does not leave the range of its two ends
+ * Returns the slope at a point from the slopes before and after it, such that a cubic stays in the range of its end points
  * (Fritsch and Butland).
  * @param {number} a
  * @param {number} b
  */
-function gentle(a, b) {
+function limitedSlope(a, b) {
   return a * b > 0 ? (2 * a * b) / (a + b) : 0;
 }
 

@@ -17,7 +17,7 @@ const joints = (base_deg) => ({ base_deg, rear_deg: 30, fore_deg: 40, servo_deg:
 /** A motion that has heard these base angles, a status each 80 ms, the first at 10 s of the station and 100 s of ours. */
 function heard(...angles) {
   const motion = createMotion();
-  angles.forEach((angle, n) => motion.hear({ at_s: 10 + 0.08 * n, joints: joints(angle) }, 100 + 0.08 * n));
+  angles.forEach((angle, n) => motion.add({ at_s: 10 + 0.08 * n, joints: joints(angle) }, 100 + 0.08 * n));
   return motion;
 }
 
@@ -60,7 +60,7 @@ test("an even turn is drawn even: no step is twice as large as another one", () 
 test("what a station tells between two statuses does not stop the arm on its way", () => {
   const motion = createMotion(), angles = [];
   // A status each 80 ms; the same place is told again 30 and 40 ms after it, as while a button is held.
-  for (let n = 0; n < 12; n += 1) for (const ms of [0, 30, 40]) motion.hear({ at_s: 10 + 0.08 * n + ms / 1000, joints: joints(5 * n) }, 100 + 0.08 * n + ms / 1000);
+  for (let n = 0; n < 12; n += 1) for (const ms of [0, 30, 40]) motion.add({ at_s: 10 + 0.08 * n + ms / 1000, joints: joints(5 * n) }, 100 + 0.08 * n + ms / 1000);
   for (let ms = 800; ms < 950; ms += 5) angles.push(motion.at(100 + ms / 1000).joints.base_deg);
   const steps = angles.slice(1).map((angle, n) => angle - angles[n]);
   assert.ok(Math.min(...steps) > 0.25 && Math.max(...steps) < 0.38, `${Math.min(...steps)} to ${Math.max(...steps)}, expected 0.3125`);
@@ -68,8 +68,8 @@ test("what a station tells between two statuses does not stop the arm on its way
 
 test("an arm that stood begins to move when it did, not when it was first told to stand", () => {
   const motion = createMotion();
-  for (let n = 0; n < 10; n += 1) motion.hear({ at_s: 10 + 0.08 * n, joints: joints(0) }, 100 + 0.08 * n);
-  motion.hear({ at_s: 10.8, joints: joints(8) }, 100.8);
+  for (let n = 0; n < 10; n += 1) motion.add({ at_s: 10 + 0.08 * n, joints: joints(0) }, 100 + 0.08 * n);
+  motion.add({ at_s: 10.8, joints: joints(8) }, 100.8);
   assert.equal(motion.at(100.71 + BEHIND_S).joints.base_deg, 0);
   const half = motion.at(100.76 + BEHIND_S).joints.base_deg;
   assert.ok(half > 1 && half < 7, `${half}`);
@@ -78,19 +78,19 @@ test("an arm that stood begins to move when it did, not when it was first told t
 test("a status that is late stops the drawing, it does not make it jump", () => {
   const motion = heard(0, 5, 10);
   const stood = motion.at(100.5).joints.base_deg;
-  motion.hear({ at_s: 10.24, joints: joints(15) }, 100.5);
+  motion.add({ at_s: 10.24, joints: joints(15) }, 100.5);
   assert.equal(stood, 10);
   assert.ok(Math.abs(motion.at(100.5).joints.base_deg - 15) < 0.5);
 });
 
 test("a station that was started again is heard anew", () => {
   const motion = heard(0, 5, 10);
-  motion.hear({ at_s: 0.1, joints: joints(-20) }, 130);
+  motion.add({ at_s: 0.1, joints: joints(-20) }, 130);
   assert.equal(motion.at(130.2).joints.base_deg, -20);
 });
 
 test("an arm that tells more often is drawn less late", () => {
   const motion = createMotion(0.04);
-  for (let n = 0; n < 5; n += 1) motion.hear({ at_s: 10 + 0.04 * n, joints: joints(n) }, 100 + 0.04 * n);
+  for (let n = 0; n < 5; n += 1) motion.add({ at_s: 10 + 0.04 * n, joints: joints(n) }, 100 + 0.04 * n);
   assert.ok(Math.abs(motion.at(100 + 0.06 + 0.04 * 3).joints.base_deg - 3) < 1e-6);
 });

@@ -1,4 +1,4 @@
-// The things on the table of a virtual arm.
+// The objects on the table of a virtual arm.
 
 import { CylinderGeometry, Group, Mesh, MeshStandardMaterial } from "../vendor/three/three.js";
 import { rad } from "./kinematics.js";
@@ -42,7 +42,7 @@ export function createWorld() {
     group,
     /** @param {readonly Thing[]} things */
     show(things) {
-      const names = new Set(things.map((it) => it.name));
+      const names = new Set(things.map((thing) => thing.name));
       for (const name of [...there.keys()]) if (!names.has(name)) remove(name);
       things.forEach(place);
     },

@@ -6,7 +6,7 @@ import { block } from "./solid.js";
 /** @typedef {import("./colors.js").Look} Look */
 /** @typedef {import("./view.js").View} View */
 
-/** How far the table goes, in mm: from, to. */
+/** Extent of the table in mm: from, to. */
 const TABLE = { x: [-300, 460], y: [-390, 390] };
 const THICK_MM = 16;
 
@@ -54,10 +54,10 @@ export function createPaper() {
   };
 }
 
-/** How large a plane is shown, in mm, and around which place. */
+/** Extent of the shown plane, in mm. */
 const PLANE = { x_mm: [140, 290], y_mm: [-110, 110] };
 
-/** How the paper was found to lie: a pane, and a pin at each place that was touched. */
+/** The measured paper surface: a pane, and a pin at each recorded point. */
 export function createPlane() {
   const group = new Group();
   const glass = new MeshBasicMaterial({ transparent: true, opacity: 0.28, side: DoubleSide, depthWrite: false });
@@ -91,7 +91,7 @@ export function createPlane() {
 }
 
 /** Red, green and blue, from 0 to 1. @param {number} hex */
-export const rgb = (hex) => /** @type {[number, number, number]} */ ([(hex >> 16) & 255, (hex >> 8) & 255, hex & 255].map((it) => it / 255));
+export const rgb = (hex) => /** @type {[number, number, number]} */ ([(hex >> 16) & 255, (hex >> 8) & 255, hex & 255].map((channel) => channel / 255));
 
 const GRID_VERTEX = `
 varying vec2 at;

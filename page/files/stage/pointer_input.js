@@ -1,4 +1,4 @@
-// Pointer and wheel on the stage: a handle of the target is dragged, anything else turns, moves or zooms the camera.
+// Pointer and wheel on the stage: dragging a handle moves the target, anything else moves the camera.
 
 /** @typedef {{ orbit(dx: number, dy: number): void, pan(dx: number, dy: number): void, zoom(times: number): void }} CameraInput Pixels. */
 /** @typedef {{ hover(at: At | null): boolean, grab(at: At): boolean, drag(at: At): void, drop(): void }} TargetInput */

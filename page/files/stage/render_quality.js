@@ -1,9 +1,9 @@
-// How fine and how often the stage is drawn: as fine as the screen is, and less so on a computer that does not keep up. Pure,
-// but for what it has seen.
+// Render quality and frame rate of the stage: full quality, reduced on a computer that cannot keep up. Pure, except for the
+// frame times that it has seen.
 
-/** @typedef {{ density: number, mirrors: boolean, shadows: boolean }} Quality Pixels for one of the page, at most. */
+/** @typedef {{ density: number, mirrors: boolean, shadows: boolean }} Quality Device pixels per CSS pixel, at most. */
 
-/** From the finest on. The shadow goes last, since it tells the height. @type {readonly Quality[]} */
+/** From the highest. The shadow goes last, because it shows the height. @type {readonly Quality[]} */
 const QUALITIES = [
   { density: 2, mirrors: true, shadows: true },
   { density: 1, mirrors: true, shadows: true },
@@ -11,14 +11,14 @@ const QUALITIES = [
   { density: 0.75, mirrors: false, shadows: true },
   { density: 0.75, mirrors: false, shadows: false },
 ];
-/** Where a computer begins that draws without a graphics card. */
+/** First level without a graphics card. */
 const WITHOUT_CARD = 3;
-/** Slower than that, for most of a row of frames, is too slow: 30 frames per second. */
+/** Frame time that is too slow if most frames of a row exceed it: 30 frames per second. */
 const SLOW_MS = 34;
 const ROW = 16;
-/** More than 60 frames per second do not look smoother. */
+/** Frame time of 60 frames per second; more do not look smoother. */
 const FRAME_MS = 1000 / 60;
-/** A screen of 60 Hz is never exactly one. */
+/** Tolerance for screens that are not exactly at 60 Hz. */
 const EARLY_MS = 2;
 
 /** Limits the frames to 60 in a second. @returns {(now_ms: number) => boolean} whether a frame is due; then it has to be drawn */
@@ -38,10 +38,10 @@ export function createRenderQuality(card) {
   /** @type {number | null} */ let last = null;
   return {
     /**
-     * A frame was drawn; the next one follows at once, or not.
+     * Records a frame; `again` if another one follows immediately.
      * @param {number} now_ms
      * @param {boolean} again
-     * @returns {boolean} whether the quality is another one from now on
+     * @returns {boolean} whether the quality changed
      */
     drawn(now_ms, again) {
       if (last !== null) took.push(now_ms - last);
@@ -53,7 +53,7 @@ export function createRenderQuality(card) {
       level += 1;
       return true;
     },
-    /** @param {number} screen how many pixels the screen has for one of the page @returns {Quality} */
+    /** @param {number} screen device pixels per CSS pixel @returns {Quality} */
     quality(screen) {
       const quality = /** @type {Quality} */ (QUALITIES[level]);
       return { ...quality, density: Math.min(screen, quality.density) };

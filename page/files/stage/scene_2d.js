@@ -10,7 +10,7 @@ import { css, colorsOf } from "./colors.js";
 /** @typedef {{ left: number, top: number, width: number, height: number }} Frame */
 /** @typedef {{ frame: Frame, scale: number, to(across: number, up: number): [number, number], from(px: number, py: number): [number, number] }} Plot */
 
-/** What a picture shows, in mm: across and up. From above Y is to the left and X ahead, up; from the side reach and Z. */
+/** The visible area in mm. From above: Y to the left and X up; from the side: reach and Z. */
 const ABOVE = { across: [-350, 350], up: [-245, 345] };
 const SIDE = { across: [-130, 350], up: [-130, 250] };
 const HANDLE_PX = 18;
@@ -147,7 +147,7 @@ export function createScene2d(element, outside) {
       dot(/** @type {[number, number]} */ (points[3]), wide * 0.7, look.accent);
     };
     both(now, from);
-    handle(now, (it) => at(it.x_mm, it.y_mm));
+    handle(now, (pose) => at(pose.x_mm, pose.y_mm));
   }
 
   /** @param {Plot} plot @param {View} now */
@@ -176,10 +176,10 @@ export function createScene2d(element, outside) {
       for (const joint of [[0, 0], it.elbow, it.wrist]) dot(at(joint), wide * 0.32, look.dark);
     };
     both(now, from);
-    handle(now, (it) => plot.to(Math.hypot(it.x_mm, it.y_mm), it.z_mm - now.tool.length_mm));
+    handle(now, (pose) => plot.to(Math.hypot(pose.x_mm, pose.y_mm), pose.z_mm - now.tool.length_mm));
   }
 
-  /** Where the arm reaches. @param {Plot} plot @param {View} now @param {NonNullable<View["limits"]>} limits */
+  /** Draws the reach of the arm. @param {Plot} plot @param {View} now @param {NonNullable<View["limits"]>} limits */
   function reach(plot, now, { joints: { base_deg: [least = 0, most = 0] }, workspace: { reach_mm: [near = 0, far = 0] } }) {
     const look = colorsOf(now.dark), [x, y] = plot.to(0, 0);
     const close = now.near.limits.some(({ quantity }) => quantity === "reach" || quantity === "base");

@@ -23,7 +23,7 @@ import { createWorld } from "./objects.js";
 /** @typedef {import("./view.js").Point} Point */
 
 const SWING_S = 0.45;
-/** How fine shadows are, with a graphics card and without one. */
+/** Shadow resolution, with a graphics card and without one. */
 const FINE_SHADOW_PX = 2048, COARSE_SHADOW_PX = 512;
 const NAMES = /** @type {const} */ (["base_deg", "rear_deg", "fore_deg", "servo_deg"]);
 const METAL = { metal: 0.72, dark: 0.25, accent: 0.35, pin: 0.9, rubber: 0 };
@@ -31,14 +31,14 @@ const METAL = { metal: 0.72, dark: 0.25, accent: 0.35, pin: 0.9, rubber: 0 };
 /**
  * @param {HTMLElement} element
  * @param {{ changed(): void, target(pose: import("./view.js").Target): void, still: boolean }} outside
- * @param {boolean} card whether a graphics card draws it
+ * @param {boolean} card whether there is a graphics card
  */
 export function createScene3d(element, outside, card) {
   const canvas = document.createElement("canvas");
   const renderer = new WebGLRenderer({ canvas, antialias: card, powerPreference: "high-performance" });
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
-  // Only what moves changes its shadow: a camera that turns does not.
+  // Shadows change only with the arm, not with the camera.
   renderer.shadowMap.autoUpdate = false;
   renderer.toneMapping = NeutralToneMapping;
   element.prepend(canvas);
@@ -54,7 +54,7 @@ export function createScene3d(element, outside, card) {
     pin: new MeshStandardMaterial({ roughness: 0.26 }),
     rubber: new MeshStandardMaterial({ roughness: 0.8 }),
   };
-  // Not the scene's: table and paper do without, which is much less to calculate.
+  // Not on the scene: table and paper need no reflections, which saves time.
   const mirrored = createMirrored(renderer);
   const arm = createArm(materials, { foot: true });
   const [table, paper, marks, world] = [createTable(), createPaper(), createMarks(renderer), createWorld()];
@@ -66,7 +66,7 @@ export function createScene3d(element, outside, card) {
 
   /** @type {View | null} */ let view = null;
   /** @type {Joints | null} */ let drawn = null;
-  /** Whose shadow was drawn. @type {Joints | null} */ let shaded = null;
+  /** The joints of the last shadow. @type {Joints | null} */ let shaded = null;
   let aspect = 1;
   let camera = preset("iso", aspect, [200, 0, 0]);
   /** @type {Preset | null} */ let kept = "iso";
@@ -126,7 +126,7 @@ export function createScene3d(element, outside, card) {
     beam.paint(colors.beam);
   }
 
-  /** Takes a view: only what differs from the one before is done. @param {View} next */
+  /** Shows a view; only differences are applied. @param {View} next */
   function show(next) {
     const before = view;
     view = next;
@@ -170,7 +170,7 @@ export function createScene3d(element, outside, card) {
   /**
    * Draws. @param {Joints | null} joints
    * @param {number} now_s
-   * @returns {boolean} whether the camera is still on its way
+   * @returns {boolean} whether the camera is still moving
    */
   function frame(joints, now_s) {
     if (joints) drawn = joints;
@@ -215,13 +215,13 @@ export function createScene3d(element, outside, card) {
     turn: (/** @type {number} */ around, /** @type {number} */ up) => look(orbit(camera, around, up)),
     shift: (/** @type {number} */ right, /** @type {number} */ up) => look(pan(camera, right * perPixel(), up * perPixel())),
     near: (/** @type {number} */ times) => look(zoom(camera, times)),
-    /** Mirrors cost the most, then shadows. @param {import("./render_quality.js").Quality} quality */
+    /** Sets the quality: reflections cost most, then shadows. @param {import("./render_quality.js").Quality} quality */
     refine({ mirrors, shadows }) {
       light.sun.castShadow = shadows;
       renderer.shadowMap.needsUpdate = true;
       for (const [name, it] of Object.entries(materials)) {
         it.envMap = mirrors ? mirrored : null;
-        // Metal with nothing to mirror is black.
+        // Metal without reflections is black.
         it.metalness = mirrors ? METAL[/** @type {keyof typeof METAL} */ (name)] : 0;
         it.needsUpdate = true;
       }

@@ -1,6 +1,6 @@
 // Solids for the stage: plates, boxes and turned parts, joined to a few meshes, one for each material.
 //
-// A part is given in mm in the frame of the link that carries it: X along the link, Y to the left, Z up.
+// Parts are given in mm in the frame of their link: X along the link, Y to the left, Z up.
 
 import {
   BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, ExtrudeGeometry, Group, LatheGeometry, Mesh, Path, Shape, Vector2,
@@ -107,10 +107,10 @@ function tangent([x0, y0, r0], [x1, y1, r1]) {
 
 /** @param {readonly BufferGeometry[]} geometries */
 function joined(geometries) {
-  const plain = geometries.map((it) => (it.index ? it.toNonIndexed() : it));
+  const plain = geometries.map((geometry) => (geometry.index ? geometry.toNonIndexed() : geometry));
   const whole = new BufferGeometry();
   for (const name of ["position", "normal"]) {
-    const arrays = plain.map((it) => /** @type {Float32Array} */ (it.getAttribute(name).array));
+    const arrays = plain.map((geometry) => /** @type {Float32Array} */ (geometry.getAttribute(name).array));
     const all = new Float32Array(arrays.reduce((sum, it) => sum + it.length, 0));
     let at = 0;
     for (const array of arrays) all.set(array, at), at += array.length;
@@ -121,7 +121,7 @@ function joined(geometries) {
 }
 
 /**
- * Turns about Y so that the link's X points along a way in its plane.
+ * Rotates about Y so that X points along a direction in the link's plane.
  * @param {import("../vendor/three/three.js").Object3D} object
  * @param {readonly [number, number]} from
  * @param {readonly [number, number]} to

@@ -1,5 +1,5 @@
-// The stage: shows a `View` (see `view.js`), in three dimensions, or in two where there is no WebGL. It draws only when
-// something changed and it is in sight, and has no state of its own but the camera and what it heard last.
+// The stage: shows a `View` (see `view.js`) in three dimensions, or in two without WebGL. It draws only when something changed
+// and it is visible. Its only own state is the camera and the last reports.
 
 import { createScene3d } from "./scene_3d.js";
 import { createScene2d } from "./scene_2d.js";
@@ -51,7 +51,7 @@ export function createStage(element) {
     if (again) outside.changed();
   }
 
-  /** Comes into sight, or goes out of it: what changed meanwhile is drawn when it is back. */
+  /** Handles a change of visibility: pending changes are drawn when the stage is visible again. */
   function turnUp() {
     cancelAnimationFrame(frame);
     frame = 0;
@@ -67,10 +67,10 @@ export function createStage(element) {
     outside.changed();
   }
 
-  /** @param {boolean} deep whether to try three dimensions */
-  function build(deep) {
+  /** @param {boolean} is3d whether to try three dimensions */
+  function build(is3d) {
     drawing?.end();
-    const by = deep ? drawsBy() : "nothing";
+    const by = is3d ? drawsBy() : "nothing";
     drawing = by === "nothing" ? createScene2d(element, outside) : createScene3d(element, outside, by === "card");
     drawing.canvas.setAttribute("aria-hidden", "true");
     pace = createRenderQuality(by !== "processor");
@@ -81,12 +81,12 @@ export function createStage(element) {
     element.dispatchEvent(new CustomEvent("shown", { detail: drawing.kind }));
   }
 
-  /** The graphics card was taken away: two dimensions until it is given back. @param {Event} event */
+  /** The graphics context was lost: shows two dimensions until it is restored. @param {Event} event */
   function lost(event) {
     event.preventDefault();
     const canvas = /** @type {HTMLCanvasElement} */ (event.target);
     canvas.addEventListener("webglcontextrestored", () => build(true), { once: true });
-    // Deferred, since the renderer listens, too. The old canvas is kept: it is told when the card is back.
+    // Deferred, because the renderer listens too. The old canvas is kept: it receives the event when the card is back.
     queueMicrotask(() => build(false));
   }
 
@@ -125,13 +125,13 @@ export function createStage(element) {
     /** @param {View} next */
     show(next) {
       motion.status_s = next.status_s;
-      if (next.arm && next.arm !== view?.arm) motion.hear({ at_s: next.arm.at_s, joints: next.arm }, performance.now() / 1000);
-      if (!next.arm) motion.forget();
+      if (next.arm && next.arm !== view?.arm) motion.add({ at_s: next.arm.at_s, joints: next.arm }, performance.now() / 1000);
+      if (!next.arm) motion.clear();
       const ink = next.marks?.shades.length ?? 0;
       const changed = ink !== inked || !isSame(view, next);
       inked = ink;
       view = next;
-      // What is set anew is styled anew, also where it is the same.
+      // Setting a property restyles the element even if the value is unchanged.
       if (note.textContent !== next.note) note.textContent = next.note;
       if (note.hidden !== (next.note === "")) note.hidden = !note.hidden;
       element.classList.toggle("is-old", next.old);
@@ -150,7 +150,7 @@ export function createStage(element) {
   };
 }
 
-/** What draws in three dimensions here: a graphics card, the processor, or nothing. */
+/** Returns the 3D renderer: a graphics card, the processor, or nothing. */
 function drawsBy() {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return "nothing";
@@ -160,10 +160,10 @@ function drawsBy() {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? "processor" : "card";
 }
 
-/** What is not drawn. */
+/** View properties that are not drawn. */
 const UNSEEN = new Set(["arm", "note", "label"]);
 
-/** Whether two views look the same: an arm that rests reports the same again and again. @param {View | null} before @param {View} next */
+/** Whether two views look the same: an arm at rest keeps reporting the same. @param {View | null} before @param {View} next */
 function isSame(before, next) {
   if (!before || (before.arm === null) !== (next.arm === null)) return false;
   const names = /** @type {(keyof View)[]} */ (Object.keys(next));
@@ -171,7 +171,7 @@ function isSame(before, next) {
   return isAlike({ ...before.arm, at_s: 0 }, { ...next.arm, at_s: 0 });
 }
 
-/** The same, or plain numbers and words that are the same. @param {unknown} a @param {unknown} b */
+/** Whether two values are identical, or objects with equal primitive values. @param {unknown} a @param {unknown} b */
 function isAlike(a, b) {
   if (a === b) return true;
   if (typeof a !== "object" || typeof b !== "object" || !a || !b || Array.isArray(a)) return false;

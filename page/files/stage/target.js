@@ -1,4 +1,4 @@
-// The target: a ghost of the arm where it is asked to go, and the handles by which a person drags it there.
+// The target: a ghost of the arm, and the handles to drag it.
 
 import {
   BufferGeometry, ConeGeometry, DoubleSide, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, Plane, Raycaster, RingGeometry, SphereGeometry, TorusGeometry, Vector2, Vector3,
@@ -11,12 +11,12 @@ import { deg, inverse, rad } from "./kinematics.js";
 /** @typedef {import("./view.js").Pose} Pose */
 /** @typedef {import("./view.js").ArmShape} ArmShape */
 /** @typedef {import("../vendor/three/three.js").PerspectiveCamera} PerspectiveCamera */
-/** @typedef {"level" | "height" | "turn"} Handle What it changes: x and y, z, the rotation. */
+/** @typedef {"level" | "height" | "turn"} Handle The coordinates that it changes: x and y, z, or the rotation. */
 
 const RING_MM = 30;
 /** The handles have this share of the picture's height, at most and at least their own size. */
 const SHARE = 0.055;
-/** A view from lower than that cannot tell the places of a level plane apart: the tip is dragged across the picture. */
+/** From a lower view, positions on a horizontal plane cannot be distinguished: the tip is dragged across the picture instead. */
 const LOW = 0.2;
 
 export function createTarget() {
@@ -67,7 +67,7 @@ export function createTarget() {
       const tall = 2 * far * Math.tan(rad(camera.fov / 2));
       handles.scale(Math.min(2.2, Math.max(0.55, (tall * SHARE) / RING_MM)));
     },
-    /** What is under the pointer. @param {PerspectiveCamera} camera @param {Vector2} pointer @returns {Handle | null} */
+    /** Returns the handle under the pointer. @param {PerspectiveCamera} camera @param {Vector2} pointer @returns {Handle | null} */
     under(camera, pointer) {
       if (!handles.group.visible) return null;
       aim(camera, pointer);
@@ -89,7 +89,7 @@ export function createTarget() {
       held = { handle, plane, from: { ...at }, start };
       return true;
     },
-    /** Where the target is with the pointer there. @param {PerspectiveCamera} camera @param {Vector2} pointer @returns {Pose | null} */
+    /** Returns the target for a pointer position. @param {PerspectiveCamera} camera @param {Vector2} pointer @returns {Pose | null} */
     drag(camera, pointer) {
       if (!held) return null;
       aim(camera, pointer);
@@ -115,7 +115,7 @@ function dragged(handle, from, start, to, level) {
   const round = (value) => Math.round(value * 10) / 10;
   if (handle === "height") return { ...from, z_mm: round(from.z_mm + to.z - start.z) };
   if (handle === "turn") {
-    const angle = (/** @type {Vector3} */ it) => deg(Math.atan2(it.y - from.y_mm, it.x - from.x_mm));
+    const angle = (/** @type {Vector3} */ point) => deg(Math.atan2(point.y - from.y_mm, point.x - from.x_mm));
     const turn = ((angle(to) - angle(start) + 540) % 360) - 180;
     return { ...from, rotation_deg: round(from.rotation_deg + turn) };
   }
@@ -128,7 +128,7 @@ function dragged(handle, from, start, to, level) {
 
 /** An arm of glass: first its depth is drawn, then its colour, so that nothing of it shines through itself. */
 function createGhost() {
-  // Where it is in the same place as the arm, the arm is seen.
+  // The arm covers a ghost at the same place.
   const behind = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 };
   const depth = new MeshBasicMaterial({ colorWrite: false, ...behind });
   const glass = new MeshLambertMaterial({ transparent: true, opacity: 0.36, depthWrite: false, ...behind });
@@ -138,9 +138,9 @@ function createGhost() {
     group.add(arm.group);
     return { arm, order: 8 + n };
   });
-  const settle = () => layers.forEach(({ arm, order }) => arm.group.traverse((it) => {
-    it.renderOrder = order;
-    it.castShadow = it.receiveShadow = false;
+  const settle = () => layers.forEach(({ arm, order }) => arm.group.traverse((object) => {
+    object.renderOrder = order;
+    object.castShadow = object.receiveShadow = false;
   }));
   return {
     group,
@@ -186,7 +186,7 @@ function createHandles() {
   tip.add(halo);
   for (const [parent, { parts, room }] of /** @type {[Group, { parts: Mesh[], room: Mesh }][]} */ ([[tip, all.level], [top, all.height], [ring, all.turn]])) parent.add(...parts, room);
   group.add(tip, top, ring);
-  group.traverse((it) => void (it.renderOrder = 21));
+  group.traverse((object) => void (object.renderOrder = 21));
   halo.renderOrder = 20;
   return {
     group,
@@ -198,10 +198,10 @@ function createHandles() {
       top.position.set(at.x_mm, at.y_mm, at.z_mm + 58);
     },
     /** @param {number} times */
-    scale: (times) => [tip, top, ring].forEach((it) => it.scale.setScalar(times)),
-    /** The nearest to the pointer's line; those that are small go first. @param {Raycaster} ray @returns {Handle | null} */
+    scale: (times) => [tip, top, ring].forEach((part) => part.scale.setScalar(times)),
+    /** Returns the handle hit by the ray; small ones have priority. @param {Raycaster} ray @returns {Handle | null} */
     hit(ray) {
-      const found = /** @type {Handle[]} */ (["level", "height", "turn"]).find((it) => ray.intersectObject(all[it].room).length > 0);
+      const found = /** @type {Handle[]} */ (["level", "height", "turn"]).find((handle) => ray.intersectObject(all[handle].room).length > 0);
       return found ?? null;
     },
     /** @param {Handle | null} handle */

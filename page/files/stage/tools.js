@@ -1,4 +1,4 @@
-// The tools below the wrist. Each is built downwards from the servo, with its axis along Z, in mm below the wrist's height.
+// The tools below the wrist, built downwards from the servo with their axis along Z, in mm below the wrist's height.
 
 import { CylinderGeometry, Group, Mesh, MeshBasicMaterial } from "../vendor/three/three.js";
 import { block, box, pin, solid, turned } from "./solid.js";
@@ -7,9 +7,9 @@ import { block, box, pin, solid, turned } from "./solid.js";
 /** @typedef {import("./view.js").Tool} Tool */
 /** @typedef {{ metal: Material, dark: Material, accent: Material, pin: Material, rubber: Material }} Materials */
 
-/** Where the servo's horn ends. */
+/** Lower end of the servo's horn. */
 const HORN_MM = 13;
-/** How far a gripper's fingers are apart, as the virtual arm's are without a scene of its own. */
+/** Opening of the gripper, as for a virtual arm without a scene. */
 const FINGERS_MM = 30;
 
 /**

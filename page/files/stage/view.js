@@ -23,17 +23,17 @@
 /** @typedef {{ x_mm: number, y_mm: number, z_mm: number, rotation_deg: number }} Pose */
 
 /**
- * What the arm reported, and when by the station's clock.
+ * The reported arm, with the station's time.
  * @typedef {Joints & { at_s: number, suction: boolean, gripper_deg: number }} Reported
  */
 
 /**
- * Where it is asked to go: drawn as a ghost. A refused one is red; one whose pose no arm can have is shown as its handles only.
+ * The target, drawn as a ghost: red if refused; only its handles if no arm can reach it.
  * @typedef {Pose & { refused: boolean }} Ghost
  */
 
 /**
- * What a person does to the target. `drag` comes while the pointer moves it, `drop` when it is let go.
+ * A drag of the target: `drag` while the pointer moves, `drop` on release.
  * @typedef {Pose & { phase: "drag" | "drop" }} Target
  */
 
@@ -62,7 +62,7 @@
 /** The lengths of the arm, and from its wrist to the axis of its tool, level. @typedef {Schemas["Dimensions"] & { reach_mm: number }} ArmShape */
 
 /**
- * What the policy allows, as the API has it.
+ * The limits of the policy, as in the API.
  * @typedef {object} Limits
  * @property {{ base_deg: number[], rear_deg: number[], fore_deg: number[], servo_deg: number[], opening_deg: number[] }} joints
  * @property {{ x_mm: number[], y_mm: number[], z_mm: number[], reach_mm: number[] }} workspace
@@ -70,27 +70,27 @@
 
 /**
  * @typedef {object} View
- * @property {ArmShape | null} shape Without it there is no arm, and no ghost.
+ * @property {ArmShape | null} shape Null for no arm and no ghost.
  * @property {number} status_s From one status of the arm to the next.
- * @property {Reported | null} arm What is drawn solid; nothing where no arm has told anything.
+ * @property {Reported | null} arm The solid arm; null before the first report.
  * @property {{ kind: Tool, length_mm: number }} tool
  * @property {"off" | "armed" | "burning"} laser
  * @property {number} table_z_mm
  * @property {{ from_mm: Place, to_mm: Place } | null} paper
- * @property {Plane | null} plane How the paper was found to lie.
+ * @property {Plane | null} plane The measured paper surface.
  * @property {Marks | null} marks
  * @property {readonly Thing[]} things
  * @property {Readonly<Record<string, Box | Cylinder>>} keepOuts By their names.
  * @property {Limits | null} limits
  * @property {Near} near
- * @property {readonly Point[] | null} planned The way of the wrist, as planned: a thin line.
+ * @property {readonly Point[] | null} planned The planned path of the wrist, drawn as a thin line.
  * @property {Drawing | null} drawing
  * @property {Ghost | null} ghost
- * @property {boolean} draggable Whether a person may take the arm's tool, or the ghost, and drag the target.
- * @property {boolean} old Whether nothing new has come for too long: the stage is grey.
- * @property {boolean} dark Whether the theme is the dark one.
- * @property {string} note What is written on the stage, such as how old it is; may be empty.
- * @property {string} label What the stage is called for those who do not see it.
+ * @property {boolean} draggable Whether the arm's tool or the ghost can be dragged to move the target.
+ * @property {boolean} old Whether the data is outdated: the stage is grey.
+ * @property {boolean} dark Whether the theme is dark.
+ * @property {string} note Text on the stage, such as its age; may be empty.
+ * @property {string} label The accessible label of the stage.
  */
 
 /** A table without an arm. @type {View} */

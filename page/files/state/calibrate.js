@@ -1,4 +1,4 @@
-// How the arm differs from the drawing of it, and the procedure that finds it: one point of the sheet after the other.
+// Calibration: the known calibration, and the procedure that records the points of the sheet one by one.
 
 import { rests, silence_ms } from "./selectors.js";
 
@@ -7,9 +7,9 @@ import { rests, silence_ms } from "./selectors.js";
 /** @typedef {Schemas["CalibrationFile"]} CalibrationFile */
 /** A point that was the next one: what the arm said there, or nothing where it was left out. @typedef {{ point: number, told_deg: readonly number[] | null, height_mm: number }} Visit */
 /** A touched point, and how high the block was on it. @typedef {{ point: number, told_deg: readonly number[], height_mm: number }} Touch */
-/** Why no touch can be taken now: a key of the words. @typedef {"no_connection" | "no_arm" | "not_confirmed" | "moving"} TouchBlockedReason */
+/** Why no point can be recorded now: the end of a text key. @typedef {"no_connection" | "no_arm" | "not_confirmed" | "moving"} TouchBlockedReason */
 
-/** From so many touches on the station is asked what they tell. */
+/** The fewest points for a fit. */
 export const LEAST_TOUCHES = 4;
 /** A higher block is none that stands on a sheet, in mm. */
 export const HIGHEST_BLOCK_MM = 100;
@@ -17,17 +17,17 @@ export const HIGHEST_BLOCK_MM = 100;
 /**
  * @typedef {object} Calibrate
  * @property {Schemas["Calibrations"] | null} known
- * @property {Schemas["SheetPoints"] | null} sheet What is to be touched; nothing while nobody calibrates.
- * @property {string} bar How long the bar of the print is, as it was typed.
- * @property {number | null} bar_mm The same, once the station has found it good.
- * @property {Problem | null} bar_refused Why it has not.
- * @property {string} block How high a block stands on the next point, as it was typed.
+ * @property {Schemas["SheetPoints"] | null} sheet The points of the sheet; null while no calibration runs.
+ * @property {string} bar Length of the printed bar, as typed.
+ * @property {number | null} bar_mm Length of the printed bar, once accepted by the station.
+ * @property {Problem | null} bar_refused Why the bar was refused.
+ * @property {string} block Height of the block on the next point, as typed.
  * @property {readonly Visit[]} visits
- * @property {number} revision How often they changed: what was told of earlier ones is not taken.
- * @property {Schemas["FitReport"] | null} fit What the touches tell.
- * @property {Problem | null} problem Why they tell nothing.
- * @property {CalibrationFile | null} shown What is kept when a person says so.
- * @property {number} lost How many touches the last reset of the arm has made worthless.
+ * @property {number} revision Revision of the visits; results for earlier revisions are ignored.
+ * @property {Schemas["FitReport"] | null} fit The result of the fit.
+ * @property {Problem | null} problem Why the fit failed.
+ * @property {CalibrationFile | null} shown The calibration under review.
+ * @property {number} lost Number of points discarded by the last reset of the arm.
  */
 
 /** @type {Calibrate} */
@@ -50,17 +50,17 @@ export const nextPoint = ({ visits, sheet }) => visits.length % (sheet?.points_m
 /** @param {Calibrate} calibrate @returns {Touch[]} */
 export const touchesOf = ({ visits }) => visits.flatMap(({ point, told_deg, height_mm }) => (told_deg ? [{ point, told_deg, height_mm }] : []));
 
-/** How high the block on the next point is, in mm; without one nothing. A text that is no height is not a number. @param {Calibrate} calibrate */
+/** Height of the block on the next point in mm: 0 if empty, NaN if invalid. @param {Calibrate} calibrate */
 function blockHeight({ block }) {
   const height_mm = Number(block);
   return height_mm >= 0 && height_mm <= HIGHEST_BLOCK_MM ? height_mm : NaN;
 }
 
-/** What the station is asked about the touches. @param {Calibrate} calibrate */
+/** The fit request. @param {Calibrate} calibrate */
 export function questionOf(calibrate) {
   const { sheet, bar_mm, known } = calibrate;
   const touches = touchesOf(calibrate).map(({ point, told_deg, height_mm }) => ({ place_mm: sheet?.points_mm[point], told_deg, height_mm }));
-  // What was measured of the backlash stays known.
+  // Keeps the measured backlash.
   return { touches, bar_mm, backlash: known?.calibration?.backlash };
 }
 
@@ -68,23 +68,23 @@ export function questionOf(calibrate) {
 
 /** The numbers of a calibration; those of the paper are not in every one. @type {readonly [name: NumberName, unit: string, of: (file: CalibrationFile) => number | null][]} */
 const NUMBERS = [
-  ["base", "°", (it) => it.zeros.base],
-  ["rear", "°", (it) => it.zeros.rear],
-  ["fore", "°", (it) => it.zeros.fore],
-  ["out", " mm", (it) => it.tool.out_mm],
-  ["left", " mm", (it) => it.tool.left_mm],
-  ["axis_x", " mm", (it) => it.axis.x_mm],
-  ["axis_y", " mm", (it) => it.axis.y_mm],
-  ["paper", " mm", (it) => it.paper && it.paper.z_mm],
-  ["slope_x", " %", (it) => it.paper && it.paper.slope_x * 100],
-  ["slope_y", " %", (it) => it.paper && it.paper.slope_y * 100],
-  ["slack_base", "°", (it) => it.backlash.base],
-  ["slack_rear", "°", (it) => it.backlash.rear],
-  ["slack_fore", "°", (it) => it.backlash.fore],
+  ["base", "°", (calibration) => calibration.zeros.base],
+  ["rear", "°", (calibration) => calibration.zeros.rear],
+  ["fore", "°", (calibration) => calibration.zeros.fore],
+  ["out", " mm", (calibration) => calibration.tool.out_mm],
+  ["left", " mm", (calibration) => calibration.tool.left_mm],
+  ["axis_x", " mm", (calibration) => calibration.axis.x_mm],
+  ["axis_y", " mm", (calibration) => calibration.axis.y_mm],
+  ["paper", " mm", (calibration) => calibration.paper && calibration.paper.z_mm],
+  ["slope_x", " %", (calibration) => calibration.paper && calibration.paper.slope_x * 100],
+  ["slope_y", " %", (calibration) => calibration.paper && calibration.paper.slope_y * 100],
+  ["slack_base", "°", (calibration) => calibration.backlash.base],
+  ["slack_rear", "°", (calibration) => calibration.backlash.rear],
+  ["slack_fore", "°", (calibration) => calibration.backlash.fore],
 ];
 
 /**
- * The numbers of a calibration, and by how much each differs from the one before, where there is one.
+ * The numbers of a calibration, and their change from the previous one.
  * @param {CalibrationFile} file @param {CalibrationFile | null} [before] @returns {{ name: NumberName, unit: string, value: number, by: number | null }[]}
  */
 export function numbersOf(file, before = null) {
@@ -103,19 +103,19 @@ export function touchBlockedReason(page) {
   return rests(station) ? null : "moving";
 }
 
-/** Why the next point of the sheet cannot be touched now: a key of the words. @param {import("./state.js").Page} page */
+/** Why the next point cannot be recorded now: the end of a text key. @param {import("./state.js").Page} page */
 export const pointBlockedReason = (page) => touchBlockedReason(page) ?? (Number.isNaN(blockHeight(page.calibrate)) ? "no_block" : null);
 
-/** What the arm itself says of its joints, whatever is known to be wrong with it. @param {import("./types.js").Arm} arm */
+/** The raw joint angles, as the arm reports them. @param {import("./types.js").Arm} arm */
 export function rawDegrees(arm) {
   const { base_deg, rear_deg, fore_deg } = arm.told ?? arm;
   return [base_deg, rear_deg, fore_deg];
 }
 
-/** After other visits all that was told of the ones before is void. @param {Calibrate} calibrate @param {readonly Visit[]} visits @returns {Calibrate} */
+/** Other visits invalidate earlier results. @param {Calibrate} calibrate @param {readonly Visit[]} visits @returns {Calibrate} */
 const visited = (calibrate, visits) => ({ ...calibrate, visits, revision: calibrate.revision + 1, fit: null, problem: null, shown: null, lost: 0 });
 
-/** An arm whose pose is not trusted counts its base anew. @param {Calibrate} calibrate @param {import("./types.js").Station} station */
+/** An arm whose pose is not trusted has a new base zero. @param {Calibrate} calibrate @param {import("./types.js").Station} station */
 function heard(calibrate, station) {
   const lost = touchesOf(calibrate).length;
   return station.trust.trusted || lost === 0 ? calibrate : { ...visited(calibrate, []), lost };

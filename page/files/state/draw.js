@@ -1,15 +1,15 @@
-// A drawing: what is to be drawn, where and how; and the plan that the station made of it.
+// A drawing: source, placement and settings, and the station's plan.
 
 import { paperOf } from "./paper.js";
 
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {Schemas["DrawingPlan"]} Plan */
-/** What can be drawn, as the station says. @typedef {readonly Schemas["Format"][]} Formats */
-/** @typedef {{ x: string, y: string, scale: string, rotate: string, down: string }} Place What stands in the fields; an empty one is as the station has it. */
+/** The supported formats. @typedef {readonly Schemas["Format"][]} Formats */
+/** @typedef {{ x: string, y: string, scale: string, rotate: string, down: string }} Place The text of the fields; empty for the station's default. */
 /** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
 /** @typedef {Place & Way} Settings */
-/** Where a drawing lies: its middle, how much larger it is than its file says, and how far it is turned. @typedef {{ x_mm: number, y_mm: number, scale: number, rotate_deg: number }} Lies */
+/** Placement of a drawing: centre, scale and rotation. @typedef {{ x_mm: number, y_mm: number, scale: number, rotate_deg: number }} Lies */
 
 /**
  * @typedef {object} Draw
@@ -17,32 +17,32 @@ import { paperOf } from "./paper.js";
  * @property {File | null} file
  * @property {string} text
  * @property {Settings} set
- * @property {number} revision How often it was changed: an answer to an earlier question is not taken.
+ * @property {number} revision Revision of the drawing; results for earlier revisions are ignored.
  * @property {"nothing" | "planning" | "planned" | "failed"} phase
  * @property {number | null} drawing Its number, while the station knows it.
  * @property {Problem | null} problem
  * @property {{ plan: Plan, title: string, lies: Lies } | null} planned The last plan, kept while the next one is awaited.
- * @property {{ timeline: import("../preview/timeline.js").Timeline } | null} timeline What is shown in time: of the plan, or of a file.
- * @property {Schemas["PaperPlane"] | null} paper How the paper lies, where it was touched.
+ * @property {{ timeline: import("../preview/timeline.js").Timeline } | null} timeline The timeline shown: of the plan, or of a file.
+ * @property {Schemas["PaperPlane"] | null} paper The measured paper surface.
  * @property {readonly Schemas["MaterialView"][]} materials
  * @property {Formats} formats
  */
 
-/** Where drawings lie unless told otherwise. */
+/** The default centre of drawings. */
 export const MIDDLE = { x_mm: 210, y_mm: 0 };
 /** The extensions of what can be drawn, as a field for files takes them. @param {Formats} formats */
 export const accepted = (formats) => formats.flatMap(({ extensions }) => extensions.map((extension) => `.${extension}`)).join(",");
-/** What can be drawn, for people. @param {Formats} formats */
+/** The names of the supported formats. @param {Formats} formats */
 export const formatNames = (formats) => formats.map(({ name }) => name).join(", ");
-/** How large a file may be; in Base64 it is a third larger. */
+/** The largest file; Base64 adds a third. */
 export const MOST_BYTES = 24_000_000;
-/** What the page calls the options of a drawing that it has fields for. @type {Readonly<Record<string, import("../i18n/i18n.js").TextKey>>} */
+/** The page's names of drawing options. @type {Readonly<Record<string, import("../i18n/i18n.js").TextKey>>} */
 const FIELD_NAMES = {
   "what.hatch": "draw.hatch", "what.height": "draw.height", "what.layers": "draw.layers",
   "place.scale": "draw.scale", "place.rotate": "draw.rotate", "place.pen_down": "draw.down", "place.fit": "draw.fit", "place.clip": "draw.clip",
   "tool.pen": "draw.tool", "tool.laser": "draw.tool", "tool.speed": "draw.speed", "way.tolerance": "draw.tolerance",
 };
-/** What takes a number. @type {readonly (keyof Settings)[]} */
+/** The numeric fields. @type {readonly (keyof Settings)[]} */
 const NUMBERS = ["x", "y", "scale", "rotate", "down", "speed", "tolerance", "height"];
 
 /** @type {Draw} */
@@ -86,7 +86,7 @@ export const hasSubject = ({ what, file, text }) => (what === "file" ? file !== 
 /** The first field that holds no number. @param {Settings} set @returns {keyof Settings | null} */
 export const wrongField = (set) => NUMBERS.find((name) => Number.isNaN(numberOf(/** @type {string} */ (set[name])) ?? 0)) ?? null;
 
-/** What the station is asked for. @param {import("./state.js").Page} page @returns {Schemas["Options"]} */
+/** The options for the station. @param {import("./state.js").Page} page @returns {Schemas["Options"]} */
 export function optionsOf(page) {
   const { set, what, text } = page.draw;
   const { materials } = page.draw;
@@ -105,7 +105,7 @@ export function optionsOf(page) {
       rotate: number("rotate") ?? 0,
       ...(set.fit ? { fit: true } : scale === undefined ? {} : { scale: scale / 100 }),
       clip: set.clip,
-      // Where the paper was touched, the station knows how it lies.
+      // The station knows the height of a measured paper.
       pen_down: number("down") ?? (page.draw.paper ? undefined : paperOf(page)),
     },
     tool: { ...(burns ? { laser: set.tool } : { pen: set.tool }), speed: number("speed") },
@@ -113,7 +113,7 @@ export function optionsOf(page) {
   });
 }
 
-/** Where it lies by its fields; what is empty there is as it was planned. @param {Draw} draw @returns {Lies | null} */
+/** Placement from the fields; empty fields keep the planned values. @param {Draw} draw @returns {Lies | null} */
 export function liesOf({ set, planned }) {
   if (!planned || wrongField(set)) return null;
   return { ...liesBy(set, planned.plan), scale: set.fit || set.scale.trim() === "" ? planned.plan.scale : Number(set.scale) / 100 };
@@ -152,7 +152,7 @@ export function reduceDraw(draw, message) {
     case "draw_cancelled":
       return { ...draw, revision: draw.revision + 1, phase: "failed", problem: null, drawing: null };
     case "hello":
-      // A station that began anew knows no drawing.
+      // A restarted station has no drawings.
       return hasSubject(draw) ? changed(draw, { drawing: null }) : draw;
     case "calibrations": {
       const paper = message.known.calibration?.paper ?? null;

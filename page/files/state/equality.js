@@ -1,4 +1,4 @@
-// Whether two states of the page look the same: a station keeps reporting an arm that rests. Pure.
+// Whether two states render the same: a station keeps reporting an arm at rest. Pure.
 
 import { silence_ms } from "./selectors.js";
 
@@ -7,10 +7,10 @@ import { silence_ms } from "./selectors.js";
 
 /** Compared by what is read of them. */
 const COMPARED_APART = new Set(["station", "received_ms", "now_ms", "history"]);
-/** How long a time slot lasts is counted by the station's clock: it is written so often in a second. */
+/** Redraws per second for the remaining time of a slot. */
 const SLOTS_PER_S = 4;
 
-/** What is read of a station; the numbers of its link are not read anywhere but in Watch. @param {Station | null} station @param {boolean} watched */
+/** The rendered part of a station's state; link figures are shown only in Watch. @param {Station | null} station @param {boolean} watched */
 function read(station, watched) {
   if (!station) return "";
   const { at_s, link, slots } = station;

@@ -1,7 +1,7 @@
-// The last minutes, for the charts: a sample each half second.
+// The last minutes for the charts, sampled every half second.
 
 /** @typedef {import("./types.js").Station} Station */
-/** What is drawn over time: seconds, and a value each, or null where there was none. @typedef {Record<"at_s" | "rate" | "latency_ms" | "queue" | "base_deg" | "rear_deg" | "fore_deg" | "servo_deg", readonly (number | null)[]>} History */
+/** Chart columns: seconds and values, null where unknown. @typedef {Record<"at_s" | "rate" | "latency_ms" | "queue" | "base_deg" | "rear_deg" | "fore_deg" | "servo_deg", readonly (number | null)[]>} History */
 
 const EVERY_S = 0.5;
 const SAMPLES = 360;

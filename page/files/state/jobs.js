@@ -1,4 +1,4 @@
-// The jobs of the station: what is shown of them, and what was refused.
+// The jobs of the station, and the last refusal.
 
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {import("./types.js").Problem} Problem */
@@ -7,7 +7,7 @@
 /**
  * @typedef {object} Jobs
  * @property {readonly JobView[] | null} all In the order of the station; nothing where they are not known yet.
- * @property {{ job: number, problem: Problem } | null} refused Why the last thing that was asked for came to nothing.
+ * @property {{ job: number, problem: Problem } | null} refused Why the last request was refused.
  */
 
 /** @type {Jobs} */
@@ -34,8 +34,7 @@ export function reduceJobs(jobs, message) {
 const isOver = ({ phase }) => phase === "done" || phase === "stopped" || phase === "failed";
 
 /**
- * The jobs by what a person asks of them: what is under way, as the state tells it now; what waits, the next one first; and
- * what is over, the newest first.
+ * Groups the jobs: active (with the current state of the running job), waiting (next first), and finished (newest first).
  * @param {readonly JobView[]} all @param {JobView | null} now
  */
 export function groupJobs(all, now) {
@@ -48,12 +47,12 @@ export function groupJobs(all, now) {
 }
 
 /**
- * Before which one a queued job comes when it goes one place up or down: a number, null for behind all, or nothing where it
- * cannot go there.
+ * Returns the job that a queued job precedes after it moves one place up or down: null for the end of the queue, undefined if it
+ * cannot move.
  * @param {readonly JobView[]} waiting @param {number} job @param {-1 | 1} way @returns {number | null | undefined}
  */
 export function placeFor(waiting, job, way) {
-  const at = waiting.findIndex((it) => it.job === job);
+  const at = waiting.findIndex((entry) => entry.job === job);
   const to = at + way;
   if (at < 0 || to < 0 || to >= waiting.length) return undefined;
   return waiting[way < 0 ? to : to + 1]?.job ?? null;

@@ -1,15 +1,15 @@
-// What the jog buttons are set to, and what came of the last press.
+// Settings of the jog buttons, and the result of the last press.
 
 /** @typedef {"linear" | "joint"} Frame */
-/** A button, as `y_plus` or `base_minus`. @typedef {string} Axis */
+/** A jog axis, such as `y_plus` or `base_minus`. @typedef {string} Axis */
 
 /**
  * @typedef {object} Jog
- * @property {Frame} frame What moves: the tip in straight lines, or one joint.
- * @property {number | null} step How far a press moves, in mm or degrees; nothing where a button moves for as long as it is held.
+ * @property {Frame} frame The jog frame: the tip in straight lines, or one joint.
+ * @property {number | null} step Step of a press in mm or degrees; null for continuous motion.
  * @property {number} speed_percent
  * @property {Axis | null} held
- * @property {{ axis: Axis, detail: string } | null} refused Why the last press came to nothing, until the next one.
+ * @property {{ axis: Axis, detail: string } | null} refused Why the last press was refused, until the next press.
  */
 
 /** @type {Jog} */

@@ -1,24 +1,24 @@
-// A lesson: steps, each with what has to happen before the next one. Pure; what lessons say is in `lessons/`.
+// Lessons: steps with the condition for the next step. Pure; the texts are in `lessons/`.
 
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("../i18n/i18n.js").Language} Language */
 
-/** What a step waits for; nothing for a button.
+/** The condition of a step; a step without one has a button.
  * @typedef {{ moved_mm?: number, near?: { x: number, y: number, z: number, within: number }, steps?: number, cycles?: number, notice?: string, drawing?: boolean, idle?: boolean, refused?: boolean, answer?: { is: number, within: number } }} Until
  */
 /** @typedef {{ text: Record<Language, string>, show?: string, until?: Until }} Step */
 /** `name` is that of its file. @typedef {{ name: string, title: Record<Language, string>, minutes: number, steps: readonly Step[] }} Lesson */
-/** What was when a step began. @typedef {{ at: readonly [number, number, number] | null, notice: number }} Begun */
+/** Conditions at the start of a step. @typedef {{ at: readonly [number, number, number] | null, notice: number }} Begun */
 
 /**
  * @typedef {object} Learn
  * @property {Lesson | null} lesson
  * @property {number} step Counted from 0.
  * @property {Begun} begun
- * @property {string} answer What a person typed.
- * @property {boolean} chooses Whether the list of lessons is open.
- * @property {string} student Under what name the board of the fleet shows how far this page is; empty where nobody has said one.
- * @property {import("./types.js").Problem | null} reportProblem Why the station did not take it last.
+ * @property {string} answer The typed answer.
+ * @property {boolean} chooses Whether the lesson list is open.
+ * @property {string} student The student's name for the board of the fleet; may be empty.
+ * @property {import("./types.js").Problem | null} reportProblem Why the last report was refused.
  */
 
 /** @type {Learn} */
@@ -54,7 +54,7 @@ export function reduceLearn(learn, message) {
   }
 }
 
-/** What is so now, for a step that begins. @param {Page} page @returns {Begun} */
+/** Conditions now, for a step that starts. @param {Page} page @returns {Begun} */
 export function begunNow(page) {
   const arm = page.station?.arm;
   return { at: arm ? [arm.x_mm, arm.y_mm, arm.z_mm] : null, notice: page.notices.at(-1)?.number ?? 0 };
@@ -63,10 +63,10 @@ export function begunNow(page) {
 /** The step that a person is at. @param {Page} page @returns {Step | null} */
 export const stepNow = ({ learn }) => learn.lesson?.steps[learn.step] ?? null;
 
-/** How far a student is, as the station is told; nothing where there is nobody to tell of. @param {Learn} learn */
+/** The progress report for the station; null without a student or a lesson. @param {Learn} learn */
 export const progressOf = ({ lesson, step, student }) => (lesson && student ? { student, lesson: lesson.name, done: step, steps: lesson.steps.length } : null);
 
-/** Whether what a step waits for has happened; a step that waits for nothing is done by its button. @param {Page} page @param {number} steps how many steps the program has */
+/** Whether the condition of the current step is met. @param {Page} page @param {number} steps how many steps the program has */
 export function isDone(page, steps) {
   const until = stepNow(page)?.until;
   return until !== undefined && Object.entries(until).every(([name, value]) => SO[/** @type {keyof Until} */ (name)]?.(page, /** @type {never} */ (value), steps) ?? false);
@@ -84,7 +84,7 @@ const SO = {
   },
   steps: (_, least, steps) => steps >= least,
   cycles: ({ station }, least) => (station?.job?.program?.cycles_done ?? 0) >= least,
-  notice: ({ learn, notices }, type) => notices.some((it) => it.number > learn.begun.notice && it.type === type),
+  notice: ({ learn, notices }, type) => notices.some((entry) => entry.number > learn.begun.notice && entry.type === type),
   drawing: ({ station }) => station?.job?.kind === "drawing" && station.job.phase === "running",
   idle: ({ station }) => station !== null && (station.job === null || station.job === undefined || station.job.phase === "done"),
   refused: ({ target }) => target.check.type === "refused",

@@ -1,4 +1,4 @@
-// Everything that can change the state of the page: a closed union.
+// Every message that can change the state of the page: a closed union.
 
 /** @typedef {import("./types.js").Station} Station */
 /** @typedef {import("./types.js").Problem} Problem */

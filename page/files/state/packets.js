@@ -1,20 +1,20 @@
-// The packets between station and arm, both ways, as they pass: the newest are kept, some are shown.
+// The packets between station and arm, in both directions: the newest are kept.
 
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {import("./types.js").Problem} Problem */
-/** What the station tells of a packet. @typedef {Schemas["PacketView"]} PacketView */
+/** A packet as reported by the station. @typedef {Schemas["PacketView"]} PacketView */
 /** A packet with its number, counted from when the page began to listen. @typedef {PacketView & { number: number }} Passed */
 /** @typedef {"both" | "to_arm" | "from_arm"} Way */
 
 /**
  * @typedef {object} Packets
- * @property {boolean} listening Whether a person wants to see them: nothing is fetched otherwise.
+ * @property {boolean} listening Whether the packets are shown; otherwise nothing is fetched.
  * @property {readonly Passed[]} passed The newest last.
- * @property {readonly Passed[] | null} frozen What had passed when a person paused the list; it goes on behind.
- * @property {number} count How many have passed.
- * @property {number} lost How many came too fast to be told.
+ * @property {readonly Passed[] | null} frozen The packets at the time of a pause; new ones are still collected.
+ * @property {number} count Number of packets received.
+ * @property {number} lost Number of packets dropped because they came too fast.
  * @property {Way} way
- * @property {string} filter What a packet has to say to be shown.
+ * @property {string} filter Filter text.
  * @property {Problem | null} problem
  */
 
@@ -30,7 +30,7 @@ export const NO_PACKETS = { listening: false, passed: [], frozen: null, count: 0
  * | { type: "packets_filter", text: string }
  * | { type: "packets_cleared" }} PacketsMessage */
 
-/** So many are kept: more than two minutes of an arm at rest. */
+/** The most packets kept: over two minutes of an arm at rest. */
 const MOST = 2000;
 
 /** @param {Packets} packets @param {import("./message.js").Message} message @returns {Packets} */
@@ -60,14 +60,14 @@ export function reducePackets(packets, message) {
   }
 }
 
-/** What a packet says, in one line. @param {PacketView} packet */
+/** A packet in one line. @param {PacketView} packet */
 export function line(packet) {
   if (packet.direction === "to_arm" && !packet.command) return packet.problem ?? "";
   const said = packet.direction === "to_arm" ? packet.command : packet.status;
   return Object.entries(said ?? {}).map(word).join(" ");
 }
 
-/** A field with its value: the type by itself, a switch by its name where it is on. @param {[string, unknown]} field */
+/** A field with its value; the type without its name. @param {[string, unknown]} field */
 function word([name, value]) {
   if (name === "type") return String(value);
   if (typeof value === "number") return `${name} ${Number(value.toFixed(2))}`;
@@ -77,8 +77,8 @@ function word([name, value]) {
 /** The packets that a person wants to see, the newest last. @param {Packets} packets */
 export function wanted({ passed, frozen, way, filter }) {
   const text = filter.trim().toLowerCase();
-  return (frozen ?? passed).filter((it) => (way === "both" || it.direction === way) && (!text || line(it).toLowerCase().includes(text) || it.bytes.includes(text)));
+  return (frozen ?? passed).filter((packet) => (way === "both" || packet.direction === way) && (!text || line(packet).toLowerCase().includes(text) || packet.bytes.includes(text)));
 }
 
 /** Packets as JSON Lines, one each, for other programs. @param {readonly Passed[]} packets */
-export const exported = (packets) => packets.map((it) => `${JSON.stringify(it)}\n`).join("");
+export const exported = (packets) => packets.map((packet) => `${JSON.stringify(packet)}\n`).join("");

@@ -1,22 +1,22 @@
-// The recordings of the station, and the one that is played on the stage: where the arm was then, and not where it is.
+// The recordings of the station, and the playback on the stage.
 
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {Schemas["RecordingView"]} RecordingView */
 /** @typedef {Schemas["RecordedStates"]} RecordedStates */
 /** @typedef {Schemas["SampleView"]} Sample */
-/** What was read finely, and from when to when. @typedef {{ from_s: number, to_s: number, samples: readonly Sample[] }} Stretch */
+/** A stretch read at full resolution. @typedef {{ from_s: number, to_s: number, samples: readonly Sample[] }} Stretch */
 
 /**
  * @typedef {object} Recordings
  * @property {readonly RecordingView[] | null} all The oldest first; nothing where they are not known yet.
- * @property {Problem | null} problem Why the last thing that was asked for came to nothing.
+ * @property {Problem | null} problem Why the last request was refused.
  * @property {string | null} chosen
- * @property {RecordedStates | null} states Where the arm was; nothing until they are read.
- * @property {Stretch | null} near The same around the moment that is shown, where the whole is told coarsely only.
- * @property {number} at_s Which moment is shown, by the times of the recording.
+ * @property {RecordedStates | null} states The recorded states; null until they are read.
+ * @property {Stretch | null} near Full-resolution states around the current time, if the whole is coarse.
+ * @property {number} at_s The current time in the recording.
  * @property {number | null} played_ms When the moment was set forward last while it plays, by the clock of this page.
- * @property {number} speed How many times as fast as it was.
+ * @property {number} speed Playback speed, as a factor.
  */
 
 /** @type {Recordings} */
@@ -33,7 +33,7 @@ export const SPEEDS = /** @type {const} */ ([1, 4, 16, 64]);
  * | { type: "recording_passed", now_ms: number }
  * | { type: "recording_speed", speed: number }} RecordingsMessage */
 
-/** From when to when it goes, in seconds. @param {Recordings} recordings */
+/** Start and end of the recording, in seconds. @param {Recordings} recordings */
 export const extent = ({ states }) => ({ from_s: states?.samples[0]?.at_s ?? 0, to_s: states?.samples.at(-1)?.at_s ?? 0 });
 
 /** @param {Recordings} recordings @param {import("./message.js").Message} message @returns {Recordings} */
@@ -56,7 +56,7 @@ export function reduceRecordings(recordings, message) {
       return { ...recordings, at_s: message.at_s, played_ms: null };
     case "recording_plays": {
       const { from_s, to_s } = extent(recordings);
-      // At its end it begins anew.
+      // Playback restarts at the end.
       const at_s = recordings.at_s < to_s ? recordings.at_s : from_s;
       return { ...recordings, played_ms: message.now_ms, at_s };
     }
@@ -65,7 +65,7 @@ export function reduceRecordings(recordings, message) {
     case "recording_speed":
       return { ...recordings, speed: message.speed };
     case "jog_held":
-      // Whoever moves the arm wants to see the arm.
+      // Jogging returns to the live arm.
       return message.axis && recordings.chosen ? close(recordings) : recordings;
     case "tab":
       return recordings.chosen ? close(recordings) : recordings;
@@ -87,7 +87,7 @@ function passed(recordings, now_ms) {
 
 const NUMBERS = /** @type {const} */ (["x_mm", "y_mm", "z_mm", "rotation_deg", "base_deg", "rear_deg", "fore_deg", "servo_deg", "gripper_deg"]);
 
-/** Where the arm was at a moment: between two samples in a straight line, which is what is known. @param {readonly Sample[]} samples @param {number} at_s @returns {Sample | null} */
+/** Returns the arm at a time, interpolated linearly between two samples. @param {readonly Sample[]} samples @param {number} at_s @returns {Sample | null} */
 export function sampleAt(samples, at_s) {
   const next = firstAfter(samples, at_s);
   const [from, to] = [samples[next - 1] ?? samples[0], samples[next] ?? samples.at(-1)];
@@ -98,7 +98,7 @@ export function sampleAt(samples, at_s) {
   return sample;
 }
 
-/** Which sample is the first one behind a moment: by halves, since there may be thousands. @param {readonly Sample[]} samples @param {number} at_s */
+/** Returns the first sample after a time, by binary search. @param {readonly Sample[]} samples @param {number} at_s */
 function firstAfter(samples, at_s) {
   let [low, high] = [0, samples.length];
   while (low < high) {
@@ -109,13 +109,13 @@ function firstAfter(samples, at_s) {
   return low;
 }
 
-/** Whether a stretch holds a moment. @param {Stretch | null} near @param {number} at_s @returns {near is Stretch} */
+/** Whether a stretch contains a time. @param {Stretch | null} near @param {number} at_s @returns {near is Stretch} */
 const holds = (near, at_s) => near !== null && near.from_s <= at_s && at_s <= near.to_s;
 
-/** Whether what is known of the moment that is shown is coarse only. @param {Recordings} recordings */
+/** Whether only coarse data is known for the current time. @param {Recordings} recordings */
 export const isCoarse = ({ states, near, at_s }) => states !== null && states.spacing_s > 0 && !holds(near, at_s);
 
-/** What the stage shows instead of the arm, or nothing where it shows the arm. @param {Recordings} recordings @returns {Sample | null} */
+/** The sample that the stage shows instead of the live arm, or null. @param {Recordings} recordings @returns {Sample | null} */
 export function recorded({ states, near, at_s }) {
   const fine = holds(near, at_s) && near.samples.length ? near : null;
   return states && sampleAt((fine ?? states).samples, at_s);

@@ -1,4 +1,4 @@
-// How a message changes the state. Pure: no clock, no document, no network.
+// Applies a message to the state. Pure: no clock, no document, no network.
 
 import { reduceCalibrate } from "./calibrate.js";
 import { reduceDraw } from "./draw.js";
@@ -16,7 +16,7 @@ import { reduceTouchPaper } from "./touch_paper.js";
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("./message.js").Message} Message */
 
-/** So many notices are kept; the station keeps more. */
+/** The most notices kept; the station keeps more. */
 const NOTICES = 200;
 
 /** @param {Page} page @param {Message} message @returns {Page} */
@@ -100,8 +100,8 @@ function reduceOwn(page, message) {
   }
 }
 
-/** A STOP that nobody has answered is told until somebody does; that it was answered, until the next one, or until the arm may move again. @param {Page} page */
+/** An unanswered STOP is shown until it is answered; its answer until the next STOP, or until the stop is cleared. @param {Page} page */
 const unanswered = ({ late_stop }) => (late_stop?.after_s === null ? late_stop : null);
 
-/** What somebody says to all who watch. @param {{ type: string, text: string }} notice */
+/** The text of a message to all observers. @param {{ type: string, text: string }} notice */
 const spoken = ({ type, text }) => (type === "message" ? text : null);

@@ -1,4 +1,4 @@
-// What is read from the state in more than one place.
+// Values derived from the state in more than one place.
 
 import { linesOf } from "../preview/appearance.js";
 import { EMPTY } from "../stage/view.js";
@@ -11,12 +11,12 @@ import { placeOfStep, rowAt, rowsOf } from "./teach.js";
 /** @typedef {import("../stage/view.js").View} View */
 /** @typedef {import("./types.js").Near} Near */
 
-/** From when on the stage is grey: six statuses are missing. */
+/** Age at which the stage turns grey: six statuses are missing. */
 const OLD_MS = 500;
-/** From when on it is told above everything else. */
+/** Age at which a banner reports it. */
 const VERY_OLD_MS = 2000;
 
-/** Why the arm cannot be moved by hand now: a key of the words. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} BlockedReason */
+/** Why the arm cannot be moved by hand now: the end of a text key. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} BlockedReason */
 
 /** @param {Page} page @returns {BlockedReason | null} */
 export function blockedReason(page) {
@@ -30,12 +30,12 @@ export function blockedReason(page) {
   if (station.stop) return "stopped";
   if (!station.trust.trusted) return "not_confirmed";
   if (station.job?.phase === "running") return "job_runs";
-  // Where nobody has control, the first action takes it.
+  // The first action takes control if it is free.
   if (station.lease && station.lease.client !== me) return "others_control";
   return null;
 }
 
-/** Whose time it is, where it is not that of this page; an administrator has the arm in everybody's time. @param {Page} page */
+/** The current time slot, if it belongs to another person. An administrator may use the arm during any slot. @param {Page} page */
 export function othersTime({ station, role, person }) {
   const now = role === "admin" ? null : timeNow(station);
   return now && !isSamePerson(now.student, person) ? now : null;
@@ -44,20 +44,20 @@ export function othersTime({ station, role, person }) {
 /** Whether this page has control. @param {Page} page */
 export const hasControl = ({ station, me }) => station?.lease != null && station.lease.client === me;
 
-/** Whether the arm rests, and nothing waits for it. @param {import("./types.js").Station} station */
+/** Whether the arm is at rest with an empty queue. @param {import("./types.js").Station} station */
 export const rests = ({ arm, queue }) => arm !== null && !arm.moving && queue.waiting + queue.under_way === 0;
 
-/** Whether the arm is one of the station's own, without hardware. @param {Page} page */
+/** Whether the arm is the station's own virtual arm. @param {Page} page */
 export const isVirtual = ({ station }) => station?.link.address === "virtual:";
 
-/** For how long nothing came, in ms, where something should; else 0. @param {Page} page */
+/** Time without a message in ms, if one was expected; otherwise 0. @param {Page} page */
 export function silence_ms({ station, connection, received_ms, now_ms }) {
   const expected = station !== null && (connection !== "open" || station.link.phase === "up");
   const quiet = now_ms - received_ms;
   return expected && quiet > OLD_MS ? quiet : 0;
 }
 
-/** Whether it is told above everything else. @param {Page} page */
+/** Whether a banner reports the age. @param {Page} page */
 export const isVeryOld = (page) => silence_ms(page) > VERY_OLD_MS;
 
 /** @param {Page} page @returns {View["laser"]} */
@@ -66,7 +66,7 @@ export function laser({ station }) {
   return (station?.laser.armed_for_s ?? 0) > 0 ? "armed" : "off";
 }
 
-/** What of a view a policy tells. @param {Page["policy"]} policy @returns {Partial<View>} */
+/** The parts of a view that come from the policy. @param {Page["policy"]} policy @returns {Partial<View>} */
 function ruled(policy) {
   if (!policy) return {};
   return {
@@ -77,15 +77,15 @@ function ruled(policy) {
   };
 }
 
-/** What of a view the station serves of the arm, with this tool. @param {Page["facts"]} facts @param {View["tool"]["kind"]} kind @returns {Partial<View>} */
+/** The parts of a view that come from the arm's facts, for this tool. @param {Page["facts"]} facts @param {View["tool"]["kind"]} kind @returns {Partial<View>} */
 function built(facts, kind) {
-  const tool = facts?.tools.find((it) => it.kind === kind);
+  const tool = facts?.tools.find((entry) => entry.kind === kind);
   if (!facts || !tool) return {};
   return { shape: { ...facts.dimensions, reach_mm: tool.reach_mm }, status_s: facts.status_period_s };
 }
 
 /**
- * What the picture brings out: the limits of the ghost where there is one, and what arm and ghost are near to.
+ * The limits and keep-out zones to highlight: limits of the ghost if there is one, zones near the arm or the ghost.
  * @param {string} text what the arm is near to: states repeat it, and the same text is the same object @param {Near | null} ghost @returns {View["near"]}
  */
 function nearBoth(text, ghost) {
@@ -114,16 +114,16 @@ const NONE = [];
 export const rowsIn = memoize(rowsOf);
 const taughtAt = memoize((/** @type {string} */ text, /** @type {number | null} */ chosen) => placeOfStep(text, chosen === null ? undefined : rowsIn(text)[chosen]));
 
-/** The place of the step that is chosen in the program, while somebody teaches. @param {Page} page */
+/** The position of the selected program step while the Teach tab is open. @param {Page} page */
 export const taughtPlace = ({ tab, teach }) => (tab === "teach" ? taughtAt(teach.text, teach.chosen) : null);
 
-/** Whether the station finds something wrong with the chosen step. @param {Page["teach"]} teach */
+/** Whether the station reports a problem with the selected step. @param {Page["teach"]} teach */
 const isChosenBad = ({ text, chosen, report }) => (report?.problems.length ?? 0) > 0 && report?.problems.some(({ line }) => rowAt(rowsIn(text), line) === chosen);
 
-/** Where the ghost is: the chosen step of a program, or the target. @param {Page} page */
+/** The position of the ghost: the selected program step, or the target. @param {Page} page */
 export const ghostPlace = (page) => taughtPlace(page) ?? placeOf(page.target);
 
-/** The policy that is shown: that of a draft while somebody makes one. @param {Page} page */
+/** The policy to show: the draft while it is edited. @param {Page} page */
 export const shownPolicy = ({ tab, set_up, policy }) => (tab === "set_up" && set_up.drafted) || policy;
 
 /** Makes views for the stage; the same object for what did not change. */
@@ -145,7 +145,7 @@ export function createViewOf() {
     const around = { ...EMPTY, ...rules(shownPolicy(page)), ...page.around };
     const common = { ...around, ...facts(page.facts, around.tool.kind), dark, note, label };
     const arm = then(page.recordings);
-    // Where the arm was is grey, and nothing that holds now stands beside it.
+    // A recorded arm is grey, without any live values next to it.
     if (arm) return { ...common, arm: common.shape && arm, old: true };
     const taught = taughtPlace(page);
     const { places, found } = page.touch_paper;
@@ -159,7 +159,7 @@ export function createViewOf() {
       near: near(JSON.stringify(page.station?.arm?.near ?? {}), page.ghost_near),
       laser: laser(page),
       ghost: taught ? taughtOf(taught, isChosenBad(page.teach) ?? false) : ghostOf(page.target),
-      // Who changes a program moves nothing.
+      // Editing a program moves nothing.
       draggable: taught !== null || blockedReason(page) === null,
       old: silence_ms(page) > 0,
     };

@@ -1,25 +1,25 @@
-// What is set once: the draft of a policy, tokens, and what surrounds a virtual arm.
+// State of the Set up tab: policy draft, tokens, and the virtual arm's faults.
 
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Policy} Policy */
 /** @typedef {import("./types.js").Schemas} Schemas */
 
-/** Where something was asked for. @typedef {"arm" | "calibrate" | "paper" | "policy" | "tokens" | "faults" | "world"} Place */
-/** What the station says of a draft. @typedef {{ type: "unknown" } | { type: "good" } | { type: "bad", problem: Problem }} DraftCheck */
+/** The section that a change belongs to. @typedef {"arm" | "calibrate" | "paper" | "policy" | "tokens" | "faults" | "world"} Place */
+/** The station's check of a draft. @typedef {{ type: "unknown" } | { type: "good" } | { type: "bad", problem: Problem }} DraftCheck */
 
 /**
  * @typedef {object} SetUp
  * @property {string | null} kept The text of the policy that holds.
  * @property {string | null} draft
- * @property {number} revision How often the draft was changed: an answer to an earlier one is not taken.
+ * @property {number} revision Revision of the draft; results for earlier revisions are ignored.
  * @property {DraftCheck} check
- * @property {Policy | null} drafted What the draft was when it was a policy last; nothing before it was looked at.
- * @property {boolean} overtaken Whether another policy was put in place while this draft was made.
+ * @property {Policy | null} drafted The last valid policy in the draft; null before the first check.
+ * @property {boolean} overtaken Whether another policy was applied while this draft was edited.
  * @property {readonly Schemas["TokenView"][] | null} tokens Nothing where this page may not see them.
  * @property {Schemas["NewToken"] | null} made The token that was made last, whose secret is shown once.
  * @property {readonly string[] | null} faults Of the station's own virtual arm.
- * @property {{ place: Place, problem: Problem } | null} refused Why the last change came to nothing.
- * @property {Schemas["Finding"] | null} finding What the detection of the dialect has seen.
+ * @property {{ place: Place, problem: Problem } | null} refused Why the last change was refused.
+ * @property {Schemas["Finding"] | null} finding The result of the dialect detection.
  */
 
 /** @type {SetUp} */
@@ -36,7 +36,7 @@ export const NO_SET_UP = { kept: null, draft: null, revision: 0, check: { type: 
  * | { type: "set_up_refused", place: Place, problem: Problem | null }
  * | { type: "finding", finding: Schemas["Finding"] | null }} SetUpMessage */
 
-/** Whether there is a draft that differs from what holds. @param {SetUp} setUp */
+/** Whether the draft differs from the policy in force. @param {SetUp} setUp */
 export const isChanged = ({ draft, kept }) => draft !== null && draft !== kept;
 
 /** @param {SetUp} setUp @param {import("./message.js").Message} message @returns {SetUp} */

@@ -1,13 +1,13 @@
-// Whose time it is at an arm, as its station tells it. Pure.
+// Time slots as reported by the station. Pure.
 
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {Schemas["TimeSlot"]} TimeSlot */
-/** A time slot that is under way. @typedef {{ student: string, left_s: number, free_in_s: number }} TimeNow */
+/** The current time slot. @typedef {{ student: string, left_s: number, free_in_s: number }} TimeNow */
 
-/** Whether two names are those of one person, as the station compares them. @param {string} one @param {string} other */
+/** Whether two names belong to one person, compared as the station does. @param {string} one @param {string} other */
 export const isSamePerson = (one, other) => one.trim().toLowerCase() === other.trim().toLowerCase();
 
-/** Whose time it is, for how long, and in how long the arm is free. @param {Pick<import("./types.js").Station, "slots" | "at_s"> | null} station @returns {TimeNow | null} */
+/** The current time slot, its remaining time, and the time until the arm is free. @param {Pick<import("./types.js").Station, "slots" | "at_s"> | null} station @returns {TimeNow | null} */
 export function timeNow(station) {
   const now = station?.slots?.now;
   if (!station || !now) return null;
@@ -15,7 +15,7 @@ export function timeNow(station) {
   return { student: now.student, left_s, free_in_s: (station.slots?.free_s ?? now.ends_s) - station.at_s };
 }
 
-/** Whose time comes next, and in how long. @param {Pick<import("./types.js").Station, "slots" | "at_s"> | null} station */
+/** The next time slot, and the time until it starts. @param {Pick<import("./types.js").Station, "slots" | "at_s"> | null} station */
 export function timeNext(station) {
   const next = station?.slots?.next;
   return station && next ? { student: next.student, in_s: next.starts_s - station.at_s } : null;

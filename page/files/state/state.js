@@ -26,33 +26,33 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
 /** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
 /** @typedef {"move" | "draw" | "teach" | "jobs" | "watch" | "set_up"} Tab */
 /** @typedef {"auto" | "light" | "dark"} Theme */
-/** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "clear_calibration" | "send_angles" | "remove_token", values?: Record<string, string | number> }} Question */
-/** What a virtual arm has around it. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
+/** A question that asks for confirmation. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "clear_calibration" | "send_angles" | "remove_token", values?: Record<string, string | number> }} Question */
+/** The scene around a virtual arm. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
 
 /**
  * @typedef {object} Page
  * @property {Connection} connection
- * @property {number | null} me What the station calls this page.
+ * @property {number | null} me The station's number for this client.
  * @property {Role | null} role
  * @property {string} person By which name time slots know this page.
- * @property {boolean} says_name Whether that is the name that it says: with a token of one person it is that of the token.
+ * @property {boolean} says_name Whether that name is the page's own; a personal token sets it to the token's name.
  * @property {string} version
- * @property {string | null} fleet What this station is called in its fleet; nothing where it belongs to none.
- * @property {Station | null} station What the station told last.
+ * @property {string | null} fleet The name of this station in its fleet; null without a fleet.
+ * @property {Station | null} station The last state of the station.
  * @property {number} received_ms When it did, by the clock of this page.
  * @property {number} now_ms
  * @property {readonly Notice[]} notices The newest last.
- * @property {string} filter What a notice has to contain to be shown.
- * @property {{ after_s: number | null } | null} late_stop A STOP that was not answered at once, and when it was.
+ * @property {string} filter Filter for notices.
+ * @property {{ after_s: number | null } | null} late_stop A STOP that was not answered in time, and when it was answered.
  * @property {Problem | null} problem
- * @property {string | null} message What somebody told all who watch this station, and who.
+ * @property {string | null} message The last message to all observers of this station, with its sender.
  * @property {Question | null} question
  * @property {Policy | null} policy
  * @property {Facts | null} facts The lengths, tools, limits and periods of the arm, and what its dialect changes.
- * @property {Near | null} ghost_near What the ghost is near to; nothing where there is none, or where no arm can be.
+ * @property {Near | null} ghost_near Limits and zones near the ghost; null without a ghost or outside of the arm's reach.
  * @property {Around | null} around
- * @property {View["planned"]} planned The way of the job.
- * @property {number | null} dialed_percent The speed of the job while somebody turns it.
+ * @property {View["planned"]} planned The planned path of the job.
+ * @property {number | null} dialed_percent The job speed while the slider moves.
  * @property {import("./history.js").History} history
  * @property {import("./jog.js").Jog} jog
  * @property {import("./target.js").Target} target
@@ -65,9 +65,9 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {import("./jobs.js").Jobs} jobs
  * @property {import("./recordings.js").Recordings} recordings
  * @property {import("./packets.js").Packets} packets
- * @property {string | null} pad_refused Why the last packet of the mouse or hand pad came to nothing.
+ * @property {string | null} pad_refused Why the last packet of the mouse or hand pad was refused.
  * @property {Tab} tab
- * @property {boolean} greeted Whether a person has seen that the arm is a virtual one.
+ * @property {boolean} greeted Whether the welcome card was closed.
  * @property {Language} language
  * @property {Theme} theme
  */

@@ -1,4 +1,4 @@
-// Holds the state, and tells who listens that it is another one.
+// The store: holds the state and notifies its subscribers.
 
 import { createStoreCore } from "./store_core.js";
 import { reduce } from "./reduce.js";

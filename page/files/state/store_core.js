@@ -1,4 +1,4 @@
-// One state, changed by messages alone, and those who listen to it.
+// A store: one state, changed only by messages, with subscribers.
 
 /**
  * @template S, M

@@ -1,4 +1,4 @@
-// Where the arm is asked to go: typed or dragged, checked by the station, gone to with Go.
+// The target: typed or dragged, checked by the station, approached with Go.
 
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Arm} Arm */
@@ -10,18 +10,18 @@
 export const FIELDS = ["x_mm", "y_mm", "z_mm", "rotation_deg"];
 
 /**
- * What the station says of the way: nothing yet, free and how long it takes, or refused.
+ * The station's check of the path: not checked, free with its duration, or refused.
  * @typedef {{ type: "unknown" } | { type: "free", takes_s: number | null } | { type: "refused", problem: Problem }} Check
  */
 
 /**
  * @typedef {object} Target
- * @property {Record<Field, string> | null} typed What stands in the fields; nothing where nobody asks for a place.
+ * @property {Record<Field, string> | null} typed The text of the fields; null without a target.
  * @property {Path} path
- * @property {number} revision How often it was changed: an answer to an earlier question is not taken.
+ * @property {number} revision Revision of the target; results for earlier revisions are ignored.
  * @property {Check} check
- * @property {boolean} refused Whether the ghost is drawn as refused; kept while the next answer is awaited, so that it does not flicker.
- * @property {boolean} goes Whether the arm was sent there.
+ * @property {boolean} refused Whether the ghost is drawn as refused; kept during a new check, so that it does not flicker.
+ * @property {boolean} goes Whether the arm is moving there.
  */
 
 /** @type {Target} */
@@ -42,7 +42,7 @@ export function placeOf({ typed }) {
   return /** @type {Record<Field, number>} */ (Object.fromEntries(FIELDS.map((name, n) => [name, numbers[n]])));
 }
 
-/** Where the arm is, as fields. @param {Arm | null} arm @returns {Record<Field, string>} */
+/** The arm's position as fields. @param {Arm | null} arm @returns {Record<Field, string>} */
 const fieldsOf = (arm) => /** @type {Record<Field, string>} */ (Object.fromEntries(FIELDS.map((name) => [name, arm ? arm[name].toFixed(1) : ""])));
 
 /** @param {Target} target @param {Partial<Target>} change @returns {Target} */
@@ -51,15 +51,15 @@ const changed = (target, change) => ({ ...target, ...change, revision: target.re
 /**
  * @param {Target} target
  * @param {import("./message.js").Message} message
- * @param {Station | null} before What the station told before the message, and what it tells now.
- * @param {Station | null} now
+ * @param {Station | null} before the station before the message
+ * @param {Station | null} now the station after the message
  * @returns {Target}
  */
 export function reduceTarget(target, message, before, now) {
   const arm = now?.arm ?? null;
   switch (message.type) {
     case "target_typed":
-      // What was not typed yet stays as the arm is.
+      // Empty fields keep the arm's position.
       return changed(target, { typed: { ...(target.typed ?? fieldsOf(arm)), [message.field]: message.text } });
     case "target_placed": {
       const place = Object.fromEntries(Object.entries(message.place).map(([name, value]) => [name, value.toFixed(1)]));
@@ -75,23 +75,23 @@ export function reduceTarget(target, message, before, now) {
     case "target_cleared":
       return { ...NO_TARGET, path: target.path, revision: target.revision + 1 };
     case "hello":
-      // What was asked before was never answered.
+      // Earlier requests were never answered.
       return target.typed ? changed(target, {}) : target;
     case "state":
       if (target.goes) return arm && isAt(target, arm) ? { ...NO_TARGET, path: target.path, revision: target.revision + 1 } : target;
       return target.typed && groundOf(before) !== groundOf(now) ? changed(target, {}) : target;
     case "notice":
-      // What was free may be forbidden now, and the other way round.
+      // A new policy can change the result.
       return target.typed && !target.goes && message.notice.type === "policy_changed" ? changed(target, {}) : target;
     default:
       return target;
   }
 }
 
-/** On what the answer of the station rests besides the target and the policy. @param {Station | null} station */
+/** What the check depends on besides the target and the policy. @param {Station | null} station */
 const groundOf = (station) => JSON.stringify(station && [station.link.phase, station.arm !== null, station.trust.trusted, station.dialect]);
 
-/** Whether the arm has come to the target. @param {Target} target @param {Arm} arm */
+/** Whether the arm has arrived at the target. @param {Target} target @param {Arm} arm */
 function isAt(target, arm) {
   const place = placeOf(target);
   if (!place) return false;

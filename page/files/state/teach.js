@@ -1,11 +1,11 @@
-// A program that is taught: its text is the document, and every view is made of it.
+// The program being taught: its text is the document, and all views are derived from it.
 
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {Schemas["ProgramReport"]} Report */
 /** @typedef {"table" | "text" | "time"} Mode */
 
-/** What a change took out of the text at a place, and what it put there. @typedef {{ at: number, was: string, is: string }} Change */
+/** The text that a change removed at an offset, and the text that it inserted. @typedef {{ at: number, was: string, is: string }} Change */
 
 /** @typedef {import("../stage/view.js").Pose} Pose */
 
@@ -15,18 +15,18 @@
  * @typedef {object} Teach
  * @property {string} text
  * @property {string} name The name of the file that it came from, or is kept in.
- * @property {readonly Change[]} past What was changed, the newest last.
- * @property {readonly Change[]} future What was undone, the next one last.
- * @property {number} revision How often the text was changed: an answer to an earlier one is not taken.
- * @property {Report | null} report What the station says of the text.
- * @property {Problem | null} refused Why the last thing that was asked for came to nothing.
- * @property {number | null} chosen Which row.
+ * @property {readonly Change[]} past Undo history, newest last.
+ * @property {readonly Change[]} future Redo history, next one last.
+ * @property {number} revision Revision of the text; results for earlier revisions are ignored.
+ * @property {Report | null} report The station's report on the text.
+ * @property {Problem | null} refused Why the last request was refused.
+ * @property {number | null} chosen The selected row.
  * @property {number} first The first row that is seen.
  * @property {{ from: string, given_up: boolean } | null} dragged The text before the place of the chosen step was taken on the stage, until it is let go.
- * @property {{ from: number, to: number } | null} carried Which row is carried, and where it lies if it is let go.
- * @property {{ to: number, of: number } | null} moved Where the step went that was moved last.
+ * @property {{ from: number, to: number } | null} carried The row being dragged, and its new place if it is dropped.
+ * @property {{ to: number, of: number } | null} moved The new place of the step that was moved last.
  * @property {Mode} mode
- * @property {Schemas["MovingMode"]} path How captured points are gone to.
+ * @property {Schemas["MovingMode"]} path Path type of captured points.
  * @property {number | null} job The job that was made of it last.
  */
 
@@ -47,7 +47,7 @@ export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], 
  * | { type: "teach_path", path: Schemas["MovingMode"] }
  * | { type: "teach_job", job: number }} TeachMessage */
 
-/** So many changes can be undone. */
+/** The most undo steps. */
 const MOST_PAST = 1000;
 const HEADER = /^\s*\[\[steps\]\]\s*(#.*)?$/;
 const TABLE = /^\s*\[/;
@@ -86,11 +86,11 @@ export function rowsOf(text) {
   return rows;
 }
 
-/** Which row a line of the text belongs to. @param {readonly Row[]} rows @param {number | null | undefined} line */
+/** Returns the row of a line in the text. @param {readonly Row[]} rows @param {number | null | undefined} line */
 export function rowAt(rows, line) {
   if (line == null) return null;
   let low = 0, high = rows.length;
-  // The last one that begins there or above.
+  // The last row that starts at or above the line.
   while (low < high) {
     const middle = (low + high) >> 1;
     if (/** @type {Row} */ (rows[middle]).line <= line) low = middle + 1;
@@ -134,7 +134,7 @@ export function placeOfStep(text, row) {
   return [x_mm, y_mm, z_mm, rotation_deg].every(Number.isFinite) ? { x_mm, y_mm, z_mm, rotation_deg } : null;
 }
 
-/** The text with another place of a step; all else in it stays. @param {string} text @param {Row} row @param {Pose} place */
+/** Returns the text with a new position for a step; everything else is unchanged. @param {string} text @param {Row} row @param {Pose} place */
 export function withPlace(text, row, { x_mm, y_mm, z_mm, rotation_deg }) {
   const lines = text.split("\n");
   const at = lineOfPlace(lines, row);
@@ -147,7 +147,7 @@ export function withPlace(text, row, { x_mm, y_mm, z_mm, rotation_deg }) {
   return lines.join("\n");
 }
 
-/** What turns one text into another. @param {string} from @param {string} to @returns {Change} */
+/** Returns the change between two texts. @param {string} from @param {string} to @returns {Change} */
 export function changeOf(from, to) {
   const most = Math.min(from.length, to.length);
   let at = 0, end = 0;
@@ -161,7 +161,7 @@ const undone = (text, { at, was, is }) => text.slice(0, at) + was + text.slice(a
 /** @param {string} text @param {Change} change */
 const redone = (text, { at, was, is }) => text.slice(0, at) + is + text.slice(at + was.length);
 
-/** How long each row takes, in seconds, and what it does in words, as far as the station has said it. @param {readonly Row[]} rows @param {Report | null} report */
+/** Duration in seconds and label of each row, if the station has reported them. @param {readonly Row[]} rows @param {Report | null} report */
 export function stepsIn(rows, report) {
   const steps = rows.map(({ says }) => ({ takes_s: 0, count: 0, label: says }));
   let row = 0;
@@ -173,7 +173,7 @@ export function stepsIn(rows, report) {
     if (!step) continue;
     step.takes_s += takes_s;
     step.count += 1;
-    // Steps below a step are told by its text.
+    // Nested steps are shown by the text of their parent.
     step.label = step.count === 1 ? label : rows[row]?.says ?? "";
   }
   return steps;
@@ -202,7 +202,7 @@ function placed(teach, place, phase) {
   return changed(teach, to, { dragged: null, ...(to === from ? {} : remembered(teach, from, to)) });
 }
 
-/** Whoever stops the arm gives up what he drags. @param {Teach} teach @returns {Teach} */
+/** Stopping the arm cancels the drag. @param {Teach} teach @returns {Teach} */
 function givenUp(teach) {
   const left = teach.carried ? { ...teach, carried: null } : teach;
   const { dragged } = left;

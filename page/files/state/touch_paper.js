@@ -1,16 +1,16 @@
-// How the paper lies: places of it that the tool has touched; the station says what they tell.
+// The paper surface: recorded points, and the surface that the station calculates from them.
 
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {import("../stage/view.js").Point} Point */
 
-/** So many touches tell a plane. */
+/** The fewest points that define a plane. */
 export const PLACES = 3;
 
 /**
  * @typedef {object} TouchPaper
- * @property {readonly Point[] | null} places Where the arm stood; nothing while nobody touches the paper.
- * @property {Schemas["PaperReport"] | null} found How the paper lies by them.
- * @property {import("./types.js").Problem | null} problem Why they do not tell it.
+ * @property {readonly Point[] | null} places Recorded positions; null while no measurement runs.
+ * @property {Schemas["PaperReport"] | null} found The calculated surface.
+ * @property {import("./types.js").Problem | null} problem Why it could not be calculated.
  */
 
 /** @type {TouchPaper} */
@@ -22,7 +22,7 @@ export const NO_TOUCH_PAPER = { places: null, found: null, problem: null };
  * | { type: "paper_back" }
  * | { type: "paper_judged", places: readonly Point[], found: Schemas["PaperReport"] | null, problem: import("./types.js").Problem | null }} TouchPaperMessage */
 
-/** How steep a plane is, in degrees. @param {Schemas["PaperPlane"]} plane */
+/** Slope of a plane, in degrees. @param {Schemas["PaperPlane"]} plane */
 export const steep_deg = ({ slope_x, slope_y }) => (Math.atan(Math.hypot(slope_x, slope_y)) * 180) / Math.PI;
 
 /** From the lowest touch to the highest, seen from the plane, in mm. @param {Schemas["PaperReport"]} found */

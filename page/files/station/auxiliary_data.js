@@ -1,5 +1,5 @@
-// What is fetched beside the states: the notices of before, the policy, the facts of the arm, the name in the fleet, the world of a virtual arm with
-// its ink, and the way of the job.
+// Data fetched in addition to the states: earlier notices, the policy, the arm's facts, the name in the fleet, the world of a
+// virtual arm with its ink, and the path of the job.
 
 import { Ink, partsOf } from "../stage/ink.js";
 
@@ -11,10 +11,10 @@ const WORLD_MS = 400;
 
 /** @param {Store} store @param {import("./http.js").Http} http */
 export function followAuxiliaryData(store, http) {
-  /** Whose turn it is to follow the world; nobody's at 0. A loop that was ended and wakes later finds another turn. */
+  /** The current world loop; 0 if none runs. A loop that wakes after it was ended sees another number. */
   let turn = 0, turns = 0;
   /** @type {number | null} */ let job = null;
-  /** How often the facts were asked for: the answer to the last question counts. */
+  /** Number of requests for the facts: only the last answer counts. */
   let reads = 0;
   /** @type {Schemas["Dialect"] | null | undefined} */ let dialect;
 
@@ -40,7 +40,7 @@ export function followAuxiliaryData(store, http) {
     if (notices) store.send({ type: "notices", notices });
   }
 
-  /** Only the station's own virtual arm has a world that it can tell. */
+  /** Only the station's own virtual arm has a world. */
   async function followWorld() {
     const mine = turn = turns += 1;
     let ink = new Ink();
@@ -51,12 +51,12 @@ export function followAuxiliaryData(store, http) {
       /** @type {Schemas["WorldState"] | undefined} */
       const world = await http.json(`api/v1/world?strokes_from=${from}`);
       if (!world || turn !== mine) break;
-      // Another world begins anew: all of it is asked for.
+      // A new world is read from its beginning.
       if (!ink.take(world, from)) continue;
       const next = partsOf(world);
       const isSame = JSON.stringify(next) === JSON.stringify(parts);
       if (!isSame || ink.marks.shades.length !== lines) {
-        // What is the same as before costs the stage nothing.
+        // Unchanged objects cost the stage nothing.
         parts = isSame && parts ? parts : next;
         lines = ink.marks.shades.length;
         store.send({ type: "around", around: { ...parts, marks: ink.marks } });

@@ -1,4 +1,4 @@
-// Asks the station what is known of the arm, what touches tell, and has it keep what a person was shown.
+// Calibration requests: reads what is known, fits recorded points, and saves the reviewed result.
 
 import { saveFrom } from "../parts/download.js";
 import { LEAST_TOUCHES, pointBlockedReason, questionOf, rawDegrees, touchBlockedReason, touchesOf } from "../state/calibrate.js";
@@ -77,7 +77,7 @@ export function createCalibrate(store, http, change) {
       const arm = store.page.station?.arm;
       if (arm && !pointBlockedReason(store.page)) send({ type: "calibrate_visited", told_deg: rawDegrees(arm) });
     },
-    /** Keeps what was shown, and nothing else. */
+    /** Saves exactly the reviewed calibration. */
     async keep() {
       const { shown } = store.page.calibrate;
       if (shown && (await hold(shown))) send({ type: "calibrate_ended" });
@@ -92,7 +92,7 @@ export function createCalibrate(store, http, change) {
       const arm = store.page.station?.arm;
       if (arm && !touchBlockedReason(store.page)) send({ type: "paper_touched", place: [arm.x_mm, arm.y_mm, arm.z_mm] });
     },
-    /** Keeps how the paper lies, beside all else that is known. @param {Schemas["PaperPlane"] | null} paper */
+    /** Saves the paper surface with the rest of the calibration. @param {Schemas["PaperPlane"] | null} paper */
     keepPaper: (paper) => hold(/** @type {Schemas["CalibrationFile"]} */ ({ zeros: { base: 0, rear: 0, fore: 0 }, ...store.page.calibrate.known?.calibration, paper }), "paper"),
   };
 }

@@ -1,4 +1,4 @@
-// Has the station plan what is to be drawn, a moment after it was changed. What is not wanted any more is given up.
+// Requests a plan shortly after the drawing changed, and deletes plans that are no longer needed.
 
 import { timelineOf } from "../preview/timeline.js";
 import { hasSubject, optionsOf, wrongField } from "../state/draw.js";

@@ -1,4 +1,4 @@
-// A file as a request carries it: its name, and what it holds in Base64.
+// A drawing file as a request body: its name and content in Base64.
 
 import { base64 } from "../parts/base64.js";
 import { MOST_BYTES } from "../state/draw.js";

@@ -1,36 +1,36 @@
-// Server-sent events that are read with the token, which an EventSource would not carry.
+// Server-sent events read with the access token, which an EventSource cannot send.
 
 /**
- * The events of a stream, cut out of its text as it comes.
- * @param {(event: string, data: string) => void} hear @returns {(text: string) => void}
+ * Splits the text of a stream into events.
+ * @param {(event: string, data: string) => void} onEvent @returns {(text: string) => void}
  */
-export function createReader(hear) {
+export function createReader(onEvent) {
   let rest = "";
   return (text) => {
     const blocks = (rest + text).split("\n\n");
     rest = blocks.pop() ?? "";
     for (const block of blocks) {
-      const field = (/** @type {string} */ name) => block.split("\n").find((it) => it.startsWith(`${name}: `))?.slice(name.length + 2) ?? "";
-      if (field("data")) hear(field("event"), field("data"));
+      const field = (/** @type {string} */ name) => block.split("\n").find((line) => line.startsWith(`${name}: `))?.slice(name.length + 2) ?? "";
+      if (field("data")) onEvent(field("event"), field("data"));
     }
   };
 }
 
 /**
- * Reads a stream until it ends, or nobody wants it any more.
+ * Reads a stream until it ends or is no longer needed.
  * @param {Response} answer
  * @param {object} listener
- * @param {(event: string, data: string) => void} listener.hear takes each event
- * @param {() => void} [listener.came] is called behind all events of a piece, and at a sign of life without events
+ * @param {(event: string, data: string) => void} listener.onEvent receives each event
+ * @param {() => void} [listener.onChunk] is called after the events of each chunk, also of a keep-alive without events
  * @param {() => boolean} listener.isWanted
  */
-export async function readEvents(answer, { hear, came, isWanted }) {
+export async function readEvents(answer, { onEvent, onChunk, isWanted }) {
   const stream = answer.body?.pipeThrough(new TextDecoderStream()).getReader();
-  const read = createReader(hear);
+  const read = createReader(onEvent);
   while (stream) {
     const { value, done } = await stream.read().catch(() => ({ value: undefined, done: true }));
     if (done || !isWanted()) break;
     read(value ?? "");
-    came?.();
+    onChunk?.();
   }
 }

@@ -1,13 +1,13 @@
-// Requests to the station, with the token where there is one.
+// HTTP requests to the station, with the access token if there is one.
 
 /** @typedef {ReturnType<typeof createHttp>} Http */
 /** @typedef {import("../state/types.js").Problem} Problem */
-/** What came of it: a value, or a problem. @template T @typedef {{ value: T, problem?: undefined } | { value?: undefined, problem: Problem }} Outcome */
+/** The result of a request: a value or a problem. @template T @typedef {{ value: T, problem?: undefined } | { value?: undefined, problem: Problem }} Outcome */
 
 /** @type {Problem} */
 const SILENT = { title: "the station does not respond", detail: "no response from the address of the station", hint: "check that the station is running; the page retries automatically" };
 
-/** A stop that is not answered for so long gives its connection back: a browser has six of them to a station. */
+/** Timeout of a stop request, which frees its connection: a browser has six per station. */
 const STOP_MS = 3000;
 
 export function createHttp() {
@@ -39,17 +39,17 @@ export function createHttp() {
     /** @param {string} secret */
     useToken: (secret) => sessionStorage.setItem("token", secret),
     get,
-    /** A value, or nothing where there is none. @template T @param {string} path @returns {Promise<T | undefined>} */
+    /** Returns the value, or undefined on failure. @template T @param {string} path @returns {Promise<T | undefined>} */
     async json(path) {
       const answer = await get(path);
       return answer?.ok ? answer.json() : undefined;
     },
     /**
-     * Asks for something, with a body as JSON where there is one. What has a key is done once, however often it is asked for.
+     * Sends a request with an optional JSON body. A request with a key is carried out only once, even if it is repeated.
      * @template T @param {"GET" | "POST" | "PUT" | "DELETE"} method @param {string} path @param {unknown} [body] @param {string} [key] @returns {Promise<Outcome<T>>}
      */
     ask: (method, path, body, key) => request({ ...authorization(), ...(key && { "idempotency-key": key }) }, method, path, body),
-    /** Asks for a stop: anyone may, so that a token that the station does not know keeps nobody from it. @template T @param {string} path @param {unknown} [body] @returns {Promise<Outcome<T>>} */
+    /** Requests a stop. No token is needed for it, so an unknown token must not prevent it. @template T @param {string} path @param {unknown} [body] @returns {Promise<Outcome<T>>} */
     async stop(path, body) {
       const outcome = await request(authorization(), "POST", path, body, AbortSignal.timeout(STOP_MS));
       return outcome.problem?.status === 401 && token() ? request({}, "POST", path, body, AbortSignal.timeout(STOP_MS)) : outcome;

@@ -1,21 +1,21 @@
-// Reads the list of jobs while somebody looks at it, and asks for what is to become of them.
+// Reads the job list while it is visible, and sends requests about jobs.
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Request} Request */
 /** @typedef {import("../state/types.js").Reply} Reply */
 /** @typedef {ReturnType<typeof createJobs>} JobRequests */
 
-/** What other clients queue nobody tells: the list is read so often while it is seen. */
+/** Polling interval of the visible list: jobs queued by other clients are not announced. */
 const AGAIN_MS = 2000;
 
 /**
  * @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket
- * @param {() => void} takeControlIfFree takes control where nobody has it
+ * @param {() => void} takeControlIfFree takes control if no client has it
  */
 export function createJobs(store, http, socket, takeControlIfFree) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
-  /** How often the list was asked for: an answer to an earlier question is not taken. */
+  /** Number of list requests: results of earlier ones are ignored. */
   let requests = 0;
 
   const isSeen = () => store.page.tab === "jobs" && !document.hidden;
@@ -57,7 +57,7 @@ export function createJobs(store, http, socket, takeControlIfFree) {
     forget: (job) => void ask(job, { type: "forget_job", job }),
     /** @param {number} job @param {number | null} before */
     move: (job, before) => void ask(job, { type: "move_job", job, before }),
-    /** Does a job once more: at once, or in its turn where another one is under way. @param {number} job */
+    /** Repeats a job: immediately, or queued if another job is active. @param {number} job */
     async again(job) {
       const isFree = !store.page.station?.job;
       const reply = await ask(job, { type: "queue_again", job });

@@ -1,5 +1,5 @@
-// Opens lessons, which are files of the page, goes on in them when what a step waits for has happened, and tells the station of a
-// fleet how far a student is.
+// Opens lessons (files of the page), advances them when the condition of a step is met, and reports the student's progress to
+// the station of a fleet.
 
 import { begunNow, isDone, progressOf, stepNow } from "../state/learn.js";
 import { rowsOf } from "../state/teach.js";
@@ -10,7 +10,7 @@ import { parse } from "../vendor/smol-toml/index.js";
 
 /** Under what name it is reported, for as long as this tab is open: on a computer of a school the next one is another one. */
 const STUDENT = "dobot.student";
-/** A station forgets a student of whom it hears nothing for a minute. */
+/** Report interval: a station forgets a student after a minute without a report. */
 const REPORT_MS = 20_000;
 
 /** @param {Store} store @param {import("./http.js").Http} http */
@@ -20,7 +20,7 @@ export function createLessons(store, http) {
 
   const next = () => send({ type: "lesson_step", step: store.page.learn.step + 1, begun: begunNow(store.page) });
 
-  /** Tells how far the student is, where that has changed; the board of the fleet shows it. */
+  /** Reports the student's progress if it changed, for the board of the fleet. */
   async function reportProgress() {
     const progress = store.page.fleet === null ? null : progressOf(store.page.learn);
     const text = JSON.stringify(progress);
@@ -52,7 +52,7 @@ export function createLessons(store, http) {
       send({ type: "lesson", lesson, begun: begunNow(store.page) });
     },
     end: () => send({ type: "lesson", lesson: null, begun: begunNow(store.page) }),
-    /** Whose lesson it is; nobody's with an empty name. @param {string} name */
+    /** Sets the student's name; empty for none. @param {string} name */
     setStudent(name) {
       sessionStorage.setItem(STUDENT, name);
       send({ type: "lesson_student", name });

@@ -1,4 +1,4 @@
-// Listens to the packets while somebody looks at them.
+// Subscribes to packets while they are visible.
 
 import { readEvents } from "./event_stream.js";
 
@@ -10,7 +10,7 @@ const AGAIN_MS = 1000;
 /** @param {Store} store @param {import("./http.js").Http} http */
 export function followPackets(store, http) {
   const { send } = store;
-  /** What ends the listening that goes on. @type {AbortController | null} */ let listening = null;
+  /** Aborts the running subscription. @type {AbortController | null} */ let listening = null;
 
   const isWanted = () => store.page.packets.listening && store.page.tab === "watch" && store.page.connection === "open";
 
@@ -18,17 +18,17 @@ export function followPackets(store, http) {
   async function listen(mine) {
     const answer = await http.get("api/v1/packets", mine.signal);
     if (answer && !answer.ok) send({ type: "packets_refused", problem: await answer.json() });
-    /** @type {Schemas["PacketView"][]} */ let heard = [];
+    /** @type {Schemas["PacketView"][]} */ let received = [];
     /** @param {string} event @param {string} data */
-    const hear = (event, data) => {
-      if (event === "packet") heard.push(JSON.parse(data));
+    const onEvent = (event, data) => {
+      if (event === "packet") received.push(JSON.parse(data));
       else if (event === "lost") send({ type: "packets_lost", count: JSON.parse(data).lost });
     };
-    const came = () => {
-      if (heard.length) send({ type: "packets", packets: heard });
-      heard = [];
+    const onChunk = () => {
+      if (received.length) send({ type: "packets", packets: received });
+      received = [];
     };
-    if (answer?.ok) await readEvents(answer, { hear, came, isWanted: () => listening === mine });
+    if (answer?.ok) await readEvents(answer, { onEvent, onChunk, isWanted: () => listening === mine });
     if (listening !== mine) return;
     listening = null;
     if (answer?.ok !== false) setTimeout(follow, AGAIN_MS);

@@ -1,4 +1,4 @@
-// Reads recordings, hands them to a person as files, and lets time pass while one is played.
+// Reads and downloads recordings, and advances the playback time.
 
 import { isCoarse } from "../state/recordings.js";
 import { saveFrom } from "../parts/download.js";
@@ -7,12 +7,12 @@ import { saveFrom } from "../parts/download.js";
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {ReturnType<typeof createRecordings>} RecordingRequests */
 
-/** How many places of the arm are read of a recording, however long it is. */
+/** The most positions read of a recording. */
 const MOST = 5000;
 
-/** A stretch that is read finely: so long, in seconds, and a third of it before the moment that is shown. */
+/** Length of the stretch read at full resolution, in seconds; a third of it lies before the current time. */
 const NEAR_S = 60;
-/** A person who scrubs rests so long before that is read. */
+/** Delay after scrubbing before that stretch is read. */
 const RESTS_MS = 150;
 
 /** @param {string} name */

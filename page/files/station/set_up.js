@@ -1,4 +1,4 @@
-// What "Set up" reads from the station and changes there.
+// Requests of the Set up tab.
 
 import { isChanged } from "../state/set_up.js";
 
@@ -14,7 +14,7 @@ export function createSetUp(store, http, socket) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
   let checked = store.page.set_up.revision;
-  /** How often it was read: an answer that a later one overtook would bring back a policy that holds no more. */
+  /** Number of reads: an outdated answer must not restore an old policy. */
   let reads = 0;
 
   async function read() {

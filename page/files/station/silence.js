@@ -1,26 +1,26 @@
-// Finds a station silent that should be heard.
+// Detects a silent station.
 
-const LOOK_MS = 500;
-/** For so long a station says nothing before it counts as silent. */
+const TICK_MS = 500;
+/** Time without a message before a station counts as silent. */
 export const SILENT_MS = 2000;
 
 /**
- * It counts the looks and not the time, and begins anew after a look that came late: a page that was busy or asleep has
- * still to hear what came meanwhile.
+ * Counts timer ticks instead of time, and restarts after a late tick: a page that was busy or asleep has not yet processed the
+ * messages that arrived meanwhile.
  * @param {object} outside
- * @param {() => boolean} outside.isExpected whether something should come
+ * @param {() => boolean} outside.isExpected whether a message is expected
  * @param {() => void} outside.silent
- * @returns {() => void} something came
+ * @returns {() => void} to be called on each message
  */
 export function watchSilence({ isExpected, silent }) {
-  let looks = 0, last_ms = performance.now();
+  let ticks = 0, last_ms = performance.now();
   setInterval(() => {
-    const now_ms = performance.now(), isLate = now_ms - last_ms > 2 * LOOK_MS;
+    const now_ms = performance.now(), isLate = now_ms - last_ms > 2 * TICK_MS;
     last_ms = now_ms;
-    looks = isExpected() && !isLate ? looks + 1 : 0;
-    if (looks * LOOK_MS <= SILENT_MS) return;
-    looks = 0;
+    ticks = isExpected() && !isLate ? ticks + 1 : 0;
+    if (ticks * TICK_MS <= SILENT_MS) return;
+    ticks = 0;
     silent();
-  }, LOOK_MS);
-  return () => void (looks = 0);
+  }, TICK_MS);
+  return () => void (ticks = 0);
 }

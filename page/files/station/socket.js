@@ -1,4 +1,4 @@
-// The WebSocket to the station: connects, connects again, and brings each answer to who asked. It draws nothing.
+// The WebSocket to the station: connects, reconnects, and delivers each answer to its requester. It draws nothing.
 
 import { SILENT_MS, watchSilence } from "./silence.js";
 
@@ -24,9 +24,9 @@ export function createSocket({ store, http }) {
   /** @type {Map<number, (answer: Answer) => void>} */ const waiting = new Map();
 
   const isOpen = () => socket?.readyState === WebSocket.OPEN;
-  // A station tells of an arm that is there with each status, and of one that is not when that changes.
+  // A station sends a state with each status of a connected arm, and on changes of a disconnected one.
   const isExpected = () => isOpen() && (store.page.station?.link.phase ?? "up") === "up";
-  const heard = watchSilence({ isExpected, silent: connectAnew });
+  const resetSilence = watchSilence({ isExpected, silent: reconnect });
 
   function connect() {
     store.send({ type: "connecting" });
@@ -36,17 +36,17 @@ export function createSocket({ store, http }) {
     url.protocol = url.protocol.replace("http", "ws");
     const token = http.token();
     const mine = socket = new WebSocket(url, token ? ["dobot", `dobot.token.${token}`] : ["dobot"]);
-    const late = setTimeout(() => mine === socket && connectAnew(), CONNECT_MS);
+    const late = setTimeout(() => mine === socket && reconnect(), CONNECT_MS);
     mine.addEventListener("open", () => clearTimeout(late));
-    mine.addEventListener("message", (event) => mine === socket && hear(JSON.parse(event.data), name));
+    mine.addEventListener("message", (event) => mine === socket && handleMessage(JSON.parse(event.data), name));
     mine.addEventListener("close", (event) => {
       clearTimeout(late);
       if (mine === socket) void tryAgain(event);
     });
   }
 
-  /** Leaves a connection that brings nothing: it may take minutes to end by itself. */
-  function connectAnew() {
+  /** Abandons a silent connection, which may take minutes to close. */
+  function reconnect() {
     const silent = socket;
     socket = undefined;
     silent?.close();
@@ -57,13 +57,13 @@ export function createSocket({ store, http }) {
   function lose() {
     for (const resolve of waiting.values()) resolve(NO_CONNECTION);
     waiting.clear();
-    // Nothing counts as held from now on, whatever the question about the token says.
+    // Nothing counts as held from now on, with or without a token.
     store.send({ type: "closed", needs_token: false });
   }
 
-  /** @param {Schemas["ToClient"]} message @param {string} name What this page has called itself. */
-  function hear(message, name) {
-    heard();
+  /** @param {Schemas["ToClient"]} message @param {string} name the name that this page sent */
+  function handleMessage(message, name) {
+    resetSilence();
     const now_ms = Date.now();
     if ("hello" in message) {
       const { client, role, version, person = "" } = message.hello;
@@ -92,12 +92,12 @@ export function createSocket({ store, http }) {
   return {
     connect,
     isOpen,
-    /** Ends the connection; the next one comes by itself, under the name that holds then. */
+    /** Closes the connection; it reopens automatically, under the current name. */
     again: () => socket?.close(),
-    /** Asks for something; the answer always comes. @param {Request} request @returns {Promise<Answer>} */
+    /** Sends a request; it always gets an answer. @param {Request} request @returns {Promise<Answer>} */
     ask(request) {
       if (!socket || !isOpen()) return Promise.resolve(NO_CONNECTION);
-      // Whoever starts a job here is a person, and has seen what it waits for.
+      // A person starts the job here and has seen what it waits for.
       const { job } = store.page.station ?? {};
       if ((request.type === "start_job" || request.type === "step_job") && job?.job === request.job && job.waits_for_person) void this.ask({ type: "confirm_job", job: request.job });
       const id = lastId += 1;

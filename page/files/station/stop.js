@@ -1,13 +1,13 @@
-// Asks for a stop until something answers: at once, and then again and again over connections of their own.
+// Requests a stop until it is answered: immediately, then repeatedly over separate connections.
 
 const FIRST_AGAIN_MS = 300, AGAIN_MS = 1000;
-/** From when on a person has to know that nobody has answered. */
+/** Delay before an unanswered stop is reported. */
 const LATE_MS = 1000;
 
 /**
  * @param {object} outside
- * @param {() => Promise<boolean>} outside.first asks at once, with each press; whether that was answered
- * @param {() => Promise<boolean>} outside.again asks over another connection
+ * @param {() => Promise<boolean>} outside.first sends a stop immediately, at each press; resolves to whether it was answered
+ * @param {() => Promise<boolean>} outside.again sends a stop over another connection
  * @param {() => void} outside.late
  * @param {(after_ms: number) => void} outside.answered
  * @returns {() => void} presses STOP
@@ -15,10 +15,10 @@ const LATE_MS = 1000;
 export function createStop({ first, again, late, answered }) {
   /** @type {{ since_ms: number, again: number, late: number } | null} */ let waiting = null;
 
-  /** @param {() => Promise<boolean>} way */
-  async function ask(way) {
+  /** @param {() => Promise<boolean>} request */
+  async function ask(request) {
     const mine = waiting;
-    if (!(await way()) || !mine || waiting !== mine) return;
+    if (!(await request()) || !mine || waiting !== mine) return;
     clearTimeout(mine.again);
     clearTimeout(mine.late);
     waiting = null;

@@ -1,4 +1,4 @@
-// Asks the station where the way to the target leads, a moment after it was changed, and what the ghost is near to.
+// Checks the path to the target shortly after it changed, and requests the limits near the ghost.
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Command} Command */
@@ -7,7 +7,7 @@
 import { ghostPlace } from "../state/selectors.js";
 import { placeOf } from "../state/target.js";
 
-/** For so long nothing is typed or dragged before the way is checked. */
+/** Delay after the last input before the path is checked. */
 const CHECK_MS = 80;
 
 /** The command that goes to the target: the tool stays as it is. @param {Page} page @returns {Command | null} */
@@ -35,7 +35,7 @@ export function followTarget(store, socket) {
   let asking = false;
   /** For which place, by which policy and over which connection it was asked last. @type {readonly unknown[]} */ let last = ["null"];
 
-  /** What the ghost is near to: one question at a time, and the next one for where it is then. */
+  /** Requests the limits near the ghost: one request at a time, then the next for its current position. */
   async function followGhost() {
     const { page } = store, place = ghostPlace(page), now = [JSON.stringify(place), page.policy, page.connection];
     if (asking || now.every((it, n) => it === last[n])) return;

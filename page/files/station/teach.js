@@ -1,4 +1,4 @@
-// Has the station check a program a moment after it was changed, change its steps, and make jobs of it.
+// Checks a program shortly after it changed, edits its steps, and creates jobs.
 
 import { base64 } from "../parts/base64.js";
 import { rowsIn } from "../state/selectors.js";
@@ -16,7 +16,7 @@ const hundredths = (value) => Math.round(value * 100) / 100;
 
 /**
  * @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket
- * @param {() => void} takeControlIfFree takes control where nobody has it
+ * @param {() => void} takeControlIfFree takes control if no client has it
  */
 export function createTeach(store, http, socket, takeControlIfFree) {
   const { send } = store;
@@ -51,13 +51,13 @@ export function createTeach(store, http, socket, takeControlIfFree) {
       send({ type: "teach_refused", problem });
       return false;
     }
-    // What somebody typed meanwhile is not lost.
+    // Keeps text typed in the meantime.
     if (store.page.teach.revision !== revision) return false;
     send({ type: "teach_text", text: titled(/** @type {Schemas["EditedProgram"]} */ (value).text, name), chosen });
     return true;
   }
 
-  /** Behind the chosen step, or at the end. */
+  /** After the selected step, or at the end. */
   function behind() {
     const rows = rowsIn(store.page.teach.text);
     return store.page.teach.chosen === null ? rows.length : Math.min(rows.length, store.page.teach.chosen + 1);

@@ -1,4 +1,4 @@
-// What a person has to know before anything else, above the stage.
+// Banners above the stage: conditions that a user must know first.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { recorded } from "../state/recordings.js";
@@ -10,7 +10,7 @@ import { tokenForm } from "./token.js";
 
 /** @typedef {import("./context.js").Context} Context */
 
-/** From when on it is told whose time comes next, and that a time is nearly over. */
+/** When the next time slot, and the end of the current one, are announced. */
 const SOON_S = 300, ENDS_S = 60;
 
 /** @param {string} text */
@@ -19,7 +19,7 @@ export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 /** @param {Context} context */
 export const banners = (context) => html`${locked(context)}${slot(context)}${stopped(context)}${untrusted(context)}${recording(context)}${token(context)}`;
 
-/** What comes and goes by itself lies over the page: nothing moves under a pointer. @param {Context} context */
+/** Toasts overlay the page: nothing moves under a pointer. @param {Context} context */
 export const toasts = (context) => html`${old(context)}${message(context)}${problem(context)}`;
 
 /** @param {Context} context */
@@ -29,14 +29,14 @@ function old({ page, t }) {
   return html`<p id="old" class="banner" data-tone="warn" role="status">${t("old", { age: formatDuration(t, silence_ms(page) / 1000), why })}</p>`;
 }
 
-/** Somebody has the eyes of all. @param {Context} context */
+/** The arm is locked by the teacher. @param {Context} context */
 function locked({ page, t }) {
   const lock = page.station?.lock;
   if (!lock) return nothing;
   return html`<p id="locked" class="banner" data-tone="warn" role="alert"><span><strong>${t("locked.title")}</strong> ${t("locked.by", { by: lock.by, why: lock.message ? `: ${lock.message}` : "" })}</span></p>`;
 }
 
-/** Whose time it is, so that nobody wonders what he may do. Only what changes seldom is read out. @param {Context} context */
+/** The current time slot. Screen readers announce only what changes rarely. @param {Context} context */
 function slot(context) {
   const { page, t, act } = context;
   const { station } = page, now = timeNow(station), next = timeNext(station), others = othersTime(page);
@@ -87,7 +87,7 @@ function untrusted({ page, t, act }) {
     </section>`;
 }
 
-/** The stage shows something else than the arm: that has to be known before all else that is seen on it. @param {Context} context */
+/** The stage shows a recording instead of the live arm. @param {Context} context */
 function recording({ page, t, act }) {
   if (!recorded(page.recordings)) return nothing;
   return html`
@@ -113,5 +113,5 @@ function problem({ page, t, act }) {
 /** @param {Context} context */
 const token = ({ page, t, act, connect }) => (page.connection === "token" ? tokenForm(t, t("token.required"), (secret) => act.useToken(secret, connect)) : nothing);
 
-/** What a person is asked before something is done. @param {Context} context */
+/** The open question. @param {Context} context */
 export const question = ({ page, t, act }) => (page.question ? confirmation(t, page.question, act.answer) : nothing);

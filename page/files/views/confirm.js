@@ -1,9 +1,9 @@
-// What a person is asked before something is done. STOP stays within reach: the dialog is not modal.
+// The confirmation dialog. It is not modal, so STOP stays within reach.
 
 import { html, render } from "../vendor/lit-html/lit-html.js";
 
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
-/** A question has a title, a text and a yes among the words. @typedef {Extract<TextKey, `question.${string}.yes`> extends `question.${infer About}.yes` ? About : never} About */
+/** The questions with a title, a text and a yes button among the texts. @typedef {Extract<TextKey, `question.${string}.yes`> extends `question.${infer About}.yes` ? About : never} About */
 
 /**
  * @param {import("../i18n/i18n.js").Translate} t
@@ -18,12 +18,12 @@ export const confirmation = (t, { about, values }, answer) => html`
     <button id="confirm-yes" type="button" class="strong" @click=${() => answer(true)}>${t(`question.${about}.yes`)}</button>
   </div>`;
 
-/** Opens the dialog where there is a question, and closes it where there is none. @param {HTMLDialogElement} dialog @param {unknown} content @param {boolean} open */
+/** Opens or closes the dialog. @param {HTMLDialogElement} dialog @param {unknown} content @param {boolean} open */
 export function showDialog(dialog, content, open) {
   render(content, dialog);
   if (open === dialog.open) return;
   if (!open) return dialog.close();
-  // Not a modal one: STOP has to stay within reach.
+  // Not modal: STOP has to stay within reach.
   dialog.show();
   dialog.querySelector("button")?.focus();
 }

@@ -1,4 +1,4 @@
-// What a view is made of: the state, the words, and what a person can do.
+// The context of a view: state, translation and actions.
 
 /**
  * @typedef {object} Context

@@ -1,4 +1,4 @@
-// The foot: STOP, and what runs now.
+// The footer: STOP and the current job.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -19,7 +19,7 @@ export function footer(context) {
     ${page.station?.job ? job(context, page.station.job) : html`<p id="no-job" class="quiet wide">${t("job.none")}</p>`}`;
 }
 
-/** What came of a STOP that was not answered at once. @param {Context} context */
+/** Status of a STOP that was not answered in time. @param {Context} context */
 function lateStop({ page: { late_stop }, t }) {
   if (!late_stop) return nothing;
   const { after_s } = late_stop;
@@ -45,7 +45,7 @@ function job({ page, t, act }, job) {
     </section>`;
 }
 
-/** How far above the plan, in words. @param {Context["t"]} t @param {number} mm */
+/** Height offset as text. @param {Context["t"]} t @param {number} mm */
 function height(t, mm) {
   if (mm === 0) return t("job.as_planned");
   return `${mm > 0 ? "+" : "−"}${Math.abs(mm).toFixed(1)} mm`;

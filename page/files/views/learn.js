@@ -1,4 +1,4 @@
-// A lesson: what to do now, and the list of all of them.
+// Lessons: the current step, and the list.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
@@ -56,7 +56,7 @@ const list = ({ t, act }) => html`
     </div>
   </section>`;
 
-/** Marks where to look, and nothing else. @param {import("../state/state.js").Page} page */
+/** Marks the element that the step points to. @param {import("../state/state.js").Page} page */
 export function point(page) {
   const wanted = page.learn.chooses ? undefined : stepNow(page)?.show;
   const now = document.querySelector("[data-here]"), next = wanted ? document.querySelector(wanted) : null;

@@ -1,4 +1,4 @@
-// The numbers of the arm and the cameras, on the stage.
+// Pose numbers and camera buttons on the stage.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { recorded } from "../state/recordings.js";

@@ -1,4 +1,4 @@
-// The strip at the top: the truth about the arm, always.
+// The status bar: live state of arm, control and laser.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { hasControl, isVirtual, laser, othersTime } from "../state/selectors.js";
@@ -27,14 +27,14 @@ export function statusBar(context) {
     <p id="laser-chip" class="chip" data-tone=${LASER_TONES[shines]}>${t(/** @type {"laser.off"} */ (`laser.${shines}`), { left: formatClock(station?.laser.armed_for_s ?? 0) })}</p>`;
 }
 
-/** Who has control, and how to get it. @param {Context} context */
+/** The lease holder, and the buttons to request or release control. @param {Context} context */
 function control(context) {
   const { page, t, act } = context;
   const { station, me } = page;
   if (!station) return nothing;
   const { lease } = station;
   const mine = hasControl(page);
-  const asked = lease?.asked_by.some((it) => it.client === me) ?? false;
+  const asked = lease?.asked_by.some((client) => client.client === me) ?? false;
   if (othersTime(page)) return html`<div class="control"><span id="holder">${t("slots.holder", { name: lease ? lease.name : t("slots.nobody") })}</span></div>`;
   const holder = mine ? t("control.mine") : lease ? t("control.others", { name: lease.name }) : t("control.free");
   return html`

@@ -1,4 +1,4 @@
-// What there is to do: one tab for each panel.
+// One tab for each panel.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 

@@ -1,4 +1,4 @@
-// Asks for a token.
+// The form for an access token.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 

@@ -1,4 +1,4 @@
-// What a person without an arm sees first: that this one is virtual, and what can be done with it.
+// The welcome card for the virtual arm.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { isVirtual } from "../state/selectors.js";

@@ -1,4 +1,4 @@
-// How this page looks, and what it speaks.
+// Language and theme of the page.
 
 import { html } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
@@ -20,7 +20,7 @@ export function looks({ page, t, act }) {
       </fieldset>
       <fieldset class="segments">
         <legend>${t("set.theme")}</legend>
-        ${THEMES.map((it) => html`<label><input type="radio" name="theme" value=${it} .checked=${live(it === page.theme)} @change=${() => act.send({ type: "theme", theme: it })}><span>${t(`set.${it}`)}</span></label>`)}
+        ${THEMES.map((choice) => html`<label><input type="radio" name="theme" value=${choice} .checked=${live(choice === page.theme)} @change=${() => act.send({ type: "theme", theme: choice })}><span>${t(`set.${choice}`)}</span></label>`)}
       </fieldset>
       <p><button id="lessons-open" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: true })}>${t("learn.open")}</button></p>
       <p class="quiet">${t("set.version", { version: page.version })}</p>

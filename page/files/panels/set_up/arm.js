@@ -1,4 +1,4 @@
-// From a plugged-in arm to one that can be trusted: is it there, what does it understand, is it where it says.
+// Setup of the arm: connection, dialect and pose.
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { blockedReason } from "../../state/selectors.js";
@@ -43,7 +43,7 @@ export function armGuide(context) {
           <p class="quiet">${t("arm.dialect.hint")}</p>
           <div class="row">
             <button id="detect" type="button" class="small" ?disabled=${blockedReason(page) !== null} @click=${() => act.question({ about: "detect" })}>${t("arm.detect")}</button>
-            ${DIALECTS.map((it) => html`<button type="button" class="small" data-dialect=${it} ?disabled=${it === dialect || link.phase !== "up"} @click=${() => act.setUp.useDialect(it)}>${t("arm.use", { dialect: it })}</button>`)}
+            ${DIALECTS.map((choice) => html`<button type="button" class="small" data-dialect=${choice} ?disabled=${choice === dialect || link.phase !== "up"} @click=${() => act.setUp.useDialect(choice)}>${t("arm.use", { dialect: choice })}</button>`)}
           </div>
           ${set_up.finding ? html`
             <p id="finding" class="status" data-tone="good" role="status">${t("arm.is", { dialect: set_up.finding.dialect })}</p>
@@ -60,7 +60,7 @@ export function armGuide(context) {
     </section>`;
 }
 
-/** Why the last change came to nothing, where it was asked for. @param {Context} context @param {import("../../state/set_up.js").Place} place */
+/** Why the last change was refused, shown in its section. @param {Context} context @param {import("../../state/set_up.js").Place} place */
 export function refusal({ page }, place) {
   const { refused } = page.set_up;
   if (refused?.place !== place) return nothing;

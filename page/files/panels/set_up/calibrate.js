@@ -1,4 +1,4 @@
-// From a printed sheet to an arm that knows where it is: what is known, the points to touch, what they tell, what is kept.
+// The calibration procedure: current calibration, points to record, result and review.
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
@@ -11,10 +11,10 @@ import { refusal } from "./arm.js";
 /** @typedef {import("../../state/types.js").Problem} Problem */
 /** @typedef {import("../../state/types.js").Schemas} Schemas */
 
-/** The sheet, A4 and landscape, whose near edge is so far from the axis of the base. */
+/** The sheet (A4 landscape), and the distance of its near edge from the base axis. */
 const SHEET = { wide_mm: 297, high_mm: 210, near_mm: 95 };
 const TONES = { good: "good", unchecked: "warn", doubtful: "bad" };
-/** What a person sees of a calibration before all of it is shown. */
+/** The values shown before the review. */
 const MAIN = new Set(["base", "rear", "fore", "out", "left"]);
 
 /** To two decimals, without a sign at nothing. @param {number} value */
@@ -22,13 +22,13 @@ const number = (value) => value.toFixed(2).replace(/^-0\.00$/, "0.00").replace("
 /** @param {number} value */
 const change = (value) => (number(value).startsWith("−") ? number(value) : `+${number(value)}`);
 
-/** Whether only the paper of the arm is known, or nothing. @param {Schemas["CalibrationFile"]} calibration */
+/** Whether the arm has no calibration except for the paper. @param {Schemas["CalibrationFile"]} calibration */
 const isAsDrawn = (calibration) => numbersOf(calibration).filter(({ name }) => MAIN.has(name)).every(({ value }) => value === 0);
 
-/** Where a place is on the sheet, from its upper left corner: forward is up. @param {readonly number[]} place */
+/** Position on the sheet from its upper left corner; forward is up. @param {readonly number[]} place */
 const onSheet = ([x_mm = 0, y_mm = 0]) => [SHEET.wide_mm / 2 - y_mm, SHEET.high_mm + SHEET.near_mm - x_mm];
 
-/** What is drawn next has the focus, where that which had it is gone. @param {string} id */
+/** Moves the focus to an element of the next frame, because the focused one disappears. @param {string} id */
 const focusOn = (id) => requestAnimationFrame(() => document.getElementById(id)?.focus());
 
 /** @param {Problem | null} problem */
@@ -159,7 +159,7 @@ function touching(context) {
     ${shown ? review(context, shown) : nothing}`;
 }
 
-/** What was touched, and how far each touch is from where it should be. @param {Context} context */
+/** The recorded points and their errors. @param {Context} context */
 function touches({ page, t }) {
   const { fit } = page.calibrate;
   const all = touchesOf(page.calibrate);
@@ -176,7 +176,7 @@ function result(context, fit) {
   const { page, t, act } = context;
   const { calibration, expected_mm, trust, unsure, advice } = fit;
   const before = page.calibrate.known?.calibration ?? null;
-  const best = advice && page.calibrate.sheet?.points_mm.findIndex((it) => String(it) === String(advice.place_mm));
+  const best = advice && page.calibrate.sheet?.points_mm.findIndex((place) => String(place) === String(advice.place_mm));
   const show = () => {
     act.send({ type: "calibrate_shown" });
     focusOn("calibrate-keep");

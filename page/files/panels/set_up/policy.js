@@ -1,4 +1,4 @@
-// The safety policy: its keep-outs as fields, all of it as a text. The stage shows the zones of the draft.
+// The safety policy: keep-out zones as fields, all rules as text. The stage shows the zones of the draft.
 
 import { html, nothing } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";

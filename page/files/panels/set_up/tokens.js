@@ -1,4 +1,4 @@
-// Who may come from another computer: tokens, and the way for a phone.
+// Access from other computers: tokens, and a QR code for phones.
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { encode } from "../../vendor/uqr/uqr.js";

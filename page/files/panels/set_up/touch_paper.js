@@ -1,4 +1,4 @@
-// How the paper lies: touched at three places and more, seen on the stage, kept for all drawings.
+// Measures the paper surface from three or more points and saves it for all drawings.
 
 import { html, nothing } from "../../vendor/lit-html/lit-html.js";
 import { touchBlockedReason } from "../../state/calibrate.js";
@@ -9,7 +9,7 @@ import { refusal } from "./arm.js";
 
 /** @param {number} value */
 const number = (value) => value.toFixed(2).replace(/^-0\.00$/, "0.00").replace("-", "−");
-/** What is drawn next has the focus, where that which had it is gone. @param {string} id */
+/** Moves the focus to an element of the next frame, because the focused one disappears. @param {string} id */
 const focusOn = (id) => requestAnimationFrame(() => document.getElementById(id)?.focus());
 
 /** @param {Context} context */

@@ -1,4 +1,4 @@
-// What goes wrong with a virtual arm, and what stands around it.
+// Faults and scene of the virtual arm.
 
 import { html } from "../../vendor/lit-html/lit-html.js";
 import { refusal } from "./arm.js";
@@ -6,7 +6,7 @@ import { refusal } from "./arm.js";
 /** @typedef {import("../../views/context.js").Context} Context */
 /** @typedef {import("../../i18n/i18n.js").TextKey} TextKey */
 
-/** What often goes wrong, by name. @type {readonly [TextKey, string][]} */
+/** Common faults by name. @type {readonly [TextKey, string][]} */
 const FAULTS = [
   ["fault.drop", "drop=1%"],
   ["fault.flip", "flip=0.1%"],
@@ -27,7 +27,7 @@ const WORLDS = [
 export function virtualArm(context) {
   const { page, t, act } = context;
   const area = (/** @type {string} */ id) => /** @type {HTMLTextAreaElement} */ (document.getElementById(id));
-  const lines = (/** @type {string} */ text) => text.split("\n").map((it) => it.trim()).filter(Boolean);
+  const lines = (/** @type {string} */ text) => text.split("\n").map((line) => line.trim()).filter(Boolean);
   const add = (/** @type {string} */ fault) => {
     area("faults-text").value = [...lines(area("faults-text").value), fault].join("\n");
   };
