@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn near_misses_are_suggested_and_nothing_else() {
         for (line, meant) in [
-            ("dobot jgo x+", "'jog'"),
+            ("dobot drwa a.svg", "'draw'"),
             ("dobot draw a.svg --sped 5", "'--speed'"),
             ("dobot set tool lasre", "'laser'"),
             ("dobot move --joint 1 2 3", "'--joints'"),

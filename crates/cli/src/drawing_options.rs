@@ -114,6 +114,30 @@ fn rows() -> Vec<Row> {
     source.chain(paper).chain(run).collect()
 }
 
+/// The fields that the short help shows.
+const COMMON: [&str; 20] = [
+    "text",
+    "font",
+    "height",
+    "layers",
+    "hatch",
+    "shade",
+    "paper_size",
+    "landscape",
+    "fit",
+    "scale",
+    "at",
+    "grid",
+    "rotate",
+    "margin",
+    "pen_down",
+    "pen",
+    "laser",
+    "speed",
+    "passes",
+    "from",
+];
+
 /// An argument, and the conversion of its value to JSON.
 struct Row {
     field: &'static str,
@@ -227,7 +251,8 @@ fn json(value: &impl Serialize) -> Value {
 impl clap::Args for DrawingOptions {
     fn augment_args(command: Command) -> Command {
         let args = rows().into_iter().map(|row| {
-            let arg = row.arg.help(help(row.field));
+            let is_rare = !COMMON.contains(&row.field);
+            let arg = row.arg.help(help(row.field)).hide_short_help(is_rare);
             match &Field::named(row.field).default {
                 Some(default) => arg.default_value(&**default),
                 None => arg,
@@ -332,5 +357,6 @@ mod tests {
         let fields: Vec<&String> = groups.flat_map(Map::keys).collect();
         let rows: Vec<&str> = rows().iter().map(|row| row.field).collect();
         assert_eq!(rows, fields);
+        assert!(COMMON.iter().all(|field| rows.contains(field)));
     }
 }

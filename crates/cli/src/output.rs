@@ -71,6 +71,23 @@ pub(crate) fn counts(all: &[(usize, &str, &str)]) -> String {
     some.collect::<Vec<_>>().join(", ")
 }
 
+/// Wraps a text at spaces into lines of at most `width` columns, if its words allow it.
+pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let last = lines.last_mut().expect("there is at least one line");
+        if !last.is_empty() && last.chars().count() + word.chars().count() >= width {
+            lines.push(word.to_owned());
+        } else {
+            if !last.is_empty() {
+                last.push(' ');
+            }
+            last.push_str(word);
+        }
+    }
+    lines
+}
+
 /// Prints a value as one line of JSON.
 pub(crate) fn json(value: &impl Serialize) -> io::Result<()> {
     let text = serde_json::to_string(value).map_err(io::Error::other)?;

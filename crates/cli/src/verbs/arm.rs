@@ -183,7 +183,7 @@ impl Args {
         let addresses: Option<Vec<_>> = (0..count).map(at).collect();
         addresses.ok_or_else(|| {
             let last = 65_535 - (count - 1);
-            anyhow!("{count} arms from port {} on exceed port 65535; the first port may be up to {last}", first.port()).into()
+            Failure::usage(anyhow!("{count} arms from port {} on exceed port 65535; the first port may be up to {last}", first.port()))
         })
     }
 

@@ -101,7 +101,7 @@ enum Group {
         #[arg(long, value_name = "MM/S2", default_value = "100", value_parser = values::positive)]
         acceleration: f32,
     },
-    /// Tell the arm its current joint angles (state 9, mode 3); the base becomes 0
+    /// Set the current joint angles (state 9, mode 3); the base becomes 0
     #[command(allow_negative_numbers = true)]
     Angles {
         /// Angle of the rear arm, in degrees from the vertical

@@ -39,7 +39,7 @@ use crate::{stderr, values};
     clippy::struct_excessive_bools,
     reason = "each is a switch of the command line"
 )]
-/// Start the station: the program that owns the arm (`dobot` alone does, too)
+/// Start the station, which owns the arm (default without a command)
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:

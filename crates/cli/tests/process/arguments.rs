@@ -118,7 +118,7 @@ fn what_is_no_fault_speed_or_pose_is_told_with_what_is_allowed() {
 #[test]
 fn more_arms_than_ports_are_refused() {
     dobot(&["arm", "--count", "10", "--tcp", "127.0.0.1:65530"])
-        .fails(1, &["10 arms from port 65530", "up to 65526"]);
+        .fails(2, &["10 arms from port 65530", "up to 65526"]);
 }
 
 #[test]

@@ -157,7 +157,7 @@ fn several_files_and_a_text_go_on_one_sheet() {
     dobot(&[&sides[..], &grid].concat()).fails(1, &["1 cell ", "2 files", "--grid 2x1"]);
     let spoiled = file("spoiled.svg", "<svg><path d='M0,0 L'/></svg>");
     dobot(&["draw", &left, &spoiled]).fails(1, &["spoiled.svg: "]);
-    dobot(&["draw", "-", "-"]).fails(1, &["one standard input"]);
+    dobot(&["draw", "-", "-"]).fails(2, &["one standard input"]);
     let burn = ["draw", &left, "--card", "5", "--laser", "cork-engrave"];
     dobot(&burn).fails(2, &["--card"]);
     dobot(&["draw", &left, &right, "--shade", "lines"]).fails(2, &["none of these"]);
@@ -374,12 +374,12 @@ fn no_output_is_written_over_the_drawing_or_over_another_one() {
         for option in ["--export", "--picture", "--timeline"] {
             let refused = dobot(&[&draw[..], &[option, name]].concat());
             let told = format!("{option} would overwrite {name}, which is also the drawing");
-            refused.fails(1, &[&told, "name another file"]);
+            refused.fails(2, &[&told, "name another file"]);
         }
     }
     let both = ["--picture", &new, "--export", &new];
     let told = format!("--export would overwrite {new}, which is also --picture");
-    dobot(&[&draw[..], &both].concat()).fails(1, &[&told]);
+    dobot(&[&draw[..], &both].concat()).fails(2, &[&told]);
     let kept = fs::read_to_string(&drawing).expect("it is there");
     assert_eq!(kept, text);
     assert!(!Path::new(&new).exists());

@@ -107,7 +107,7 @@ impl PaperToucher {
         match &self.outcome {
             Ok(found) => lines.extend(result(found)),
             Err(why) => {
-                let texts = screen::wrapped(&why.to_string());
+                let texts = output::wrapped(&why.to_string(), screen::WIDTH);
                 lines.extend(texts.into_iter().map(Line::from));
             }
         }

@@ -8,6 +8,7 @@ use ratatui::style::Stylize;
 use ratatui::text::Line;
 
 use super::toucher::Toucher;
+use crate::output::wrapped;
 use crate::pendant::{Pendant, alarm, answer, held_line, key_line, move_lines};
 use crate::verbs::watch::panels;
 
@@ -71,7 +72,7 @@ fn lines(toucher: &Toucher) -> Vec<Line<'static>> {
     match &toucher.outcome {
         Ok(fit) => lines.extend(result(fit, toucher.kept.known.as_ref())),
         Err(why) => {
-            let texts = wrapped(&why.to_string());
+            let texts = wrapped(&why.to_string(), WIDTH);
             lines.extend(texts.into_iter().map(Line::from));
         }
     }
@@ -137,21 +138,5 @@ fn trust(fit: &Fit) -> Line<'static> {
     }
 }
 
-/// Wraps a text at the width of the screen.
-pub(super) fn wrapped(text: &str) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        let last = lines.last_mut().expect("there is at least one line");
-        if !last.is_empty() && last.chars().count() + word.chars().count() >= WIDTH {
-            lines.push(word.to_owned());
-        } else {
-            if !last.is_empty() {
-                last.push(' ');
-            }
-            last.push_str(word);
-        }
-    }
-    lines
-}
-
-const WIDTH: usize = 76;
+/// The width of a text on the screen.
+pub(super) const WIDTH: usize = 76;

@@ -9,6 +9,7 @@ use dobot_import::Format;
 use super::defaults::{self, Defaults};
 use crate::connect::To;
 use crate::drawing_options::DrawingOptions;
+use crate::output::wrapped;
 use crate::renamed::draw_option;
 use crate::values::{extension, laser_seconds};
 
@@ -111,16 +112,23 @@ pub(crate) struct Results {
 }
 
 fn after_help() -> String {
-    let drawings = Format::names(|format| !format.is_picture(), "and");
-    let pictures = Format::names(Format::is_picture, "and");
+    let drawings = indented(&Format::names(|format| !format.is_picture(), "and"));
+    let pictures = indented(&Format::names(Format::is_picture, "and"));
     format!(
         "{EXAMPLES}
 Formats of drawings:
-  {drawings}
+{drawings}
 Formats of pictures:
-  {pictures}
+{pictures}
 Files may be compressed with gzip. {AREA}"
     )
+}
+
+/// Wraps and indents a text for the help.
+fn indented(text: &str) -> String {
+    let lines = wrapped(text, 76).into_iter();
+    let lines: Vec<String> = lines.map(|line| format!("  {line}")).collect();
+    lines.join("\n")
 }
 
 /// Parses an option that a file of defaults may have, or `all`.

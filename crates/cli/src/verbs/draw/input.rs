@@ -31,10 +31,10 @@ pub(super) fn drawing_request(args: Args) -> Result<(Args, DrawingRequest), Fail
 fn subject(args: &Args) -> Result<Subject, Failure> {
     let standard_inputs = args.files.iter().filter(|file| *file == Path::new("-"));
     if standard_inputs.count() > 1 {
-        return Err(Failure::new(
-            anyhow!("- is given more than once; there is only one standard input"),
-            "write one of the drawings to a file",
-        ));
+        return Err(Failure::usage(anyhow!(
+            "- is given more than once; there is only one standard input"
+        ))
+        .with_hint("write one of the drawings to a file"));
     }
     let files = args.files.iter().map(|file| of_file(file));
     let text = Subject::of_text(&args.options.0.what).map(Ok);

@@ -41,10 +41,9 @@ pub(super) fn check_apart(args: &Args) -> Result<(), Failure> {
         };
         if let Some((what, _)) = taken.iter().find(|other| other.1 == identity) {
             let file = file.display();
-            return Err(anyhow!(
+            return Err(Failure::usage(anyhow!(
                 "{option} would overwrite {file}, which is also {what}; name another file"
-            )
-            .into());
+            )));
         }
         taken.push((option, identity));
     }

@@ -90,10 +90,8 @@ mod joined {
                 return Ok(Joined::default());
             };
             let name = names.first().cloned().ok_or_else(|| {
-                Failure::new(
-                    anyhow!("a station needs a name to join a fleet"),
-                    "name it: `--name desk-3`",
-                )
+                Failure::usage(anyhow!("a station needs a name to join a fleet"))
+                    .with_hint("name it: `--name desk-3`")
             })?;
             let config = FleetConfig {
                 about: self.about(&name, station),
