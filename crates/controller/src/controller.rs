@@ -1,4 +1,4 @@
-//! The engine: time, ticks and statuses; what a tick does is the business of a program.
+//! The engine: time, ticks and statuses. A program defines what a tick does.
 
 use core::time::Duration;
 
@@ -14,28 +14,28 @@ use crate::{Personality, Port, PowerUp, Refused};
 
 /// The controller of an arm, as an engine: it owns no port, no thread and no clock.
 ///
-/// Things happen to it (`handle_*`), it wants things (`poll_*`), and [`Controller::poll_wakeup`]
-/// says when it next needs the time, which counts from power-up and never goes back. Who calls
-/// [`Controller::handle_time`] later than that gets all the same results, but has to fetch the
-/// statuses at least every second, else the oldest are lost.
+/// It takes events (`handle_*`), returns outputs (`poll_*`), and [`Controller::poll_wakeup`] returns
+/// the next time it needs. Time counts from power-up and never decreases. Calling
+/// [`Controller::handle_time`] later gives the same results, but fetch the statuses at least every
+/// second, or the oldest are lost.
 #[derive(Debug)]
 pub struct Controller {
     program: Program,
-    /// The number of the next control tick, and when it is due.
+    /// The number of the next control tick and its due time.
     tick: u32,
     next_tick: Duration,
-    /// How many ticks in a row nothing moved and nothing waited.
+    /// The number of consecutive ticks without motion and without waiting commands.
     ticks_at_rest: u8,
     schedule: StatusSchedule,
     steppers: Steppers,
     outputs: Outputs,
-    /// Whether the laser was on in the outputs before.
+    /// Whether the laser was on in the previous outputs.
     laser_before: bool,
     uploads: Uploads,
     log: Log,
 }
 
-/// What the two personalities do differently.
+/// The program of a personality.
 #[derive(Debug)]
 enum Program {
     Specification(Specification),
@@ -43,7 +43,7 @@ enum Program {
 }
 
 impl Controller {
-    /// Switches a controller on.
+    /// Creates a controller at power-up.
     #[must_use]
     pub fn power_up(power_up: PowerUp) -> Self {
         Self::speaking(&power_up.personality.dialect(), &power_up)
@@ -75,8 +75,7 @@ impl Controller {
         }
     }
 
-    /// Takes bytes from the client that arrive at `now`, one after the other. What they say is done
-    /// from the next tick on.
+    /// Handles bytes from the client that arrive at `now`. They take effect from the next tick on.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         self.handle_time(now);
         self.ticks_at_rest = 0;
@@ -86,11 +85,11 @@ impl Controller {
         }
     }
 
-    /// Takes the passing of time.
+    /// Advances to `now`.
     pub fn handle_time(&mut self, now: Duration) {
         while self.next_event() <= now {
             self.rest_until(now);
-            // No tick is left that could be passed over.
+            // No tick is left to skip.
             let at = self.next_event();
             if at > now {
                 return;
@@ -104,12 +103,12 @@ impl Controller {
         }
     }
 
-    /// The status to send next, if one is due.
+    /// Returns the next status to send, if one is due.
     pub fn poll_bytes(&mut self) -> Option<Upload> {
         self.uploads.pop()
     }
 
-    /// The next byte of what is printed on the port that is not served (note N39).
+    /// Returns the next byte of the text printed on the unused port (note N39).
     pub fn poll_other_port(&mut self) -> Option<u8> {
         match &mut self.program {
             Program::Specification(_) => None,
@@ -117,12 +116,12 @@ impl Controller {
         }
     }
 
-    /// What was refused, the oldest first; only the last few are kept.
+    /// Returns the oldest refusal; only the last few are kept.
     pub fn poll_refused(&mut self) -> Option<Refused> {
         self.log.poll_refused()
     }
 
-    /// When [`Controller::handle_time`] wants to be called next.
+    /// The time at which to call [`Controller::handle_time`] next.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         match self.ticks_to_rest() {
@@ -131,7 +130,7 @@ impl Controller {
         }
     }
 
-    /// Where the tool is told to be at a time between now and the next wakeup.
+    /// The commanded pose at a time between now and the next wakeup.
     #[must_use]
     pub fn pose_at(&self, at: Duration) -> Pose {
         match &self.program {
@@ -140,7 +139,7 @@ impl Controller {
         }
     }
 
-    /// The joint angles that are told to the motors for a time between now and the next wakeup.
+    /// The commanded joint angles at a time between now and the next wakeup.
     #[must_use]
     pub fn joints_at(&self, at: Duration) -> Joints {
         match &self.program {
@@ -149,13 +148,13 @@ impl Controller {
         }
     }
 
-    /// From one status to the next while there is room in the queue.
+    /// The status period while there is room in the queue.
     #[must_use]
     pub const fn status_period(&self) -> Duration {
         self.schedule.period()
     }
 
-    /// What the last control tick told the machine.
+    /// The outputs of the last control tick.
     #[must_use]
     pub const fn outputs(&self) -> Outputs {
         self.outputs
@@ -168,13 +167,13 @@ impl Controller {
         self.steppers.sent()
     }
 
-    /// How many control ticks have been; tick n, counted from 0, is due at n times 20 ms.
+    /// The number of control ticks since power-up; tick n, counted from 0, is due at n times 20 ms.
     #[must_use]
     pub const fn tick_count(&self) -> u32 {
         self.tick
     }
 
-    /// Whether the suction cup's pump runs.
+    /// Whether the pump of the suction cup is on.
     #[must_use]
     pub fn suction(&self) -> bool {
         self.program.hands().pump
@@ -186,9 +185,10 @@ impl Controller {
         self.program.hands().laser
     }
 
-    /// Whether the laser is on while the motors make the pulses of the last [`outputs`](Self::outputs): a stock arm switches it at
-    /// once, a tick before the motors begin what switched it (note N48). The motors of an ideal arm are two ticks behind its pose, and
-    /// so is what its laser burns, to a tick.
+    /// Whether the laser is on while the motors make the pulses of the last
+    /// [`outputs`](Self::outputs). A stock arm switches it immediately, a tick before the motors start
+    /// the command that switched it (note N48). The motors of an ideal arm lag two ticks behind its
+    /// pose, and so does the burn of its laser, to within a tick.
     #[must_use]
     pub fn laser_at_motors(&self) -> bool {
         match &self.program {
@@ -197,29 +197,29 @@ impl Controller {
         }
     }
 
-    /// What it has counted.
+    /// The counters since power-up.
     #[must_use]
     pub const fn counters(&self) -> &Counters {
         &self.log.counters
     }
 
-    /// The next tick, or the end of a motion before it.
+    /// The time of the next tick, or of an earlier end of a motion.
     fn next_event(&self) -> Duration {
         match &self.program {
             Program::Specification(it) => it
                 .wakeup()
-                .map_or(self.next_tick, |it| it.min(self.next_tick)),
+                .map_or(self.next_tick, |wakeup| wakeup.min(self.next_tick)),
             Program::Firmware(_) => self.next_tick,
         }
     }
 
-    /// How much of the last tick's time has passed, from 0 to 1.
+    /// The elapsed fraction of the last tick, from 0 to 1.
     fn tick_share(&self, at: Duration) -> f64 {
         let since = at.saturating_sub(self.next_tick.saturating_sub(TICK));
         (since.as_secs_f64() / TICK.as_secs_f64()).min(1.0)
     }
 
-    /// How many ticks from now on change nothing and send nothing, as long as nothing arrives.
+    /// The number of coming ticks without effect, as long as no byte arrives.
     const fn ticks_to_rest(&self) -> u32 {
         if self.ticks_at_rest < SETTLES_AFTER {
             0
@@ -228,7 +228,7 @@ impl Controller {
         }
     }
 
-    /// Passes over such ticks, as many as are due.
+    /// Skips the due ticks that have no effect.
     fn rest_until(&mut self, now: Duration) {
         if self.ticks_at_rest < SETTLES_AFTER {
             return;
@@ -252,27 +252,31 @@ impl Controller {
         self.next_tick += TICK;
         self.laser_before = self.outputs.laser;
         self.outputs = Outputs::new(self.steppers.exchange(), self.program.hands());
-        let may_tell = self.schedule.silent_ticks() == 0;
-        let (waiting, way_deg, repeats) = match &mut self.program {
-            Program::Specification(it) => {
-                it.tick(at, &mut self.log);
-                (it.waiting(), it.take_way_deg(), false)
+        let may_send = self.schedule.silent_ticks() == 0;
+        let (waiting, motion_deg, repeats) = match &mut self.program {
+            Program::Specification(specification) => {
+                specification.tick(at, &mut self.log);
+                (
+                    specification.waiting(),
+                    specification.take_motion_deg(),
+                    false,
+                )
             }
-            Program::Firmware(it) => {
-                it.tick(at, may_tell, &mut self.log);
-                let repeats = it.take_repeats();
-                (it.waiting(), it.take_way_deg(), repeats)
+            Program::Firmware(firmware) => {
+                firmware.tick(at, may_send, &mut self.log);
+                let repeats = firmware.take_repeats();
+                (firmware.waiting(), firmware.take_motion_deg(), repeats)
             }
         };
         if repeats {
             self.ticks_at_rest = 0;
             self.steppers.repeat();
-        } else if way_deg == [0.0; 3] {
+        } else if motion_deg == [0.0; 3] {
             let ticks = self.ticks_at_rest.saturating_add(1);
             self.ticks_at_rest = if self.program.is_at_rest() { ticks } else { 0 };
         } else {
             self.ticks_at_rest = 0;
-            self.steppers.turn(way_deg);
+            self.steppers.turn(motion_deg);
         }
         if let Some(add_to_x_mm) = self.schedule.tick(waiting) {
             self.upload(at, add_to_x_mm);
@@ -304,16 +308,16 @@ impl Program {
         }
     }
 
-    /// The status, and how long after its tick it leaves.
+    /// The status and its delay after the tick.
     fn status(&self) -> (Frame, Duration) {
         match self {
             Self::Specification(it) => (it.status(), Duration::ZERO),
-            Self::Firmware(it) => (it.status(), it.status_delay()),
+            Self::Firmware(firmware) => (firmware.status(), firmware.status_delay()),
         }
     }
 }
 
-/// After so many ticks without motion the last pulses are out, and all outputs are as they stay.
+/// After this many ticks without motion, all pulses are sent and the outputs are constant.
 const SETTLES_AFTER: u8 = 3;
 
 #[cfg(test)]
@@ -321,7 +325,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_status_comes_as_often_as_the_dialect_says_even_if_that_is_no_whole_number_of_ticks() {
+    fn the_status_period_is_kept_even_if_it_is_not_a_whole_number_of_ticks() {
         let mut dialect = Dialect::FIRMWARE_1_1;
         dialect.status_period_ms = 50;
         for step_ms in [1, 1000] {

@@ -1,16 +1,15 @@
-//! The program of stock arms (version 1.1): its rounding, its limits and its traps (notes N37 to
-//! N51).
+//! The program of stock arms (firmware 1.1): its rounding, limits and traps (notes N37 to N51).
 //!
-//! It calculates in single precision, tick by tick, from what it believes of the arm. Whatever it
-//! reads it takes as it comes, so this works on floats, not on commands: a speed of zero is divided
-//! by, and what is not a number passes every limit.
+//! It calculates in single precision, tick by tick, from its estimate of the arm. It does not validate
+//! its input, so this module works on floats, not on commands: it divides by a speed of zero, and NaN
+//! passes every limit.
 
 mod ahead;
 mod body;
 mod fifo;
 mod follow;
 mod jog;
-mod joint_way;
+mod joint_motion;
 mod line;
 mod outcome;
 mod printer;
@@ -44,12 +43,12 @@ use crate::log::Log;
 use crate::outputs::Hands;
 use crate::{Hang, Port, PowerUp, Refused};
 
-/// What stock arms do.
+/// The program of stock arms.
 #[derive(Debug)]
 pub(crate) struct Firmware {
     port: Port,
     receiver: Receiver,
-    heard: SerialReceiver,
+    serial: SerialReceiver,
     printer: Printer,
     fifo: Fifo,
     body: Body,
@@ -61,37 +60,37 @@ pub(crate) struct Firmware {
     write: Write,
     follow: Follow,
     spoken: Spoken,
-    /// What the status tells: all but the pump as it was before the last tick that could send one.
+    /// The data of the status: except for the pump, as before the last tick that could send one.
     snapshot: Status,
-    /// How long the tick calculated.
+    /// The calculation time of the tick.
     computing: Duration,
-    /// Where the motors are at the begin of a tick, and where its pulses bring them.
+    /// The motor positions at the start of a tick and after its pulses.
     sent: [StockJoints; 2],
     is_lost: bool,
 }
 
-/// What the receive routine remembers and tells on the other port.
+/// The state of the receive routine, which it prints on the other port.
 #[derive(Debug, Default)]
 struct SerialReceiver {
     packets: u32,
     bad_tails: u32,
     too_long: u32,
-    /// Whether every command that is fetched is taken for voice.
+    /// Whether every fetched command is treated as voice.
     is_voice: bool,
 }
 
-/// The command in force. It is looked at in every tick, even when it is finished.
+/// The current command. It is evaluated in every tick, even when it is finished.
 #[derive(Debug)]
 struct InForce {
     frame: Frame,
     state: i16,
     is_finished: bool,
-    /// Its state in the tick before.
+    /// Its state in the previous tick.
     state_before: i16,
     /// Whether its first tick is still to come.
     is_new: bool,
-    /// Whether something was told about it.
-    is_told: bool,
+    /// Whether a notice about it was logged.
+    is_reported: bool,
 }
 
 impl Firmware {
@@ -100,7 +99,7 @@ impl Firmware {
         Self {
             port: power_up.port,
             receiver: Receiver::new(power_up.port),
-            heard: SerialReceiver::default(),
+            serial: SerialReceiver::default(),
             printer: Printer::default(),
             fifo: Fifo::new(),
             settings: StockSettings::new(),
@@ -110,7 +109,7 @@ impl Firmware {
                 is_finished: true,
                 state_before: IDLE,
                 is_new: false,
-                is_told: false,
+                is_reported: false,
             },
             travel: Travel::default(),
             line: StraightLine::default(),
@@ -126,7 +125,7 @@ impl Firmware {
         }
     }
 
-    /// Takes bytes that arrive now.
+    /// Handles bytes that arrive now.
     pub(crate) fn handle_bytes(&mut self, now: Duration, bytes: &[u8], log: &mut Log) {
         self.receive(now, log);
         let mut rest = bytes;
@@ -139,11 +138,11 @@ impl Firmware {
         log.counters.skipped_bytes = self.receiver.skipped;
     }
 
-    /// A control tick, which may send a status or surely sends none.
-    pub(crate) fn tick(&mut self, at: Duration, may_tell: bool, log: &mut Log) {
+    /// Runs a control tick. `may_send` is false if it certainly sends no status.
+    pub(crate) fn tick(&mut self, at: Duration, may_send: bool, log: &mut Log) {
         self.receive(at, log);
         self.send();
-        if may_tell {
+        if may_send {
             self.snapshot = status(&self.body);
         }
         self.body.is_driven = false;
@@ -152,7 +151,7 @@ impl Firmware {
                 log.begun();
                 self.fetch(frame);
             } else if self.fifo.len() > 0 {
-                // With more than its places the queue gives nothing: the last command runs again.
+                // An overfull queue returns nothing: the last command runs again.
                 self.fetch(self.in_force.frame);
             }
         }
@@ -160,9 +159,9 @@ impl Firmware {
         self.in_force.is_finished = outcome.is_over;
         self.body.is_planned &= !outcome.is_over;
         if let Some(notice) = outcome.notice
-            && !self.in_force.is_told
+            && !self.in_force.is_reported
         {
-            self.in_force.is_told = true;
+            self.in_force.is_reported = true;
             log.refuse(notice);
         }
         self.body.settle();
@@ -174,7 +173,7 @@ impl Firmware {
         self.fifo.len()
     }
 
-    /// Whether the command in force does nothing more and none waits.
+    /// Whether the current command is finished and none waits.
     pub(crate) fn is_at_rest(&self) -> bool {
         let InForce {
             state,
@@ -182,13 +181,13 @@ impl Firmware {
             ref frame,
             ..
         } = self.in_force;
-        // A release that met a limit goes on running down.
+        // A release at a limit keeps decelerating.
         let is_jogging = matches!(state, JOINT_JOG | LINEAR_JOG)
             && (short(frame.float(2)) != 0 || !self.jog.is_released());
         is_finished && self.fifo.len() == 0 && !is_jogging
     }
 
-    /// Takes a tick at which nothing happens.
+    /// Runs a tick without effect.
     pub(crate) fn rest(&mut self, at: Duration) {
         self.receiver.set_busy_until(at + self.computing);
     }
@@ -201,17 +200,17 @@ impl Firmware {
         .emit()
     }
 
-    /// How long after its tick a status leaves.
+    /// The delay of a status after its tick.
     pub(crate) fn status_delay(&self) -> Duration {
         self.computing + SENDING
     }
 
-    /// How far the joints went in the last tick, in degrees: base, rear, fore.
-    pub(crate) const fn take_way_deg(&mut self) -> [f32; 3] {
-        core::mem::replace(&mut self.body.way_deg, [0.0; 3])
+    /// Takes the joint motion of the last tick, in degrees: base, rear, fore.
+    pub(crate) const fn take_motion_deg(&mut self) -> [f32; 3] {
+        core::mem::replace(&mut self.body.motion_deg, [0.0; 3])
     }
 
-    /// Whether the motors go on as in the tick before, although the pose stands still (note N50).
+    /// Whether the motors repeat the previous tick although the pose is constant (note N50).
     pub(crate) const fn take_repeats(&mut self) -> bool {
         core::mem::replace(&mut self.body.repeats, false)
     }
@@ -224,10 +223,15 @@ impl Firmware {
         self.printer.poll()
     }
 
-    /// The joint angles after so much of the last tick's time, from 0 to 1.
+    /// The joint angles at a fraction of the last tick, from 0 to 1.
     pub(crate) fn joints_at(&self, share: f64) -> Joints {
-        let [from, to] = self.sent.map(|it| {
-            let angles = [it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg];
+        let [from, to] = self.sent.map(|joints| {
+            let angles = [
+                joints.base_deg,
+                joints.rear_deg,
+                joints.fore_deg,
+                joints.servo_deg,
+            ];
             let [base, rear, fore, servo] = angles.map(f64::from);
             Joints::new(base, rear, fore, servo)
         });
@@ -238,7 +242,7 @@ impl Firmware {
         dobot_arm::forward(&self.joints_at(share), self.body.tool())
     }
 
-    /// Looks at the receive buffer, unless a tick calculates.
+    /// Searches the receive buffer, unless a tick is calculating.
     fn receive(&mut self, now: Duration, log: &mut Log) {
         if !self.receiver.is_empty() && !self.receiver.is_busy(now) {
             self.search(log);
@@ -255,21 +259,21 @@ impl Firmware {
     }
 
     fn take(&mut self, found: &Received, log: &mut Log) {
-        self.heard.packets += 1;
+        self.serial.packets += 1;
         match found {
             &Received::Frame(frame) => {
                 log.counters.packets += 1;
-                self.heard.is_voice = false;
+                self.serial.is_voice = false;
                 if !self.fifo.push(frame) {
                     log.refuse(Refused::QueueFull);
                 }
             }
             Received::Voice(text) => {
                 log.counters.packets += 1;
-                self.hear(&SpokenWords::find(text), log);
+                self.receive_voice(&SpokenWords::find(text), log);
             }
             &Received::BadTail { header } => {
-                self.heard.bad_tails += 1;
+                self.serial.bad_tails += 1;
                 log.refuse(Refused::BadTail);
                 self.interrupt(header);
                 if self.port == Port::Bluetooth {
@@ -277,40 +281,40 @@ impl Firmware {
                 }
             }
             Received::TooLong => {
-                self.heard.too_long += 1;
+                self.serial.too_long += 1;
                 log.refuse(Refused::TooLong);
             }
         }
         if self.port == Port::Usb {
-            let heard = &self.heard;
-            self.printer.print_number(heard.packets);
+            let serial = &self.serial;
+            self.printer.print_number(serial.packets);
             self.printer.print(b",");
-            self.printer.print_number(heard.bad_tails);
+            self.printer.print_number(serial.bad_tails);
             self.printer.print(b",");
-            self.printer.print_number(heard.too_long);
+            self.printer.print_number(serial.too_long);
             self.printer.print(b"\r\n");
         }
     }
 
-    fn hear(&mut self, words: &SpokenWords, log: &mut Log) {
+    fn receive_voice(&mut self, words: &SpokenWords, log: &mut Log) {
         self.interrupt(VOICE_HEADER);
-        if self.spoken.hear(words) {
-            self.fifo.take_place();
+        if self.spoken.receive(words) {
+            self.fifo.take_slot();
         } else {
             log.refuse(Refused::NotUnderstood);
         }
         words.echo(&mut self.printer);
     }
 
-    /// From the first byte of a text on, the command in force is taken for voice.
+    /// Treats the current command as voice from the first byte of a text on.
     const fn interrupt(&mut self, header: u8) {
-        self.heard.is_voice = header == VOICE_HEADER;
-        if self.heard.is_voice {
+        self.serial.is_voice = header == VOICE_HEADER;
+        if self.serial.is_voice {
             self.in_force.state = VOICE;
         }
     }
 
-    /// The exchange with the motors' clock: what was calculated in the tick before begins to move.
+    /// Starts the motor pulses calculated in the previous tick.
     const fn send(&mut self) {
         self.sent[0] = self.sent[1];
         if !self.is_lost {
@@ -320,18 +324,18 @@ impl Firmware {
 
     fn fetch(&mut self, frame: Frame) {
         self.in_force.frame = frame;
-        self.in_force.state = if self.heard.is_voice {
+        self.in_force.state = if self.serial.is_voice {
             VOICE
         } else {
             short(frame.float(1))
         };
         self.in_force.is_finished = false;
-        self.in_force.is_told = false;
+        self.in_force.is_reported = false;
         self.in_force.is_new = true;
         self.jog.clear();
     }
 
-    /// A tick of the command in force, finished or not.
+    /// Runs a tick of the current command, finished or not.
     fn dispatch(&mut self) -> TickOutcome {
         let Self {
             in_force,
@@ -344,7 +348,7 @@ impl Firmware {
         let (frame, is_over) = (&in_force.frame, in_force.is_finished);
         let is_row = matches!(in_force.state, MOUSE | GESTURE);
         if is_row && in_force.state_before != in_force.state {
-            self.follow.begin_row();
+            self.follow.begin_sequence();
         }
         in_force.state_before = in_force.state;
         match in_force.state {
@@ -404,7 +408,7 @@ impl Firmware {
         }
     }
 
-    /// Tells once that the arm is lost.
+    /// Logs once that the pose is lost.
     fn note_loss(&mut self, log: &mut Log) {
         let was_lost = core::mem::replace(&mut self.is_lost, self.body.is_lost());
         if self.is_lost && !was_lost {
@@ -412,14 +416,14 @@ impl Firmware {
         }
     }
 
-    /// Notes how long this tick calculates.
+    /// Records the calculation time of this tick.
     fn compute(&mut self, at: Duration) {
         self.computing = self.work().time();
         self.receiver.set_busy_until(at + self.computing);
         self.in_force.is_new = false;
     }
 
-    /// What this tick had to calculate.
+    /// The calculation done in this tick.
     fn work(&self) -> Work {
         let InForce {
             state,
@@ -479,5 +483,5 @@ const GESTURE: i16 = 8;
 const CONFIGURATION: i16 = 9;
 const ADJUSTMENT: i16 = 10;
 const STATE_15: i16 = 15;
-/// From the end of a tick's calculation until its status leaves.
+/// The time from the end of a tick's calculation to its status.
 const SENDING: Duration = Duration::from_micros(600);

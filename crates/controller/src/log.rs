@@ -1,27 +1,27 @@
-//! What a controller counts and refuses.
+//! The counters and refusals of a controller.
 
 use heapless::Deque;
 
 use crate::Refused;
 
-/// What a controller has counted since power-up.
+/// The counters of a controller since power-up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counters {
-    /// Packets received whole, voice included.
+    /// Complete packets received, including voice.
     pub packets: u64,
     /// Bytes received that belong to no packet.
     pub skipped_bytes: u64,
-    /// Commands that were begun.
+    /// Commands started.
     pub begun: u64,
-    /// Packets and commands refused, for whatever reason.
+    /// Packets and commands refused, for any reason.
     pub refused: u64,
     /// Statuses sent.
     pub statuses: u64,
-    /// Statuses that were lost because they were not fetched.
+    /// Statuses lost because they were not fetched.
     pub lost_statuses: u64,
 }
 
-/// What a controller counts and refuses, for its host to see.
+/// The counters and the latest refusals.
 #[derive(Debug, Default)]
 pub(crate) struct Log {
     pub(crate) counters: Counters,
@@ -40,7 +40,7 @@ impl Log {
         }
         self.refusals
             .push_back(refused)
-            .expect("room was made just above");
+            .expect("an entry was removed above");
     }
 
     pub(crate) fn poll_refused(&mut self) -> Option<Refused> {

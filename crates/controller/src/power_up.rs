@@ -1,27 +1,26 @@
-//! What a controller is when it is switched on.
+//! The power-up configuration of a controller.
 
 use core::fmt;
 use core::str::FromStr;
 
 use dobot_wire::Dialect;
 
-/// How a controller behaves where the document leaves room, and what it does with bad input.
+/// The behavior of a controller where the specification leaves it open, and on bad input.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Personality {
-    /// The document's rules: every bad input is refused and counted, no limit is ever passed.
+    /// The published specification: every bad input is refused and counted, no limit is passed.
     #[default]
     Specification,
-    /// The twin of the controller that stock arms have (firmware 1.1): its rounding, its limits and
-    /// its traps.
+    /// The twin of the stock controller (firmware 1.1), with its rounding, limits and traps.
     Firmware11,
 }
 
 impl Personality {
-    /// All of them.
+    /// All personalities.
     pub const ALL: [Self; 2] = [Self::Specification, Self::Firmware11];
 
-    /// The dialect that it speaks.
+    /// The dialect of the personality.
     #[must_use]
     pub const fn dialect(self) -> Dialect {
         match self {
@@ -30,7 +29,7 @@ impl Personality {
         }
     }
 
-    /// The name by which a user chooses it: that of its dialect.
+    /// The name, which is that of its dialect.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.dialect().name()
@@ -49,42 +48,42 @@ impl FromStr for Personality {
     fn from_str(name: &str) -> Result<Self, Self::Err> {
         Self::ALL
             .into_iter()
-            .find(|it| it.name() == name)
+            .find(|personality| personality.name() == name)
             .ok_or(UnknownPersonality)
     }
 }
 
-/// A name that no personality has.
+/// The error returned for an unknown personality name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no such personality; the names are \"specification\" and \"firmware-1.1\"")]
+#[error("unknown personality; allowed are \"specification\" and \"firmware-1.1\"")]
 pub struct UnknownPersonality;
 
-/// The port that a controller serves; a pin tells it at power-up (note N38).
+/// The port that a controller serves; selected by a pin at power-up (note N38).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Port {
-    /// The cable.
+    /// The USB cable.
     #[default]
     Usb,
-    /// The Bluetooth module, which only the twin of the stock controller has.
+    /// The Bluetooth module; only the twin of the stock controller has one.
     Bluetooth,
 }
 
-/// What a controller is when it is switched on.
+/// The power-up configuration of a controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerUp {
-    /// How it behaves.
+    /// The personality.
     pub personality: Personality,
-    /// The port that it serves. The document knows one only: [`Personality::Specification`] sends
-    /// its statuses as over [`Port::Usb`], whatever is said here.
+    /// The served port. The specification has only one: [`Personality::Specification`] always sends its
+    /// statuses as over [`Port::Usb`].
     pub port: Port,
-    /// What the rear arm's tilt sensor reads, in degrees from the vertical.
+    /// The reading of the rear arm's tilt sensor, in degrees from the vertical.
     pub rear_deg: f64,
-    /// What the forearm's tilt sensor reads, in degrees below the horizontal.
+    /// The reading of the forearm's tilt sensor, in degrees below the horizontal.
     pub fore_deg: f64,
 }
 
 impl PowerUp {
-    /// A controller of that personality, on USB, in the usual pose (note N28).
+    /// Creates the configuration of a personality, on USB, in the usual pose (note N28).
     #[must_use]
     pub const fn new(personality: Personality) -> Self {
         Self {

@@ -1,7 +1,7 @@
-//! The program of the published document: every bad input is refused, no limit is ever passed.
+//! The program of the published specification: every bad input is refused, no limit is passed.
 //!
-//! Its motions are functions of time: the next one begins in the very instant in which the last one
-//! ends, and where the arm is can be asked for any time between.
+//! Its motions are functions of time: each starts exactly when the previous one ends, and the pose is
+//! defined at any time between.
 
 mod motion;
 
@@ -18,15 +18,15 @@ use crate::outputs::{Hands, servo_value};
 use crate::refused::QUEUE_LEN;
 use crate::{PowerUp, Refused};
 
-/// What the controller does by the document.
+/// The program of the published specification.
 #[derive(Debug)]
 pub(crate) struct Specification {
     decoder: Decoder<Commands>,
     queue: Deque<Command, QUEUE_LEN>,
-    /// What the arm is; for a controller belief is truth.
+    /// The state of the arm as the controller has it.
     model: Model,
     running: Option<Running>,
-    /// Where the motors were told to go by the tick before.
+    /// The joint angles sent to the motors in the previous tick.
     stepped_to: Joints,
 }
 
@@ -55,14 +55,14 @@ impl Specification {
         self.decoder = decoder;
     }
 
-    /// When the motion ends that is going on.
+    /// The end time of the current motion.
     pub(crate) fn wakeup(&self) -> Option<Duration> {
-        self.running.as_ref().map(|it| it.ends)
+        self.running.as_ref().map(|running| running.ends)
     }
 
-    /// Goes on with what waits, if a motion is over.
+    /// Starts the next command when a motion has ended.
     pub(crate) fn handle_time(&mut self, at: Duration, log: &mut Log) {
-        if self.wakeup().is_some_and(|it| it <= at) {
+        if self.wakeup().is_some_and(|wakeup| wakeup <= at) {
             self.finish(at);
             self.begin_next(at, log);
         }
@@ -81,7 +81,7 @@ impl Specification {
         self.queue.len()
     }
 
-    /// Whether nothing happens until something arrives.
+    /// Whether the program is idle until a byte arrives.
     pub(crate) fn is_at_rest(&self) -> bool {
         self.running.is_none() && self.queue.is_empty()
     }
@@ -90,8 +90,8 @@ impl Specification {
         self.model.status().emit()
     }
 
-    /// How far the joints went since this was asked last, in degrees: base, rear, fore.
-    pub(crate) fn take_way_deg(&mut self) -> [f32; 3] {
+    /// Takes the joint motion since the last call, in degrees: base, rear, fore.
+    pub(crate) fn take_motion_deg(&mut self) -> [f32; 3] {
         let to = self.model.place.joints;
         let from = core::mem::replace(&mut self.stepped_to, to);
         [
@@ -99,7 +99,7 @@ impl Specification {
             to.rear - from.rear,
             to.fore - from.fore,
         ]
-        .map(|it| single(it.0))
+        .map(|angle| single(angle.0))
     }
 
     pub(crate) fn pose_at(&self, at: Duration) -> Pose {
@@ -123,7 +123,7 @@ impl Specification {
     fn place_at(&self, at: Duration) -> ArmPlace {
         self.running
             .as_ref()
-            .and_then(|it| it.place_at(at))
+            .and_then(|running| running.place_at(at))
             .and_then(Result::ok)
             .unwrap_or(self.model.place)
     }
@@ -140,15 +140,15 @@ impl Specification {
         }
     }
 
-    /// New angles without a motion are nothing for the motors.
-    fn forget_way(&mut self, then: &Joints) {
+    /// Adopts new angles without a motion of the motors.
+    fn adopt_angles(&mut self, then: &Joints) {
         let now = &self.model.place.joints;
         self.stepped_to.base += then.base - now.base;
         self.stepped_to.rear += then.rear - now.rear;
         self.stepped_to.fore += then.fore - now.fore;
     }
 
-    /// Brings the state to where the motion has come.
+    /// Updates the state to the current point of the motion.
     fn settle(&mut self, at: Duration) {
         self.model.place = self.place_at(at);
         if let Some(Running {
@@ -161,7 +161,7 @@ impl Specification {
         }
     }
 
-    /// Ends the motion that is over now.
+    /// Ends the motion that is complete.
     fn finish(&mut self, at: Duration) {
         self.settle(at);
         let Some(running) = self.running.take() else {
@@ -176,7 +176,7 @@ impl Specification {
         }
     }
 
-    /// The motion of a command is over: set the tool, and end the stroke (note N36).
+    /// Sets the tool and ends the stroke after the motion of a command (note N36).
     fn arrive(&mut self, command: &Command, trajectory: &Trajectory) {
         let laser = self.model.laser;
         self.model = self.model.after(command, trajectory);
@@ -187,7 +187,7 @@ impl Specification {
         }
     }
 
-    /// Begins what waits: commands without motion one after the other, up to one that moves.
+    /// Starts waiting commands: those without motion in turn, up to one that moves.
     fn begin_next(&mut self, at: Duration, log: &mut Log) {
         while self.running.is_none()
             && let Some(command) = self.queue.pop_front()
@@ -211,7 +211,7 @@ impl Specification {
             self.run(&Motion::Trajectory(*command, trajectory), at, lasts);
         } else {
             let after = self.model.after(command, &trajectory);
-            self.forget_way(&after.place.joints);
+            self.adopt_angles(&after.place.joints);
             self.model = after;
         }
         log.begun();
@@ -228,7 +228,7 @@ impl Specification {
         });
     }
 
-    /// While the arm jogs, buttons act at once; any other command waits until it has come to rest.
+    /// Handles buttons immediately during a jog; other commands wait until the arm is at rest.
     fn obey_buttons(&mut self, at: Duration, log: &mut Log) {
         while let Some(Running {
             motion: Motion::Jog(jog),
@@ -253,7 +253,7 @@ impl Specification {
                         .map_or(Next::Go, |jog| Next::Jog(jog, Duration::MAX))
                 }
                 Some(Button::Released) => self.released(&jog, t_s),
-                // Anything else stays in the queue until the jog has run down.
+                // Other commands stay in the queue until the jog has decelerated.
                 _ if ends == Duration::MAX => {
                     if let Next::Jog(jog, lasts) = self.released(&jog, t_s) {
                         self.run(&Motion::Jog(jog), at, lasts);
@@ -277,8 +277,8 @@ impl Specification {
         })
     }
 
-    /// Stops a jog that would be beyond a limit one tick later. An arm that stands outside of the
-    /// limits may be jogged back in.
+    /// Stops a jog that would pass a limit one tick later. An arm outside the limits can be jogged back
+    /// in.
     fn guard(&mut self, at: Duration, log: &mut Log) {
         let Some(running) = &self.running else {
             return;
@@ -294,12 +294,12 @@ impl Specification {
             }
             Ok(place) => {
                 let running = self.running.as_mut();
-                running.expect("it was seen just above").ahead = place.map(|it| (next, it));
+                running.expect("checked above").ahead = place.map(|place| (next, place));
             }
         }
     }
 
-    /// Where a jog leads, if it moves the arm, and the arm may go there.
+    /// The pose that a jog leads to, if it moves the arm and the pose is allowed.
     fn look_ahead(&self, jog: &JogTrajectory, time: Duration) -> Result<Option<ArmPlace>, Refused> {
         let t_s = time.as_secs_f64();
         let gripper_deg = jog.gripper_deg_at(t_s);
@@ -321,15 +321,15 @@ impl Specification {
     }
 }
 
-/// What a button leads to while the arm jogs.
+/// The effect of a button during a jog.
 enum Next {
-    /// The jog goes on.
+    /// The jog continues.
     Go,
-    /// Another one, for so long.
+    /// Another motion with its duration.
     Jog(JogTrajectory, Duration),
 }
 
-/// Whether a command takes its time; all others act at once.
+/// Whether a command takes time; all others act immediately.
 fn is_motion(command: &Command) -> bool {
     match command {
         Command::MoveTo(_)

@@ -1,4 +1,4 @@
-//! When a status is sent (notes N20 and N38).
+//! The schedule of statuses (notes N20 and N38).
 
 use core::time::Duration;
 
@@ -9,31 +9,30 @@ use heapless::Deque;
 use crate::Port;
 use crate::log::Log;
 
-/// A status on its way out.
+/// A status to be sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Upload {
-    /// When its first byte leaves, since power-up: at a control tick, or as much later as the
-    /// program calculates.
+    /// The time of its first byte since power-up: that of a control tick plus the calculation time.
     pub at: Duration,
     /// The packet.
     pub bytes: [u8; PACKET_LEN],
 }
 
-/// Statuses that were sent and not yet fetched.
+/// The queue of statuses not fetched yet.
 #[derive(Debug, Default)]
 pub(crate) struct Uploads(Deque<Upload, UPLOADS_LEN>);
 
-/// Which control ticks send a status.
+/// Selects the control ticks that send a status.
 #[derive(Debug)]
 pub(crate) enum StatusSchedule {
     Usb {
-        /// From one status to the next.
+        /// The status period.
         period_ms: u32,
-        /// For how long the queue had room since the last status was due.
+        /// The time with room in the queue since the last status was due.
         with_room_ms: u32,
     },
     Bluetooth {
-        /// Ticks since the cycle of eight began.
+        /// Ticks since the start of the eight-tick cycle.
         ticks: u8,
     },
 }
@@ -56,7 +55,7 @@ impl StatusSchedule {
         })
     }
 
-    /// How many ticks from now on send nothing, as long as nothing waits.
+    /// The number of coming ticks that send no status, as long as no command waits.
     pub(crate) const fn silent_ticks(&self) -> u32 {
         match self {
             Self::Usb {
@@ -67,8 +66,7 @@ impl StatusSchedule {
         }
     }
 
-    /// Takes another tick, in which so many commands wait. If a status is due, returns what is to be
-    /// added to its X.
+    /// Runs a tick with `waiting` commands. If a status is due, returns the offset to add to its X.
     pub(crate) const fn tick(&mut self, waiting: usize) -> Option<f32> {
         match self {
             Self::Usb {
@@ -97,14 +95,16 @@ impl StatusSchedule {
 }
 
 impl Uploads {
-    /// Queues a status to be fetched; the oldest is lost where there is no room.
+    /// Queues a status; drops the oldest if the queue is full.
     pub(crate) fn push(&mut self, upload: Upload, log: &mut Log) {
         log.counters.statuses += 1;
         if self.0.is_full() {
             self.0.pop_front();
             log.counters.lost_statuses += 1;
         }
-        self.0.push_back(upload).expect("room was made just above");
+        self.0
+            .push_back(upload)
+            .expect("an entry was removed above");
     }
 
     pub(crate) fn pop(&mut self) -> Option<Upload> {
@@ -113,12 +113,12 @@ impl Uploads {
 }
 
 const TICK_MS: u32 = TICK.subsec_millis();
-/// With that many commands waiting no status is sent (note N20).
+/// From this number of waiting commands on, no status is sent (note N20).
 const STALLS_AT: usize = 4;
-/// With that many commands waiting no status over Bluetooth permits another one (note N38).
+/// From this number of waiting commands on, no status over Bluetooth permits another (note N38).
 const FULL_AT: usize = 6;
 const BLUETOOTH_CYCLE: u8 = 8;
-/// What is added to the X of a status over Bluetooth that permits no command (note N38).
+/// The X offset of a status over Bluetooth that permits no command (note N38).
 const NO_PERMIT_MM: f32 = 1000.0;
-/// Beyond the last of them statuses are lost: more than a second's worth.
+/// The capacity for statuses: more than a second.
 const UPLOADS_LEN: usize = 32;

@@ -1,14 +1,14 @@
-//! Where an arm is reached: one address string for every transport.
+//! The address of an arm: one string format for every transport.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// Where an arm is reached.
+/// The address of an arm.
 ///
 /// | text | meaning |
 /// |---|---|
 /// | `virtual:` | a virtual arm in this process |
-/// | `serial:/dev/ttyUSB0`, `serial:COM3@115200` | a serial port, at 9600 baud unless told otherwise |
+/// | `serial:/dev/ttyUSB0`, `serial:COM3@115200` | a serial port, at 9600 baud by default |
 /// | `tcp:localhost:5555` | raw packets over TCP |
 ///
 /// ```
@@ -31,14 +31,14 @@ pub enum Address {
     },
     /// Raw packets over TCP.
     Tcp {
-        /// Name or number of the machine; an IPv6 number without its brackets.
+        /// The host name or IP address; an IPv6 address without its brackets.
         host: String,
-        /// The port.
+        /// The TCP port.
         port: u16,
     },
 }
 
-/// The speed of the serial line of a stock arm with program 1.1 (note N26).
+/// The baud rate of a stock arm with firmware 1.1 (note N26).
 pub const DEFAULT_BAUD: u32 = 9600;
 
 impl FromStr for Address {
@@ -67,11 +67,11 @@ impl fmt::Display for Address {
     }
 }
 
-/// Why a text is not an address.
+/// The error returned when a text is not an address.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AddressError {
-    /// The part before the first colon is none of the transports.
+    /// The part before the first colon is not a transport.
     #[error(
         "address is `{found}`; allowed are virtual:, serial:PORT[@BAUD] and tcp:HOST:PORT, as in serial:/dev/ttyUSB0"
     )]
@@ -79,22 +79,22 @@ pub enum AddressError {
         /// The whole text.
         found: String,
     },
-    /// `serial:` without a port's name.
+    /// `serial:` without a port name.
     #[error(
-        "address `{found}` names no serial port; allowed is serial:PORT[@BAUD], as in serial:/dev/ttyUSB0"
+        "address `{found}` has no serial port; allowed is serial:PORT[@BAUD], as in serial:/dev/ttyUSB0"
     )]
     NoPort {
         /// The whole text.
         found: String,
     },
-    /// The part behind `@` is not a line speed.
+    /// The part after `@` is not a baud rate.
     #[error(
-        "address `{found}` has `{baud}` for a line speed; allowed is a whole number of bits per second from 300, as in serial:/dev/ttyUSB0@9600"
+        "address `{found}` has baud rate `{baud}`; allowed is a whole number from 300, as in serial:/dev/ttyUSB0@9600"
     )]
     BadBaud {
         /// The whole text.
         found: String,
-        /// The part behind `@`.
+        /// The part after `@`.
         baud: String,
     },
     /// `tcp:` without host and port.
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_serial_port_without_a_speed_runs_at_9600_baud() {
+    fn a_serial_port_without_a_baud_rate_uses_9600() {
         let address: Address = "serial:/dev/ttyACM0".parse().unwrap();
         assert_eq!(
             address,
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn a_port_may_have_an_at_sign_in_its_name_when_the_speed_is_given() {
+    fn a_port_name_may_contain_an_at_sign_if_the_baud_rate_is_given() {
         let address: Address = "serial:/dev/serial/by-id/usb@1@9600".parse().unwrap();
         assert_eq!(
             address,
@@ -193,15 +193,15 @@ mod tests {
     }
 
     #[test]
-    fn says_what_is_allowed_when_the_text_is_no_address() {
+    fn reports_the_allowed_form_of_an_address() {
         for (text, part) in [
             ("/dev/ttyUSB0", "serial:PORT[@BAUD]"),
             ("", "virtual:"),
             ("virtual:x", "virtual:"),
-            ("serial:", "names no serial port"),
-            ("serial:@9600", "names no serial port"),
-            ("serial:/dev/ttyUSB0@fast", "`fast` for a line speed"),
-            ("serial:/dev/ttyUSB0@0", "`0` for a line speed"),
+            ("serial:", "has no serial port"),
+            ("serial:@9600", "has no serial port"),
+            ("serial:/dev/ttyUSB0@fast", "baud rate `fast`"),
+            ("serial:/dev/ttyUSB0@0", "baud rate `0`"),
             ("tcp:localhost", "tcp:HOST:PORT"),
             ("tcp::5555", "tcp:HOST:PORT"),
             ("tcp:localhost:0", "tcp:HOST:PORT"),

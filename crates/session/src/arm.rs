@@ -1,4 +1,4 @@
-//! An arm to work with.
+//! An async API: one call per command.
 
 use std::time::Duration;
 
@@ -7,7 +7,7 @@ use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, PACKET_GAP, Status};
 
 use crate::{Address, CommandId, Connection, LinkError, OpenError};
 
-/// An arm to work with: each call returns when the arm has done it.
+/// An arm: each call returns when the arm has completed the command.
 ///
 /// ```no_run
 /// use dobot_session::Arm;
@@ -16,8 +16,8 @@ use crate::{Address, CommandId, Connection, LinkError, OpenError};
 /// # async fn example() -> Result<(), Box<dyn std::error::Error>> {
 /// let address = "serial:/dev/ttyUSB0".parse()?;
 /// let mut arm = Arm::open(&address, Some(Dialect::FIRMWARE_1_1)).await?;
-/// println!("{:?}: does it stand so?", arm.status().await?);
-/// // ... a person looks, and says yes:
+/// println!("{:?}: does the arm stand like this?", arm.status().await?);
+/// // ... after a person has checked it:
 /// arm.confirm_pose();
 /// let status = arm.move_to(MoveTo::to(220.0, 0.0, 20.0).with_mode(MovingMode::MovJ)).await?;
 /// assert!((status.x_mm - 220.0).abs() < 0.05);
@@ -25,21 +25,21 @@ use crate::{Address, CommandId, Connection, LinkError, OpenError};
 /// # }
 /// ```
 ///
-/// A call that is cancelled has sent what it has sent: [`Arm::stop`] ends it.
+/// Cancelling a call does not undo the commands already sent; [`Arm::stop`] ends them.
 ///
-/// # Which rules it has
+/// # Safety rules
 ///
-/// * Nothing moves an arm whose pose nobody has confirmed ([`Arm::confirm_pose`]): an arm at an address
-///   from the start, any arm when it was reset or told its initial angles. One in this process
-///   ([`Peer`](crate::Peer)) is trusted from the start.
-/// * What breaks its table is refused, and so is what means different things in dialects that nobody has told, or
-///   would make a stock arm lose its pose on the spot (note N34).
-/// * A command leaves only with a status, half a second at the most before the arm should begin it.
-/// * A button is released by its own kind of jog.
+/// * No motion is sent before the pose is confirmed ([`Arm::confirm_pose`]): for an arm at an address
+///   from the start, and for any arm after a reset or a command that sets its initial angles. The pose
+///   of an arm in this process ([`Peer`](crate::Peer)) is trusted from the start.
+/// * A command is refused if it breaks its table, depends on a dialect that was not given, or would
+///   make a stock arm lose its pose (note N34).
+/// * A command is sent only after a status, at most half a second before the arm should begin it.
+/// * A jog is released by the same kind of jog.
 ///
-/// All else has only the station (the crate `station`): the policy with its limits, keep-outs and
-/// speeds; control by one client at a time; the button that is let go when its holder falls silent;
-/// a stop that holds; what is done when a program ends in the middle; the journal and the recording.
+/// Everything else is in the station (crate `station`): the policy with limits, keep-out zones and
+/// speeds; control by one client at a time; release of a jog when the client goes silent; the stop
+/// latch; cleanup when a program ends early; the journal and the recording.
 #[derive(Debug)]
 pub struct Arm {
     connection: Connection,
@@ -50,63 +50,63 @@ impl Arm {
     ///
     /// # Errors
     ///
-    /// [`OpenError`], with what to do about it.
+    /// Returns an [`OpenError`], which has a hint.
     ///
     /// # Panics
     ///
-    /// Outside of a tokio runtime.
+    /// If called outside of a tokio runtime.
     pub async fn open(address: &Address, dialect: Option<Dialect>) -> Result<Self, OpenError> {
         Ok(Self::over(Connection::open(address, dialect).await?))
     }
 
-    /// An arm over a connection that is open.
+    /// Creates an arm from an open connection.
     #[must_use]
     pub const fn over(connection: Connection) -> Self {
         Self { connection }
     }
 
-    /// Lets the laser be lit for so long: a person has put the goggles on. Until then, and afterwards,
-    /// what burns is refused ([`SendError::LaserDisarmed`](crate::SendError::LaserDisarmed)); that of an
-    /// arm in this process needs no arming. A laser that would burn on the spot is switched off, while a
-    /// call goes on.
+    /// Arms the laser for `time`, after everyone present has put on goggles. While it is disarmed,
+    /// commands that light it are refused ([`SendError::LaserDisarmed`](crate::SendError::LaserDisarmed));
+    /// an arm in this process needs no arming. During a call, a laser that would burn in place is
+    /// switched off.
     pub fn arm_laser(&mut self, time: Duration) {
         self.connection.arm_laser(time);
     }
 
-    /// A person says that the arm stands where it tells. To be asked for, with what [`Arm::status`]
-    /// tells, and not to be called for granted: opening its port makes a stock arm say that its base is
-    /// at 0, wherever that stands (note N35), and all limits are off by as much.
+    /// Confirms that the arm stands where it reports. Show [`Arm::status`] to a person and ask; never
+    /// call this unconditionally: opening its port makes a stock arm report its base at 0, wherever it
+    /// stands (note N35), and all limits are off by the same angle.
     pub fn confirm_pose(&mut self) {
         self.connection.session_mut().confirm_pose();
     }
 
-    /// Goes to a point, sets the tool, and returns what the arm tells then.
+    /// Moves to a point, sets the tool, and returns the status then.
     ///
     /// # Errors
     ///
-    /// [`LinkError`]: the command is not allowed, the arm came to rest elsewhere, or the link failed.
+    /// Returns a [`LinkError`] if the command is not allowed, the arm stops elsewhere, or the link fails.
     pub async fn move_to(&mut self, target: MoveTo) -> Result<Status, LinkError> {
         self.perform(target).await
     }
 
-    /// Goes to joint angles, sets the tool, and returns what the arm tells then.
+    /// Moves to joint angles, sets the tool, and returns the status then.
     ///
     /// # Errors
     ///
-    /// As of [`Arm::move_to`].
+    /// See [`Arm::move_to`].
     pub async fn move_joints(&mut self, target: MoveJoints) -> Result<Status, LinkError> {
         self.perform(target).await
     }
 
-    /// Jogs one axis for a while, releases it, and returns what the arm tells when it rests. `held`
+    /// Jogs one axis for `time`, releases it, and returns the status at rest. `held`
     /// is a [`JointJog`](dobot_wire::JointJog) or a [`LinearJog`](dobot_wire::LinearJog) of an axis that moves.
     ///
     /// The axis moves until the release arrives: with the next status, up to 0.2 s later. If this
-    /// call is cancelled the arm jogs on, until [`Arm::stop`].
+    /// call is cancelled, the arm keeps jogging until [`Arm::stop`].
     ///
     /// # Errors
     ///
-    /// As of [`Arm::move_to`].
+    /// See [`Arm::move_to`].
     pub async fn jog(
         &mut self,
         held: impl Into<Command>,
@@ -124,24 +124,23 @@ impl Arm {
         }
     }
 
-    /// Sends any command and returns what the arm tells when it is over.
+    /// Sends any command and returns the status when it is completed.
     ///
     /// # Errors
     ///
-    /// As of [`Arm::move_to`].
+    /// See [`Arm::move_to`].
     pub async fn perform(&mut self, command: impl Into<Command>) -> Result<Status, LinkError> {
         let id = self.connection.send(command)?;
         self.completed(id).await
     }
 
-    /// Stops: switches the laser off and releases a jog at once, without waiting for a permit, and
-    /// forgets what was not sent. The protocol has no stop for what the arm has got: that it
-    /// finishes, within [`Session::rests_within`](crate::Session::rests_within). Returns what the
-    /// arm tells when it rests.
+    /// Switches the laser off and releases a jog immediately, without waiting for a permit, and discards
+    /// unsent commands. The protocol cannot stop commands that the arm has received: it finishes them
+    /// within [`Session::rests_within`](crate::Session::rests_within). Returns the status at rest.
     ///
     /// # Errors
     ///
-    /// [`LinkError`] when the link fails.
+    /// Returns a [`LinkError`] if the link fails.
     pub async fn stop(&mut self) -> Result<Status, LinkError> {
         self.connection.session_mut().send_now(LASER_OFF)?;
         if let Some(release) = self.connection.session().release() {
@@ -161,22 +160,22 @@ impl Arm {
         }
     }
 
-    /// The next thing that the arm tells.
+    /// Waits for the next status.
     ///
     /// # Errors
     ///
-    /// [`LinkError`] when nothing comes.
+    /// Returns a [`LinkError`] if none arrives.
     pub async fn status(&mut self) -> Result<Status, LinkError> {
         self.connection.next_status().await
     }
 
-    /// The connection, for everything else.
+    /// The underlying connection.
     #[must_use]
     pub const fn connection(&self) -> &Connection {
         &self.connection
     }
 
-    /// The connection, for everything else.
+    /// The underlying connection, mutable.
     pub const fn connection_mut(&mut self) -> &mut Connection {
         &mut self.connection
     }
@@ -190,5 +189,5 @@ impl Arm {
     }
 }
 
-/// What the two packets take on the line, and a status that left after them.
+/// The time on the line of two packets and of a status sent after them.
 const AT_REST: Duration = Duration::from_millis(240);

@@ -1,4 +1,4 @@
-//! The arm for programs without async: each call blocks until the arm has done it.
+//! A blocking API: each call returns when the arm has completed the command.
 //!
 //! ```no_run
 //! use dobot_session::blocking::Arm;
@@ -6,12 +6,12 @@
 //! use std::time::Duration;
 //!
 //! let mut arm = Arm::open(&"serial:/dev/ttyUSB0".parse()?, None)?;
-//! println!("{:?}: does it stand so?", arm.status()?);
-//! // ... a person looks, and says yes:
+//! println!("{:?}: does the arm stand like this?", arm.status()?);
+//! // ... after a person has checked it:
 //! arm.confirm_pose();
 //! let up = LinearJog::new(LinearJogAxis::ZPlus, 20.0);
 //! let status = arm.jog(up, Duration::from_secs(1))?;
-//! println!("{} mm high", status.z_mm);
+//! println!("z = {} mm", status.z_mm);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -23,8 +23,8 @@ use tokio::runtime::{Builder, Runtime};
 
 use crate::{Address, Connection, LinkError, OpenError, Peer};
 
-/// An arm to work with, as [`Arm`](crate::Arm), for programs without async: it brings a runtime of
-/// its own, in which time passes only during a call.
+/// The blocking counterpart of [`Arm`](crate::Arm). It has its own runtime, in which time passes only
+/// during a call.
 #[derive(Debug)]
 pub struct Arm {
     arm: crate::Arm,
@@ -36,22 +36,22 @@ impl Arm {
     ///
     /// # Errors
     ///
-    /// [`OpenError`], with what to do about it.
+    /// Returns an [`OpenError`], which has a hint.
     ///
     /// # Panics
     ///
-    /// Inside of an async runtime: use [`Arm`](crate::Arm) there.
+    /// If called inside an async runtime; use [`Arm`](crate::Arm) there.
     pub fn open(address: &Address, dialect: Option<Dialect>) -> Result<Self, OpenError> {
         let runtime = runtime().map_err(OpenError::Runtime)?;
         let arm = runtime.block_on(crate::Arm::open(address, dialect))?;
         Ok(Self { arm, runtime })
     }
 
-    /// An arm in this process.
+    /// Connects to an arm in this process.
     ///
     /// # Errors
     ///
-    /// [`OpenError::Runtime`] where the system gives no more resources.
+    /// Returns [`OpenError::Runtime`] if the runtime cannot be started.
     pub fn over_peer(
         peer: impl Peer + 'static,
         dialect: Option<Dialect>,
@@ -62,17 +62,17 @@ impl Arm {
         })
     }
 
-    /// As [`Arm::arm_laser`](crate::Arm::arm_laser).
+    /// See [`Arm::arm_laser`](crate::Arm::arm_laser).
     pub fn arm_laser(&mut self, time: Duration) {
         self.arm.arm_laser(time);
     }
 
-    /// As [`Arm::confirm_pose`](crate::Arm::confirm_pose).
+    /// See [`Arm::confirm_pose`](crate::Arm::confirm_pose).
     pub fn confirm_pose(&mut self) {
         self.arm.confirm_pose();
     }
 
-    /// As [`Arm::move_to`](crate::Arm::move_to).
+    /// See [`Arm::move_to`](crate::Arm::move_to).
     ///
     /// # Errors
     ///
@@ -81,7 +81,7 @@ impl Arm {
         self.runtime.block_on(self.arm.move_to(target))
     }
 
-    /// As [`Arm::move_joints`](crate::Arm::move_joints).
+    /// See [`Arm::move_joints`](crate::Arm::move_joints).
     ///
     /// # Errors
     ///
@@ -90,7 +90,7 @@ impl Arm {
         self.runtime.block_on(self.arm.move_joints(target))
     }
 
-    /// As [`Arm::jog`](crate::Arm::jog).
+    /// See [`Arm::jog`](crate::Arm::jog).
     ///
     /// # Errors
     ///
@@ -99,7 +99,7 @@ impl Arm {
         self.runtime.block_on(self.arm.jog(held, time))
     }
 
-    /// As [`Arm::perform`](crate::Arm::perform).
+    /// See [`Arm::perform`](crate::Arm::perform).
     ///
     /// # Errors
     ///
@@ -108,7 +108,7 @@ impl Arm {
         self.runtime.block_on(self.arm.perform(command))
     }
 
-    /// As [`Arm::stop`](crate::Arm::stop).
+    /// See [`Arm::stop`](crate::Arm::stop).
     ///
     /// # Errors
     ///
@@ -117,7 +117,7 @@ impl Arm {
         self.runtime.block_on(self.arm.stop())
     }
 
-    /// As [`Arm::status`](crate::Arm::status).
+    /// See [`Arm::status`](crate::Arm::status).
     ///
     /// # Errors
     ///

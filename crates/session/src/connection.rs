@@ -1,4 +1,4 @@
-//! The thin shell around a session: it moves bytes and tells the time.
+//! The thin shell around a session: it moves bytes and provides the time.
 
 use std::time::Duration;
 
@@ -7,10 +7,10 @@ use tokio::io::{AsyncRead, AsyncWrite};
 
 use crate::{Address, CommandId, Event, Link, LinkError, OpenError, Peer, SendError, Session};
 
-/// A connection with an arm: a [`Session`] and the way its bytes travel.
+/// A connection to an arm: a [`Session`] over a [`Link`].
 ///
 /// The same code serves a serial port, TCP and a virtual arm in this process, whose time passes
-/// only when somebody waits for it.
+/// only while the caller waits.
 #[derive(Debug)]
 pub struct Connection {
     session: Session,
@@ -19,22 +19,22 @@ pub struct Connection {
 }
 
 impl Connection {
-    /// Opens a serial port or a TCP connection. The arm is sent nothing that moves it until its pose is
-    /// confirmed ([`Session::confirm_pose`]): opening its port may have reset it (note N35).
+    /// Opens a serial port or a TCP connection. No motion is sent until the pose is confirmed
+    /// ([`Session::confirm_pose`]): opening the port may have reset the arm (note N35).
     ///
     /// # Errors
     ///
-    /// [`OpenError`], with what to do about it.
+    /// Returns an [`OpenError`], which has a hint.
     ///
     /// # Panics
     ///
-    /// Outside of a tokio runtime.
+    /// If called outside of a tokio runtime.
     pub async fn open(address: &Address, dialect: Option<Dialect>) -> Result<Self, OpenError> {
         Ok(Self::new(Link::open(address).await?, Session::new(dialect)))
     }
 
-    /// A connection over anything that carries bytes both ways; the arm's pose has to be confirmed, as
-    /// of [`Connection::open`].
+    /// Creates a connection over any bidirectional byte stream. The pose must be confirmed, as after
+    /// [`Connection::open`].
     pub fn over_stream(
         stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
         dialect: Option<Dialect>,
@@ -42,7 +42,7 @@ impl Connection {
         Self::new(Link::over_stream(stream), Session::new(dialect))
     }
 
-    /// A connection with an arm in this process, which is trusted to stand where it says, and whose laser
+    /// Creates a connection to an arm in this process, whose reported pose is trusted and whose laser
     /// needs no arming.
     pub fn over_peer(peer: impl Peer + 'static, dialect: Option<Dialect>) -> Self {
         Self::new(
@@ -59,43 +59,43 @@ impl Connection {
         }
     }
 
-    /// Takes a command, as [`Session::send`]; it leaves while somebody waits for an event.
+    /// Queues a command, see [`Session::send`]. It is sent while the caller waits for an event.
     ///
     /// # Errors
     ///
-    /// As [`Session::send`].
+    /// See [`Session::send`].
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
         self.session.send(command)
     }
 
-    /// Lets the laser be lit for so long: a person has put the goggles on. See [`Session::arm_laser`].
+    /// Arms the laser for `time`, after everyone present has put on goggles. See [`Session::arm_laser`].
     pub fn arm_laser(&mut self, time: Duration) {
         let until = self.now().saturating_add(time);
         self.session.arm_laser(until);
     }
 
-    /// The session, to look at.
+    /// The session.
     #[must_use]
     pub const fn session(&self) -> &Session {
         &self.session
     }
 
-    /// The session.
+    /// The session, mutable.
     pub const fn session_mut(&mut self) -> &mut Session {
         &mut self.session
     }
 
-    /// The time since the connect, by the clock of the link.
+    /// The time since the link was opened, on its clock.
     #[must_use]
     pub fn now(&self) -> Duration {
         self.link.now()
     }
 
-    /// Waits for the next thing that happens. A wait that is cancelled loses nothing.
+    /// Waits for the next event. Cancellation safe.
     ///
     /// # Errors
     ///
-    /// [`LinkError::Closed`] or [`LinkError::Broken`] when there is no link any more.
+    /// Returns [`LinkError::Closed`] or [`LinkError::Broken`] if the link is lost.
     pub async fn next_event(&mut self) -> Result<Event, LinkError> {
         loop {
             if let Some(event) = self.session.poll_event() {
@@ -108,13 +108,12 @@ impl Connection {
         }
     }
 
-    /// Lets so much time pass on the link; what happens meanwhile is told by
-    /// [`Connection::next_event`] afterwards. A stock arm wants a gap between packets that no permit
-    /// separates (note N26).
+    /// Runs the link for `time`; [`Connection::next_event`] returns the events afterwards. A stock arm
+    /// needs a gap between packets that no permit separates (note N26).
     ///
     /// # Errors
     ///
-    /// As of [`Connection::next_event`].
+    /// See [`Connection::next_event`].
     pub async fn pass(&mut self, time: Duration) -> Result<(), LinkError> {
         let until = self.now() + time;
         while self.now() < until {
@@ -125,7 +124,7 @@ impl Connection {
         Ok(())
     }
 
-    /// Sends what is to be sent, and takes what comes until then; tells whether the link is open.
+    /// Sends due packets and receives until `until`; returns whether the link is open.
     async fn step(&mut self, until: Duration) -> Result<bool, LinkError> {
         while let Some(packet) = self.session.poll_bytes() {
             self.link.send(&packet.to_bytes());
@@ -143,7 +142,7 @@ impl Connection {
     ///
     /// # Errors
     ///
-    /// [`LinkError`] when none comes.
+    /// Returns a [`LinkError`] if none arrives.
     pub async fn next_status(&mut self) -> Result<Status, LinkError> {
         loop {
             if let Event::Status(status) = self.next_event().await?.or_failed()? {
@@ -152,11 +151,11 @@ impl Connection {
         }
     }
 
-    /// Waits until a command, and with it all before it, is over.
+    /// Waits until a command and all commands before it are completed.
     ///
     /// # Errors
     ///
-    /// [`LinkError::NotReached`] where the arm rests elsewhere; [`LinkError`] when the link fails.
+    /// Returns [`LinkError::NotReached`] if the arm stops elsewhere, or the [`LinkError`] of the link.
     pub async fn completed(&mut self, command: CommandId) -> Result<(), LinkError> {
         loop {
             if let Event::Completed(id) = self.next_event().await?.or_failed()?
@@ -167,11 +166,11 @@ impl Connection {
         }
     }
 
-    /// Sends what was given to [`Session::send_now`], without waiting for anything from the arm.
+    /// Sends the packets of [`Session::send_now`] without waiting for the arm to respond.
     ///
     /// # Errors
     ///
-    /// [`LinkError`] when the link does not take it.
+    /// Returns a [`LinkError`] if the link does not accept them.
     pub async fn flush(&mut self) -> Result<(), LinkError> {
         while let Some(packet) = self.session.poll_bytes() {
             self.link.send(&packet.to_bytes());

@@ -1,4 +1,4 @@
-//! Which dialect an arm speaks, by what it does.
+//! Detection of an arm's dialect by its motions.
 
 mod fit;
 mod step;
@@ -10,24 +10,24 @@ use dobot_arm::{Joints, Position};
 use dobot_motion::{Model, Trajectory, TrajectoryError};
 use dobot_wire::{Command, Dialect, Evidence, Finding, Packet, Status};
 
-use self::fit::{apart_mm, off_way_mm, took_s};
+use self::fit::{duration_s, path_deviation_mm, path_difference_mm};
 use self::step::{DetectionStep, Question, steps};
 use crate::position;
 
-/// Finds out which dialect an arm speaks by small slow motions, as an engine without I/O and clock.
+/// Detects the dialect of an arm with small slow motions; an engine without I/O and clock.
 ///
-/// Nothing on the line tells the dialect (note N1). So the arm is made to do what the dialects
-/// disagree about: the statuses tell which of the moving modes 1 and 2 is straight, which percentage
-/// of state 10 is the speed, and which way X of a vector goes. It lifts by 6 mm first, goes no
-/// further than 20 mm, no faster than 30 mm/s, and ends where it began, in half a minute. Whatever
-/// the arm speaks, no packet makes it hang or lose its pose. Playback and write speeds are those of
-/// power-up afterwards. After an error the arm stays where it is, with the settings that it has.
+/// No message states the dialect (note N1), so the arm runs the motions that differ between dialects.
+/// The statuses then show which of the moving modes 1 and 2 is straight, which percentage of state 10
+/// is the speed, and the direction of X of a vector. The arm first lifts by 6 mm, moves at most 20 mm
+/// at no more than 30 mm/s, and returns to the start within half a minute. No packet makes an arm of
+/// either dialect hang or lose its pose. Afterwards, playback and write speeds are those of power-up.
+/// After an error the arm stays where it is and keeps its current settings.
 ///
 /// ```
 /// use dobot_session::{Detection, DetectionError};
 /// use dobot_wire::Status;
 ///
-/// // Stretched out to its limit there is no room.
+/// // There is no room for the motions when the arm is fully extended.
 /// let status = Status {
 ///     x_mm: 315.07,
 ///     z_mm: 0.0,
@@ -42,82 +42,82 @@ use crate::position;
 pub struct Detection {
     steps: VecDeque<DetectionStep>,
     running: Option<Running>,
-    /// The arm as each dialect has it.
+    /// The arm model of each dialect.
     models: [Model; 2],
     to_send: Option<Packet>,
-    answers: Vec<Measurement>,
+    measurements: Vec<Measurement>,
     outcome: Option<Result<Finding, DetectionError>>,
-    over: bool,
+    ended: bool,
 }
 
-/// Why no dialect was found.
+/// The error returned when no dialect is found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DetectionError {
-    /// The motions would leave the limits of the arm or what is allowed; nothing was sent.
+    /// The motions would leave the limits of the arm or the allowed space; nothing was sent.
     #[error(
-        "there is no room for the motions, within 20 mm of the arm: {why}; bring it to about 220, 0, 20 mm, clear of everything, and try again"
+        "there is no room for the motions, within 20 mm of the arm: {why}; move it to about 220, 0, 20 mm, clear of obstacles, and try again"
     )]
     NoRoom {
-        /// What is in the way.
+        /// The violated limit.
         why: String,
     },
-    /// The arm moves already, or somebody else moves it.
-    #[error("the arm is not at rest; wait until it is, and let nobody else move it meanwhile")]
+    /// The arm is already moving, or another client moves it.
+    #[error("the arm is not at rest; wait until it is, and keep other clients from moving it")]
     Moving,
-    /// The arm does not obey.
-    #[error("the arm did not move within {} s, though it was sent a motion three times", PATIENCE.as_secs())]
+    /// The arm ignores commands.
+    #[error("the arm did not move within {} s, although a motion was sent three times", PATIENCE.as_secs())]
     DidNotMove,
-    /// A motion ended where no dialect has it end.
+    /// A motion ended at a point that fits neither dialect.
     #[error(
-        "the arm came to rest {off_mm:.2} mm from where the motion leads; is something in its way, or has it lost its pose?"
+        "the arm stopped {off_mm:.2} mm from the target of the motion; check for obstacles and that its pose is correct"
     )]
     Elsewhere {
-        /// How far off, in millimetres.
+        /// The distance from the nearer target, in millimetres.
         off_mm: f64,
     },
-    /// What was seen fits both dialects, or none.
-    #[error("{question} is not clear: {saw}; try again, with nothing else on the line")]
+    /// The observation fits both dialects or neither.
+    #[error("cannot determine {question}: {saw}; try again with no other client on the line")]
     Unclear {
-        /// What was asked.
+        /// The question.
         question: &'static str,
-        /// What was seen.
+        /// The observation.
         saw: String,
     },
-    /// The answers are those of different dialects.
-    #[error("the arm speaks a dialect that is none: {}; none is chosen", .0.join("; "))]
+    /// The measurements belong to different dialects.
+    #[error("the arm matches no single dialect: {}; none was selected", .0.join("; "))]
     Mixed(Vec<String>),
 }
 
-/// A packet that left, and what was seen since.
+/// A step in progress and the statuses since.
 #[derive(Debug)]
 struct Running {
     step: DetectionStep,
     sent: Duration,
     tries: u32,
     from: Status,
-    /// What each dialect has the arm do.
+    /// The motion in each dialect.
     trajectories: Option<[Trajectory; 2]>,
     seen: Vec<(Duration, Status)>,
 }
 
-/// How far off each dialect is from what was seen, and how far they are apart.
+/// The deviation of each dialect from the observation, and the difference between the dialects.
 #[derive(Clone, Copy, Debug)]
 struct Measurement {
     question: Question,
     off: [f64; 2],
     apart: f64,
-    /// What was seen, in the unit of the question.
+    /// The observed value, in the unit of the question.
     saw: f64,
 }
 
 impl Detection {
-    /// Plans the motions for an arm at rest. `allowed` tells whether the arm may be somewhere; it is
-    /// asked along all of the way, in either dialect.
+    /// Plans the motions for an arm at rest. `allowed` returns whether a pose is allowed; it is called
+    /// along the whole path, for both dialects.
     ///
     /// # Errors
     ///
-    /// [`DetectionError::NoRoom`], with what is in the way and where to go instead.
+    /// Returns [`DetectionError::NoRoom`] if a pose is not allowed.
     pub fn new(status: &Status, allowed: impl Fn(&Joints) -> bool) -> Result<Self, DetectionError> {
         let steps = steps(status);
         let models = Dialect::ALL.map(|dialect| Model::new(dialect, status));
@@ -129,15 +129,15 @@ impl Detection {
             running: None,
             models,
             to_send: None,
-            answers: Vec::new(),
+            measurements: Vec::new(),
             outcome: None,
-            over: false,
+            ended: false,
         })
     }
 
-    /// Takes a status; each is a permit for one packet.
+    /// Handles a status; each permits one packet.
     pub fn handle_status(&mut self, now: Duration, status: &Status) {
-        if self.over {
+        if self.ended {
             return;
         }
         let done = match &mut self.running {
@@ -148,32 +148,32 @@ impl Detection {
             }
         };
         match done {
-            Ok(true) => self.go_on(now, status),
+            Ok(true) => self.advance(now, status),
             Ok(false) => {}
-            Err(Trouble::NotHeard) => self.repeat(now, status),
+            Err(Trouble::Ignored) => self.repeat(now, status),
             Err(Trouble::Moving) => self.end(Err(DetectionError::Moving)),
         }
     }
 
-    /// The packet to send now, if there is one: at most one for each status.
+    /// Returns the packet to send now: at most one per status.
     pub fn poll_packet(&mut self) -> Option<Packet> {
         self.to_send.take()
     }
 
-    /// What was found, once, when it is over.
+    /// Returns the outcome once, when the detection has ended.
     pub fn poll_outcome(&mut self) -> Option<Result<Finding, DetectionError>> {
         self.outcome.take()
     }
 
-    /// A step is over: what does it tell? Then the next one.
-    fn go_on(&mut self, now: Duration, status: &Status) {
+    /// Evaluates the completed step and starts the next one.
+    fn advance(&mut self, now: Duration, status: &Status) {
         if let Some(running) = self.running.take() {
-            match running.answer() {
-                Ok(answer) => self.answers.extend(answer),
+            match running.measurement() {
+                Ok(measurement) => self.measurements.extend(measurement),
                 Err(error) => return self.end(Err(error)),
             }
             for model in &mut self.models {
-                *model = told(model, &running.step);
+                *model = after_step(model, &running.step);
             }
         }
         match self.steps.pop_front() {
@@ -201,7 +201,7 @@ impl Detection {
         });
     }
 
-    /// Sends a motion again that the arm did not begin: it stands where it stood.
+    /// Sends a motion again that the arm did not begin.
     fn repeat(&mut self, now: Duration, status: &Status) {
         match self.running.take() {
             Some(running) if running.tries + 1 < TRIES => {
@@ -212,7 +212,7 @@ impl Detection {
     }
 
     fn end(&mut self, outcome: Result<Finding, DetectionError>) {
-        self.over = true;
+        self.ended = true;
         self.outcome = Some(outcome);
     }
 
@@ -229,18 +229,18 @@ impl Detection {
         Ok(Finding { dialect, evidence })
     }
 
-    /// All answers to a question must be those of one dialect, and of no other.
+    /// Evaluates a question: all its measurements must fit one dialect and not the other.
     fn evidence(&self, question: Question) -> Result<Evidence, DetectionError> {
-        let answers: Vec<&Measurement> = self
-            .answers
+        let measurements: Vec<&Measurement> = self
+            .measurements
             .iter()
-            .filter(|it| it.question == question)
+            .filter(|measurement| measurement.question == question)
             .collect();
-        let saw = words(question, &answers);
+        let saw = words(question, &measurements);
         let fits = |dialect: usize| {
-            let near = question.near();
-            let clear = |it: &&Measurement| it.apart > 2.0 * near && it.off[dialect] <= near;
-            !answers.is_empty() && answers.iter().all(clear)
+            let near = question.tolerance();
+            let clear = |m: &&Measurement| m.apart > 2.0 * near && m.off[dialect] <= near;
+            !measurements.is_empty() && measurements.iter().all(clear)
         };
         let means = match (fits(0), fits(1)) {
             (true, false) => Dialect::ALL[0],
@@ -261,10 +261,10 @@ impl Detection {
 }
 
 impl Running {
-    /// Whether the step is over.
+    /// Whether the step is completed.
     fn progress(&self, now: Duration) -> Result<bool, Trouble> {
         if !self.step.moves {
-            let moved = self.seen.iter().any(|(_, it)| !is_same(it, &self.from));
+            let moved = self.seen.iter().any(|(_, status)| !is_same(status, &self.from));
             return if moved {
                 Err(Trouble::Moving)
             } else {
@@ -274,16 +274,16 @@ impl Running {
         let rests = self.seen.len() >= AT_REST
             && self.seen[self.seen.len() - AT_REST..]
                 .windows(2)
-                .all(|it| is_same(&it[0].1, &it[1].1));
-        let begun = self.seen.iter().any(|(_, it)| !is_same(it, &self.from));
+                .all(|pair| is_same(&pair[0].1, &pair[1].1));
+        let begun = self.seen.iter().any(|(_, status)| !is_same(status, &self.from));
         if !begun && now.saturating_sub(self.sent) > PATIENCE {
-            return Err(Trouble::NotHeard);
+            return Err(Trouble::Ignored);
         }
         Ok(rests && begun)
     }
 
-    /// What the motion tells, or why it tells nothing.
-    fn answer(&self) -> Result<Option<Measurement>, DetectionError> {
+    /// Measures the motion; `None` for a step without a question.
+    fn measurement(&self) -> Result<Option<Measurement>, DetectionError> {
         let (Some(trajectories), Some((_, last))) = (&self.trajectories, self.seen.last()) else {
             return Ok(None);
         };
@@ -291,26 +291,26 @@ impl Running {
             return Ok(None);
         }
         let found = position(last);
-        let off_end = trajectories.each_ref().map(|it| end(it).distance(found).0);
+        let off_end = trajectories.each_ref().map(|trajectory| end(trajectory).distance(found).0);
         let nearest = off_end[0].min(off_end[1]);
         if nearest > END_MM {
             return Err(DetectionError::Elsewhere { off_mm: nearest });
         }
         Ok(self.step.question.map(|question| {
             let [one, other] = trajectories;
-            let duration_s = |it: &Trajectory| it.motion_s().unwrap_or_default();
-            let took_s = took_s(self.sent, &self.seen) - ON_THE_LINE_S;
+            let motion_s = |trajectory: &Trajectory| trajectory.motion_s().unwrap_or_default();
+            let took_s = duration_s(self.sent, &self.seen) - ON_THE_LINE_S;
             let (off, apart, saw) = match question {
                 Question::Modes => (
-                    trajectories.each_ref().map(|it| off_way_mm(it, &self.seen)),
-                    apart_mm(one, other),
+                    trajectories.each_ref().map(|trajectory| path_deviation_mm(trajectory, &self.seen)),
+                    path_difference_mm(one, other),
                     0.0,
                 ),
                 Question::Percentages => (
                     trajectories
                         .each_ref()
-                        .map(|it| (took_s - duration_s(it)).abs()),
-                    (duration_s(one) - duration_s(other)).abs(),
+                        .map(|trajectory| (took_s - motion_s(trajectory)).abs()),
+                    (motion_s(one) - motion_s(other)).abs(),
                     took_s,
                 ),
                 Question::WriteX => (
@@ -330,8 +330,8 @@ impl Running {
 }
 
 impl Question {
-    /// As near as this to what a dialect has the arm do fits it, in millimetres or seconds.
-    const fn near(self) -> f64 {
+    /// The largest deviation that still fits a dialect, in millimetres or seconds.
+    const fn tolerance(self) -> f64 {
         match self {
             Self::Modes => 0.03,
             Self::Percentages | Self::WriteX => 0.3,
@@ -340,11 +340,11 @@ impl Question {
 }
 
 enum Trouble {
-    NotHeard,
+    Ignored,
     Moving,
 }
 
-/// Follows all steps by a model, and looks whether the arm may go there.
+/// Simulates all steps and checks that every pose is allowed.
 fn check_room(
     mut model: Model,
     steps: &[DetectionStep],
@@ -357,9 +357,9 @@ fn check_room(
         let trajectory = trajectory(&model, step).map_err(no_room)?;
         trajectory.check().map_err(no_room)?;
         let motion_s = trajectory.motion_s().unwrap_or_default();
-        for index in 0..=LOOKS {
-            let t_s = motion_s * f64::from(index) / f64::from(LOOKS);
-            let place = trajectory.place_at(t_s).map_err(|it| no_room(it.into()))?;
+        for index in 0..=SAMPLES {
+            let t_s = motion_s * f64::from(index) / f64::from(SAMPLES);
+            let place = trajectory.place_at(t_s).map_err(|error| no_room(error.into()))?;
             if !allowed(&place.joints) {
                 let Position { x, y, z } = place.pose.position;
                 return Err(DetectionError::NoRoom {
@@ -367,7 +367,7 @@ fn check_room(
                 });
             }
         }
-        model = told(&model, step);
+        model = after_step(&model, step);
     }
     Ok(())
 }
@@ -380,8 +380,8 @@ fn trajectory(model: &Model, step: &DetectionStep) -> Result<Trajectory, Traject
     model.trajectory(&command(model, step)?)
 }
 
-/// The model behind a step.
-fn told(model: &Model, step: &DetectionStep) -> Model {
+/// The model after a step.
+fn after_step(model: &Model, step: &DetectionStep) -> Model {
     let Ok(command) = command(model, step) else {
         return *model;
     };
@@ -395,32 +395,32 @@ fn end(trajectory: &Trajectory) -> Position {
     let motion_s = trajectory.motion_s().unwrap_or_default();
     let end = trajectory.end().map(Ok);
     let place = end.unwrap_or_else(|| trajectory.place_at(motion_s));
-    place.map_or(Position::default(), |it| it.pose.position)
+    place.map_or(Position::default(), |place| place.pose.position)
 }
 
-/// What was seen, in words.
-fn words(question: Question, answers: &[&Measurement]) -> String {
-    let most = |dialect: usize| answers.iter().map(|it| it.off[dialect]).fold(0.0, f64::max);
-    let saw: Vec<f64> = answers.iter().map(|it| it.saw).collect();
+/// Describes the measurements of a question.
+fn words(question: Question, measurements: &[&Measurement]) -> String {
+    let most = |dialect: usize| measurements.iter().map(|m| m.off[dialect]).fold(0.0, f64::max);
+    let saw: Vec<f64> = measurements.iter().map(|m| m.saw).collect();
     match question {
         Question::Modes => format!(
-            "the ways are up to {:.3} mm off those with 1 straight, {:.3} mm off those with 2 straight",
+            "the paths deviate by up to {:.3} mm if mode 1 is straight, {:.3} mm if mode 2 is straight",
             most(0),
             most(1)
         ),
         Question::Percentages => format!(
-            "with 10 and 100 % a way took {:.2} s",
+            "with 10 and 100 % a move took {:.2} s",
             saw.first().copied().unwrap_or_default()
         ),
         Question::WriteX => format!(
-            "2 and -2 in float 3 led {:.2} and {:.2} mm along X",
+            "2 and -2 in float 3 moved {:.2} and {:.2} mm along X",
             saw.first().copied().unwrap_or_default(),
             saw.get(1).copied().unwrap_or_default()
         ),
     }
 }
 
-/// Whether two statuses tell of the same place.
+/// Whether two statuses report the same position.
 fn is_same(one: &Status, other: &Status) -> bool {
     position(one).distance(position(other)).0 < SAME_MM
 }
@@ -428,13 +428,13 @@ fn is_same(one: &Status, other: &Status) -> bool {
 /// A damaged status may be off by 0.01 mm (note N23).
 const SAME_MM: f64 = 0.02;
 const END_MM: f64 = 0.3;
-/// Statuses that say the same: the arm rests.
+/// Number of equal statuses after which the arm is at rest.
 const AT_REST: usize = 4;
-/// Statuses by which a configuration has acted.
+/// Number of statuses after which a configuration is in effect.
 const SETTLED: usize = 2;
 const TRIES: u32 = 3;
 const PATIENCE: Duration = Duration::from_secs(3);
-/// A packet each way, half a tick, and half a period until the next status.
+/// The time of a packet each way, half a tick, and half a status period.
 const ON_THE_LINE_S: f64 = 0.14;
-/// Places of each way that are looked at.
-const LOOKS: u32 = 50;
+/// Checked poses per motion.
+const SAMPLES: u32 = 50;

@@ -1,7 +1,7 @@
 //! A session with an original Dobot Arm over a serial port, TCP or in this process.
 //!
 //! [`Session`] is the engine: one command per status received, resynchronisation, link loss and
-//! completion read off the statuses. [`Connection`] is its thin async shell, over a [`Link`] of bytes.
+//! completion read from the statuses. [`Connection`] is its thin async shell over a byte [`Link`].
 //!
 //! ```no_run
 //! use dobot_session::Connection;
@@ -10,10 +10,10 @@
 //! # async fn example() -> Result<(), Box<dyn std::error::Error>> {
 //! let address = "serial:/dev/ttyUSB0".parse()?;
 //! let mut arm = Connection::open(&address, Some(Dialect::FIRMWARE_1_1)).await?;
-//! // ... when a person has looked that the arm stands where it says:
+//! // ... after a person has checked that the arm stands where it reports:
 //! arm.session_mut().confirm_pose();
-//! let there = arm.send(MoveTo::to(220.0, 0.0, 20.0))?;
-//! arm.completed(there).await?;
+//! let id = arm.send(MoveTo::to(220.0, 0.0, 20.0))?;
+//! arm.completed(id).await?;
 //! # Ok(())
 //! # }
 //! ```

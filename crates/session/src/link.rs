@@ -1,4 +1,4 @@
-//! The way that bytes travel to an arm and back.
+//! The byte transport to an arm and back.
 
 use std::io::{self, ErrorKind};
 #[cfg(unix)]
@@ -12,23 +12,23 @@ use tokio::time::Instant;
 
 use crate::{Address, LinkError, OpenError, Peer, open};
 
-/// The way that bytes travel to an arm and back, with a clock: a serial port, TCP or a peer in this
-/// process, whose time passes only when somebody waits for it.
+/// A byte transport to an arm and back, with a clock: a serial port, TCP or a peer in this process,
+/// whose time passes only while the caller waits.
 ///
-/// It knows nothing about packets: [`Connection`](crate::Connection) puts a session on top of it.
+/// It does not interpret packets: [`Connection`](crate::Connection) puts a session on top of it.
 #[derive(Debug)]
 pub struct Link {
     transport: Transport,
-    /// Bytes on their way out, so that a cancelled wait tears no packet apart.
+    /// Bytes not sent yet. They outlive a cancelled wait, so that no packet is split.
     outgoing: Vec<u8>,
-    /// Bytes that a peer said before somebody waited for them.
+    /// Bytes received from a peer before the caller waited for them.
     early: Vec<u8>,
-    /// The port once more, for those who have to reach the arm when this link cannot.
+    /// A second handle to the port, for another process that must reach the arm if this one fails.
     #[cfg(unix)]
     port: Option<OwnedFd>,
 }
 
-/// What bytes travel over.
+/// The medium that carries the bytes.
 enum Transport {
     Stream {
         stream: Box<dyn Stream>,
@@ -37,16 +37,16 @@ enum Transport {
     Peer(Box<dyn Peer>, Option<PeerClock>),
 }
 
-/// How fast time passes for a peer that lives no faster.
+/// The clock of a peer whose time is tied to real time.
 #[derive(Clone, Copy, Debug)]
 struct PeerClock {
-    /// When that began, and what time it was for the peer.
+    /// The start in real time, and the peer's time at that moment.
     began: (Instant, Duration),
-    /// So many times as fast as a clock.
-    times: f64,
+    /// The peer's time relative to real time.
+    speed: f64,
 }
 
-/// Anything that carries bytes both ways.
+/// A bidirectional byte stream.
 trait Stream: AsyncRead + AsyncWrite + Unpin + Send {}
 
 impl<T: AsyncRead + AsyncWrite + Unpin + Send> Stream for T {}
@@ -56,11 +56,11 @@ impl Link {
     ///
     /// # Errors
     ///
-    /// [`OpenError`], with what to do about it.
+    /// Returns an [`OpenError`], which has a hint.
     ///
     /// # Panics
     ///
-    /// Outside of a tokio runtime.
+    /// If called outside of a tokio runtime.
     pub async fn open(address: &Address) -> Result<Self, OpenError> {
         let opened = match address {
             Address::Virtual => Err(OpenError::Virtual),
@@ -94,7 +94,7 @@ impl Link {
         Ok(Self::over_stream(stream))
     }
 
-    /// A link over anything that carries bytes both ways.
+    /// Creates a link over any bidirectional byte stream.
     pub fn over_stream(stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static) -> Self {
         Self::new(Transport::Stream {
             stream: Box::new(stream),
@@ -102,23 +102,23 @@ impl Link {
         })
     }
 
-    /// A link with an arm in this process.
+    /// Creates a link to an arm in this process.
     pub fn over_peer(peer: impl Peer + 'static) -> Self {
         Self::new(Transport::Peer(Box::new(peer), None))
     }
 
-    /// A link with an arm in this process that lives so many times as fast as a clock, if it is looked
-    /// after often enough; otherwise its time and that of the link pass more slowly.
+    /// Creates a link to an arm in this process that runs at `speed` times real time if the link is
+    /// polled often enough; otherwise its time and that of the link pass more slowly.
     ///
     /// # Panics
     ///
-    /// Where `times` is not above 0.
-    pub fn over_paced_peer(peer: impl Peer + 'static, times: f64) -> Self {
-        assert!(times > 0.0, "time passes");
+    /// If `speed` is not above 0.
+    pub fn over_paced_peer(peer: impl Peer + 'static, speed: f64) -> Self {
+        assert!(speed > 0.0, "the speed must be above 0");
         let began = (Instant::now(), peer.now());
         Self::new(Transport::Peer(
             Box::new(peer),
-            Some(PeerClock { began, times }),
+            Some(PeerClock { began, speed }),
         ))
     }
 
@@ -132,7 +132,7 @@ impl Link {
         }
     }
 
-    /// The same, with the port that its bytes go through: see [`Link::port`].
+    /// Attaches a second handle to the port: see [`Link::port`].
     #[cfg(unix)]
     #[must_use]
     pub fn with_port(mut self, port: OwnedFd) -> Self {
@@ -140,22 +140,22 @@ impl Link {
         self
     }
 
-    /// The serial port or the TCP connection as another process can have it, to say the last words
-    /// to an arm whose program is gone; none for an arm in this process. Whoever writes to it while
-    /// the link is in use tears packets apart.
+    /// The serial port or TCP connection for use by another process, which stops the arm when this
+    /// one is gone; `None` for an arm in this process. Writing to it while the link is in use splits
+    /// packets.
     #[cfg(unix)]
     #[must_use]
     pub fn port(&self) -> Option<BorrowedFd<'_>> {
         self.port.as_ref().map(AsFd::as_fd)
     }
 
-    /// The time since the link was opened, by its own clock.
+    /// The time since the link was opened, on its own clock.
     #[must_use]
     pub fn now(&self) -> Duration {
         match &self.transport {
             Transport::Stream { opened, .. } => opened.elapsed(),
             Transport::Peer(peer, None) => peer.now(),
-            // Where something is due that was not heard yet, time stands still until it is.
+            // Time stands still until everything that is due has been received.
             Transport::Peer(peer, Some(pace)) => {
                 let now = pace.now();
                 if now < peer.next() { now } else { peer.now() }
@@ -163,42 +163,41 @@ impl Link {
         }
     }
 
-    /// Takes bytes; they leave while somebody waits in [`Link::receive`] or [`Link::flush`], or with
-    /// [`Link::push`].
+    /// Queues bytes. They are sent by [`Link::receive`], [`Link::flush`] or [`Link::push`].
     pub fn send(&mut self, bytes: &[u8]) {
         self.outgoing.extend_from_slice(bytes);
     }
 
-    /// Sends at once what the link takes without waiting; the rest leaves as after [`Link::send`].
-    /// What goes wrong is told by whoever waits next.
+    /// Sends as much as the link accepts without waiting; the rest stays queued. Errors are returned by
+    /// the next call that waits.
     pub fn push(&mut self) {
         let now = self.now();
         let stream = match &mut self.transport {
             Transport::Stream { stream, .. } => stream,
             Transport::Peer(_, None) => return,
             Transport::Peer(peer, Some(_)) => {
-                // Whether it is still there, the next wait tells.
+                // The next wait reports whether the peer is still there.
                 let _ = peer.receive(now, &mut self.early);
                 peer.send(&self.outgoing);
                 self.outgoing.clear();
                 return;
             }
         };
-        let mut nobody = Context::from_waker(Waker::noop());
+        let mut context = Context::from_waker(Waker::noop());
         while !self.outgoing.is_empty() {
-            match Pin::new(&mut **stream).poll_write(&mut nobody, &self.outgoing) {
+            match Pin::new(&mut **stream).poll_write(&mut context, &self.outgoing) {
                 Poll::Ready(Ok(sent @ 1..)) => drop(self.outgoing.drain(..sent)),
                 _ => break,
             }
         }
     }
 
-    /// Sends and receives until bytes came, which are appended to `incoming`, or until `until`.
-    /// Returns whether the link is still open. A wait that is cancelled loses nothing.
+    /// Sends and receives until bytes arrive, which are appended to `incoming`, or until `until`.
+    /// Returns whether the link is still open. Cancellation safe.
     ///
     /// # Errors
     ///
-    /// [`LinkError::Broken`], or [`LinkError::Closed`] where what was sent met nobody.
+    /// Returns [`LinkError::Broken`], or [`LinkError::Closed`] if the other end is gone while sending.
     pub async fn receive(
         &mut self,
         until: Duration,
@@ -222,16 +221,16 @@ impl Link {
             }
             Transport::Stream { stream, opened } => {
                 let deadline = opened.checked_add(until);
-                carry(stream, &mut self.outgoing, incoming, deadline).await
+                transfer(stream, &mut self.outgoing, incoming, deadline).await
             }
         }
     }
 
-    /// Sends what waits, without waiting for anything from the arm.
+    /// Sends the queued bytes without waiting for the arm to respond.
     ///
     /// # Errors
     ///
-    /// [`LinkError`] when the link does not take it.
+    /// Returns a [`LinkError`] if the link does not accept them.
     pub async fn flush(&mut self) -> Result<(), LinkError> {
         self.push();
         match &mut self.transport {
@@ -242,7 +241,7 @@ impl Link {
                     stream.flush().await
                 };
                 match tokio::time::timeout(FLUSH_TIMEOUT, sending).await {
-                    Ok(sent) => sent.map_err(gone)?,
+                    Ok(sent) => sent.map_err(link_error)?,
                     Err(_) => return Err(LinkError::Closed),
                 }
             }
@@ -255,13 +254,13 @@ impl Link {
 impl PeerClock {
     fn now(&self) -> Duration {
         let (began, at) = self.began;
-        at + began.elapsed().mul_f64(self.times)
+        at + began.elapsed().mul_f64(self.speed)
     }
 
-    /// When it will be that time; `None` for what is further ahead than clocks go.
+    /// The real time of a peer time; `None` if it is beyond the clock's range.
     fn instant(&self, time: Duration) -> Option<Instant> {
         let (began, at) = self.began;
-        let later_s = time.saturating_sub(at).as_secs_f64() / self.times;
+        let later_s = time.saturating_sub(at).as_secs_f64() / self.speed;
         let later = Duration::try_from_secs_f64(later_s).ok()?;
         began.checked_add(later)
     }
@@ -279,7 +278,7 @@ impl std::fmt::Debug for Transport {
     }
 }
 
-async fn carry(
+async fn transfer(
     stream: &mut Box<dyn Stream>,
     outgoing: &mut Vec<u8>,
     incoming: &mut Vec<u8>,
@@ -289,22 +288,22 @@ async fn carry(
     loop {
         tokio::select! {
             sent = writer.write(outgoing), if !outgoing.is_empty() => {
-                let sent = sent.map_err(gone)?;
+                let sent = sent.map_err(link_error)?;
                 if sent == 0 {
                     return Ok(false);
                 }
                 outgoing.drain(..sent);
             }
             received = reader.read_buf(incoming) => {
-                return Ok(received.map_err(gone)? > 0);
+                return Ok(received.map_err(link_error)? > 0);
             }
             () = wait_until(deadline) => return Ok(true),
         }
     }
 }
 
-/// Why a link is gone. TCP calls a close a reset where something that the other end had not read was under way.
-fn gone(error: io::Error) -> LinkError {
+/// Converts an I/O error. TCP reports a close as a reset if the other end had unread data.
+fn link_error(error: io::Error) -> LinkError {
     match error.kind() {
         ErrorKind::ConnectionReset | ErrorKind::ConnectionAborted | ErrorKind::BrokenPipe => {
             LinkError::Closed
@@ -320,7 +319,7 @@ async fn wait_until(deadline: Option<Instant>) {
     }
 }
 
-/// Longer than a packet takes at 9600 baud; a port that takes none by then is dead.
+/// Longer than a packet takes at 9600 baud; a port that accepts none in this time is dead.
 const FLUSH_TIMEOUT: Duration = Duration::from_secs(1);
 
 #[cfg(test)]
@@ -328,24 +327,24 @@ mod tests {
     use super::*;
 
     #[tokio::test]
-    async fn what_is_pushed_leaves_before_anybody_waits() {
+    async fn pushed_bytes_are_sent_before_any_wait() {
         let (near, mut far) = tokio::io::duplex(64);
         let mut link = Link::over_stream(near);
         link.send(b"abc");
         link.push();
         let mut bytes = [0; 3];
-        far.read_exact(&mut bytes).await.expect("it has left");
+        far.read_exact(&mut bytes).await.expect("the bytes were sent");
         assert_eq!(&bytes, b"abc");
     }
 
-    /// Says something every 80 ms, and takes note of when it heard what.
+    /// Sends a byte every 80 ms and records when it receives bytes.
     #[derive(Debug, Default)]
-    struct Clockwork {
+    struct PeriodicPeer {
         now: Duration,
-        heard: std::sync::Arc<std::sync::Mutex<Vec<Duration>>>,
+        received: std::sync::Arc<std::sync::Mutex<Vec<Duration>>>,
     }
 
-    impl Peer for Clockwork {
+    impl Peer for PeriodicPeer {
         fn now(&self) -> Duration {
             self.now
         }
@@ -357,7 +356,7 @@ mod tests {
 
         fn send(&mut self, bytes: &[u8]) {
             if !bytes.is_empty() {
-                self.heard.lock().expect("nobody panicked").push(self.now);
+                self.received.lock().expect("the lock is not poisoned").push(self.now);
             }
         }
 
@@ -372,26 +371,26 @@ mod tests {
     }
 
     #[tokio::test(start_paused = true)]
-    async fn a_paced_peer_lives_as_fast_as_told_and_hears_what_is_pushed_when_it_is_pushed() {
-        let peer = Clockwork::default();
-        let heard = peer.heard.clone();
+    async fn a_paced_peer_runs_at_its_speed_and_receives_pushed_bytes_immediately() {
+        let peer = PeriodicPeer::default();
+        let received = peer.received.clone();
         let began = Instant::now();
         let mut link = Link::over_paced_peer(peer, 1000.0);
         let mut incoming = Vec::new();
         for n in 1..=100_u32 {
             let open = link.receive(Duration::MAX, &mut incoming).await;
-            assert!(open.expect("it is there"));
+            assert!(open.expect("the peer is there"));
             assert_eq!(incoming.len(), usize::try_from(n).expect("small"));
-            let said = Duration::from_millis(80) * n;
-            assert!((said..said + Duration::from_millis(80)).contains(&link.now()));
+            let sent = Duration::from_millis(80) * n;
+            assert!((sent..sent + Duration::from_millis(80)).contains(&link.now()));
         }
         // 8 s of its time; the clock of the runtime counts whole milliseconds.
         let took = began.elapsed();
         assert!((8..=10).contains(&took.as_millis()), "{took:?}");
         let mut slow = Link::over_paced_peer(
-            Clockwork {
-                heard: heard.clone(),
-                ..Clockwork::default()
+            PeriodicPeer {
+                received: received.clone(),
+                ..PeriodicPeer::default()
             },
             2.0,
         );
@@ -399,30 +398,30 @@ mod tests {
         slow.send(b"x");
         slow.push();
         assert_eq!(
-            *heard.lock().expect("nobody panicked"),
+            *received.lock().expect("the lock is not poisoned"),
             [Duration::from_millis(30)]
         );
         assert_eq!(slow.now(), Duration::from_millis(30));
         tokio::time::advance(Duration::from_millis(5)).await;
         assert_eq!(slow.now(), Duration::from_millis(40));
-        // What is not looked after does not live on.
+        // The time of a peer that is not polled stands still.
         tokio::time::advance(Duration::from_secs(9)).await;
         assert_eq!(slow.now(), Duration::from_millis(30));
         let open = slow.receive(Duration::MAX, &mut incoming).await;
-        assert!(open.expect("it is there"));
+        assert!(open.expect("the peer is there"));
         assert_eq!(slow.now(), Duration::from_millis(80));
         assert_eq!(incoming.len(), 101);
     }
 
     #[tokio::test]
-    async fn what_the_link_does_not_take_at_once_leaves_later_in_order() {
+    async fn bytes_that_the_link_does_not_accept_are_sent_later_in_order() {
         let (near, mut far) = tokio::io::duplex(2);
         let mut link = Link::over_stream(near);
         link.send(b"abcde");
         link.push();
         let mut bytes = [0; 5];
         let (read, flushed) = tokio::join!(far.read_exact(&mut bytes), link.flush());
-        read.expect("all of it leaves");
+        read.expect("all bytes are sent");
         flushed.expect("the other end reads");
         assert_eq!(&bytes, b"abcde");
     }

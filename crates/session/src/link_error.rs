@@ -1,43 +1,43 @@
-//! Why a conversation with an arm failed.
+//! The error type of a connection.
 
 use std::io;
 use std::time::Duration;
 
 use crate::{NotReached, ResetEvidence, SendError};
 
-/// Why a conversation with an arm failed.
+/// The error returned when communication with an arm fails.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum LinkError {
-    /// No status came any more.
+    /// No status arrived for too long.
     #[error(
         "the arm has sent no valid status for {:.1} s{}",
         silent_for.as_secs_f64(),
-        if *noise > 0 { format!(", only {noise} bytes that belong to none") } else { String::new() }
+        if *noise > 0 { format!(", only {noise} bytes that belong to no status") } else { String::new() }
     )]
     Silent {
-        /// How long.
+        /// The time since the last status.
         silent_for: Duration,
-        /// Bytes that came all the same.
+        /// The number of bytes received in that time that belong to no status.
         noise: u64,
     },
     /// The other end closed the link.
     #[error("the other end closed the link")]
     Closed,
-    /// The link broke, which is something else than being closed.
+    /// The link failed with an I/O error.
     #[error("the link broke: {0}")]
     Broken(io::Error),
-    /// The arm rests elsewhere than a command leads.
-    #[error("the arm rests at {found}, not at {expected}, where the command leads: {reason}")]
+    /// The arm stopped elsewhere than at the target of a command.
+    #[error("the arm stopped at {found}, not at the target {expected}: {reason}")]
     NotReached {
-        /// Why, as far as it shows.
+        /// The probable reason.
         reason: NotReached,
-        /// Where the command leads.
+        /// The target of the command.
         expected: String,
-        /// Where the arm is.
+        /// The reported position.
         found: String,
     },
-    /// The arm was reset: it has forgotten what it was told, and its pose is not to be trusted.
+    /// The arm was reset: it has lost its commands, and its reported pose is not trustworthy.
     #[error("the arm was reset: {0}")]
     Reset(ResetEvidence),
     /// A command is not allowed.

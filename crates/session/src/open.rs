@@ -1,4 +1,4 @@
-//! Opening serial ports and TCP connections, and saying what to do when that fails.
+//! Opening of serial ports and TCP connections, with hints on failure.
 
 use std::io;
 use std::time::Duration;
@@ -6,11 +6,11 @@ use std::time::Duration;
 use tokio::net::TcpStream;
 use tokio_serial::{ClearBuffer, SerialPort, SerialPortBuilderExt, SerialStream};
 
-/// Why a link could not be opened.
+/// The error returned when a link cannot be opened.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum OpenError {
-    /// No such serial port.
+    /// The serial port does not exist.
     #[error("there is no serial port {path}")]
     NoSuchPort {
         /// The port.
@@ -21,85 +21,85 @@ pub enum OpenError {
     NotAllowed {
         /// The port.
         path: String,
-        /// The group whose members may, where the port has one.
+        /// The group whose members may open the port.
         group: Option<String>,
     },
-    /// Another program has the port.
+    /// Another program uses the port.
     #[error("{path} is in use by another program")]
     InUse {
         /// The port.
         path: String,
     },
-    /// The file is no serial port.
+    /// The file is not a serial port.
     #[error("{path} is not a serial port")]
     NotASerialPort {
         /// The file.
         path: String,
     },
-    /// Anything else that a serial port says.
+    /// Any other error of a serial port.
     #[error("cannot open {path}")]
     Serial {
         /// The port.
         path: String,
-        /// What the operating system says.
+        /// The error of the operating system.
         #[source]
         source: io::Error,
     },
     /// The TCP connection failed.
     #[error("cannot connect to {host}:{port}")]
     Tcp {
-        /// The machine.
+        /// The host.
         host: String,
         /// The port.
         port: u16,
-        /// What the operating system says.
+        /// The error of the operating system.
         #[source]
         source: io::Error,
     },
-    /// A virtual arm is not opened by this crate, which does not know it.
-    #[error("virtual: is no port to open; a virtual arm is connected in this process")]
+    /// This crate cannot open a virtual arm; it is connected as a [`Peer`](crate::Peer).
+    #[error("address virtual: cannot be opened as a port; a virtual arm runs in this process")]
     Virtual,
-    /// The system gives a program without async no more resources.
-    #[error("the system gives no resources to wait with")]
+    /// The async runtime of the blocking API cannot be started.
+    #[error("cannot start the async runtime")]
     Runtime(#[source] io::Error),
 }
 
 impl OpenError {
-    /// What to do about it.
+    /// A hint for the user.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
             Self::NoSuchPort { .. } => {
-                Some("`dobot ports` lists the serial ports of this machine; is the arm plugged in and switched on?".into())
+                Some("check that the arm is plugged in and switched on; `dobot ports` lists the serial ports of this machine".into())
             }
             Self::NotAllowed { group: Some(group), .. } => Some(format!(
-                "`sudo usermod -aG {group} $USER`, then log out and in again"
+                "run `sudo usermod -aG {group} $USER`, then log out and in again"
             )),
             Self::NotAllowed { group: None, path } => Some(format!(
-                "a udev rule helps: put SUBSYSTEM==\"tty\", MODE=\"0660\", TAG+=\"uaccess\" into /etc/udev/rules.d/70-dobot.rules, run `sudo udevadm control --reload`, and plug {path} in again"
+                "add a udev rule: put SUBSYSTEM==\"tty\", MODE=\"0660\", TAG+=\"uaccess\" into /etc/udev/rules.d/70-dobot.rules, run `sudo udevadm control --reload`, and plug {path} in again"
             )),
             Self::InUse { path } => Some(format!(
-                "`fuser -v {path}` tells which program has it; close that one first"
+                "run `fuser -v {path}` to find the program that uses it, and close that program"
             )),
             Self::NotASerialPort { .. } => Some("`dobot ports` lists the serial ports of this machine".into()),
             Self::Serial { .. } | Self::Virtual | Self::Runtime(_) => None,
             Self::Tcp { source, port, .. } if source.kind() == io::ErrorKind::ConnectionRefused => Some(format!(
-                "nobody listens there; `dobot arm --tcp 127.0.0.1:{port}` starts a virtual arm that does"
+                "no server listens there; `dobot arm --tcp 127.0.0.1:{port}` starts a virtual arm"
             )),
-            Self::Tcp { .. } => Some("check the name of the machine and the network".into()),
+            Self::Tcp { .. } => Some("check the host name and the network".into()),
         }
     }
 }
 
 /// Opens a serial port, 8N1, for this program alone.
 ///
-/// A stock arm is reset when its DTR line rises. Linux raises it with every first opening, which
-/// nobody can prevent; but the line is told to stay up when the port is closed, so that the next
-/// opening does not reset the arm again. Other systems leave DTR as it is.
+/// A stock arm is reset when its DTR line rises. Linux always raises it on the first opening; this
+/// function keeps it up when the port is closed, so that the next opening does not reset the arm
+/// again. Other systems leave DTR as it is.
 ///
-/// What was received before is thrown away: it is no permit, and tells where the arm once was.
+/// Bytes received earlier are discarded: they are not a permit, and their pose is old.
 ///
-/// The port comes twice: as a stream, and as a file that another process can be given.
+/// Returns the port twice: as a stream, and as a file to pass to another process.
 #[cfg(unix)]
 pub(crate) fn serial(path: &str, baud: u32) -> Result<(SerialStream, std::fs::File), OpenError> {
     let port = keep_dtr_up(path)?;
@@ -108,7 +108,7 @@ pub(crate) fn serial(path: &str, baud: u32) -> Result<(SerialStream, std::fs::Fi
 
 /// Opens a serial port, 8N1, for this program alone. DTR is left as it is.
 ///
-/// What was received before is thrown away: it is no permit, and tells where the arm once was.
+/// Bytes received earlier are discarded: they are not a permit, and their pose is old.
 #[cfg(not(unix))]
 pub(crate) fn serial(path: &str, baud: u32) -> Result<SerialStream, OpenError> {
     stream(path, baud)
@@ -141,8 +141,7 @@ pub(crate) async fn tcp(host: &str, port: u16) -> Result<TcpStream, OpenError> {
         })
 }
 
-/// Clears "hang up on close". The file stays open until the port proper is, so that the line does
-/// not fall in between.
+/// Clears "hang up on close". The returned file keeps the line up until the port itself is open.
 #[cfg(unix)]
 fn keep_dtr_up(path: &str) -> Result<std::fs::File, OpenError> {
     use std::os::unix::fs::OpenOptionsExt;
@@ -171,8 +170,7 @@ fn keep_dtr_up(path: &str) -> Result<std::fs::File, OpenError> {
 fn serial_error(path: &str, source: io::Error) -> OpenError {
     let path = path.to_owned();
     match source.kind() {
-        // What the serial crate says when another program holds its lock on the port: it calls
-        // that a port that is not there.
+        // The serial crate reports a port locked by another program as missing, with this text.
         _ if source.to_string().contains("lock on serial port") => OpenError::InUse { path },
         io::ErrorKind::NotFound => OpenError::NoSuchPort { path },
         io::ErrorKind::PermissionDenied => OpenError::NotAllowed {
@@ -196,7 +194,7 @@ fn is_not_a_terminal(_error: &io::Error) -> bool {
     false
 }
 
-/// The name of the group that owns a port, where its members may use it.
+/// The group that owns a port, if its members may use it.
 #[cfg(unix)]
 fn group(path: &str) -> Option<String> {
     use std::os::unix::fs::MetadataExt;
@@ -219,7 +217,7 @@ fn group(_path: &str) -> Option<String> {
     None
 }
 
-/// Long enough for any machine that is there.
+/// Long enough for any reachable host.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 
 #[cfg(test)]
@@ -234,33 +232,33 @@ mod tests {
     }
 
     #[test]
-    fn a_port_that_is_not_allowed_says_which_group_helps() {
+    fn a_port_without_permission_suggests_its_group() {
         let error = not_allowed(Some("dialout"));
         assert_eq!(error.to_string(), "this user may not open /dev/ttyUSB0");
-        let hint = error.hint().expect("something can be done");
+        let hint = error.hint().expect("there is a hint");
         assert!(hint.contains("usermod -aG dialout"), "{hint}");
     }
 
     #[test]
-    fn a_port_that_no_group_may_use_says_which_udev_rule_helps() {
-        let hint = not_allowed(None).hint().expect("something can be done");
+    fn a_port_without_a_group_suggests_a_udev_rule() {
+        let hint = not_allowed(None).hint().expect("there is a hint");
         assert!(hint.contains("/etc/udev/rules.d/"), "{hint}");
     }
 
     #[test]
-    fn what_the_system_says_becomes_what_the_person_can_act_on() {
+    fn system_errors_become_errors_with_a_hint() {
         use io::ErrorKind as Kind;
-        let told = |kind: Kind| serial_error("/dev/ttyUSB9", kind.into());
-        assert!(matches!(told(Kind::NotFound), OpenError::NoSuchPort { .. }));
+        let converted = |kind: Kind| serial_error("/dev/ttyUSB9", kind.into());
+        assert!(matches!(converted(Kind::NotFound), OpenError::NoSuchPort { .. }));
         assert!(matches!(
-            told(Kind::PermissionDenied),
+            converted(Kind::PermissionDenied),
             OpenError::NotAllowed { .. }
         ));
-        assert!(matches!(told(Kind::ResourceBusy), OpenError::InUse { .. }));
-        assert!(matches!(told(Kind::TimedOut), OpenError::Serial { .. }));
+        assert!(matches!(converted(Kind::ResourceBusy), OpenError::InUse { .. }));
+        assert!(matches!(converted(Kind::TimedOut), OpenError::Serial { .. }));
     }
 
-    /// A pseudo-terminal: the end to hold, and the name of the other.
+    /// A pseudo-terminal: its master and the name of its slave.
     #[cfg(unix)]
     fn pty() -> (std::os::fd::OwnedFd, String) {
         use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
@@ -278,10 +276,10 @@ mod tests {
         let (_master, path) = pty();
         let open = || tokio_serial::new(&path, 9600).open_native();
         let _first = open().expect("it is free");
-        // The superuser gets as far as the lock, others are turned away before.
+        // The superuser fails at the lock, other users before it.
         let error = open().expect_err("it is in use");
-        let told = serial_error(&path, error.into());
-        assert!(matches!(told, OpenError::InUse { .. }), "{told:?}");
+        let error = serial_error(&path, error.into());
+        assert!(matches!(error, OpenError::InUse { .. }), "{error:?}");
     }
 
     #[cfg(unix)]

@@ -1,26 +1,25 @@
-//! An arm in this process, on a clock of its own.
+//! An arm in this process with its own clock.
 
 use std::fmt;
 use std::time::Duration;
 
-/// An arm in this process, on a clock of its own: time passes when somebody waits.
+/// An arm in this process with its own clock: time passes only while the caller waits.
 ///
-/// The virtual arm is one (it lives above this crate, so it is met through this trait), and tests
-/// bring others: deaf, noisy or broken ones.
+/// The virtual arm implements it (in a crate above this one), and so do the unresponsive, noisy and
+/// broken arms of the tests.
 pub trait Peer: fmt::Debug + Send {
-    /// What its clock says now, since the connect.
+    /// The time on its clock since the connection was opened.
     fn now(&self) -> Duration;
 
-    /// When it may have something to say next, as far as can be told now; what is looked at later is no
-    /// different.
+    /// The earliest time at which it may send bytes. Polling later gives the same bytes.
     fn next(&self) -> Duration {
         self.now()
     }
 
-    /// Starts sending bytes to it.
+    /// Sends bytes to it.
     fn send(&mut self, bytes: &[u8]);
 
-    /// Lets time pass until bytes arrive from it, which are appended to `bytes`, or until `until`.
-    /// Returns whether it is still there; one that left sends nothing any more.
+    /// Lets time pass until it sends bytes, which are appended to `bytes`, or until `until`. Returns
+    /// whether it is still connected; a disconnected peer sends nothing more.
     fn receive(&mut self, until: Duration, bytes: &mut Vec<u8>) -> bool;
 }

@@ -5,31 +5,31 @@ use tokio_serial::{SerialPortType, UsbPortInfo, available_ports};
 /// A serial port of this machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Port {
-    /// Its name, as an address takes it.
+    /// The name as used in an address, such as `/dev/ttyUSB0`.
     pub path: String,
-    /// What is plugged in, where the system tells.
+    /// The device description, if the operating system provides one.
     pub device: Option<String>,
-    /// Which USB chip it is, if it is one.
+    /// The USB identification, for a USB port.
     pub usb: Option<Usb>,
 }
 
-/// A USB chip with a serial port.
+/// The USB identification of a serial adapter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Usb {
-    /// Whose chip it is, by the number that the USB organisation gave him.
+    /// The USB vendor ID.
     pub vendor: u16,
-    /// Which of his chips.
+    /// The USB product ID.
     pub product: u16,
-    /// Which one of these, where the chip has a number of its own.
+    /// The serial number, if the adapter has one.
     pub serial: Option<String>,
 }
 
-/// Lists the serial ports of this machine; opens none, so no arm is reset.
+/// Lists the serial ports of this machine without opening them, so no arm is reset.
 ///
 /// # Errors
 ///
-/// What the operating system says.
+/// Returns the error of the operating system.
 pub fn ports() -> std::io::Result<Vec<Port>> {
     let mut ports: Vec<Port> = available_ports()?
         .into_iter()

@@ -69,7 +69,7 @@ async fn a_peer_that_sends_noise_is_told_from_a_silent_one() {
     let error = arm.next_status().await.expect_err("there is none");
     assert_eq!(
         error.to_string(),
-        "the arm has sent no valid status for 5.0 s, only 500 bytes that belong to none"
+        "the arm has sent no valid status for 5.0 s, only 500 bytes that belong to no status"
     );
 }
 

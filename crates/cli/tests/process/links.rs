@@ -147,7 +147,7 @@ fn a_peer_that_sends_noise_is_told() {
         let _ = stream.read_to_end(&mut Vec::new());
     });
     dobot(&["status", "--to", &address])
-        .fails(1, &["no valid status", "bytes that belong to none"]);
+        .fails(1, &["no valid status", "bytes that belong to no status"]);
 }
 
 fn draw_square(address: &str) -> Outcome {

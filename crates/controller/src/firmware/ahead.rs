@@ -1,12 +1,12 @@
-//! The inverse kinematics of a straight way, a tick ahead.
+//! The inverse kinematics of a straight line, one tick ahead.
 
 use dobot_arm::stock::{StockJoints, StockPose, inverse};
 
-/// The angles for the place to which the next tick of a straight way will probably lead.
+/// The joint angles at the probable end of the next tick of a straight line.
 ///
-/// The angles of a place are a long row of steps of which each waits for the one before, and the pose
-/// in which a tick ends is another, which waits for the angles. Calculated a tick ahead they do not
-/// wait for each other: the host's processor does both at once. They are the same, digit by digit.
+/// The angles of a position are a long chain of dependent operations, and the pose at the end of a
+/// tick is another, which depends on the angles. Calculated a tick ahead they are independent, and the
+/// host's processor runs both in parallel. The results are bit for bit the same.
 #[derive(Debug, Default)]
 pub(crate) struct Ahead(Option<Stop>);
 
@@ -14,12 +14,12 @@ pub(crate) struct Ahead(Option<Stop>);
 struct Stop {
     place: [f32; 3],
     tool_mm: f32,
-    /// All but that of the servo.
+    /// All angles but the servo's.
     joints: StockJoints,
 }
 
 impl Ahead {
-    /// The angles for a place, but for the servo's; those for the next one are calculated, too.
+    /// Returns the angles for a position, except the servo's; also calculates those for the next.
     pub(crate) fn solve(
         &mut self,
         place: [f32; 3],
@@ -50,7 +50,7 @@ impl Stop {
         }
     }
 
-    /// Digit by digit: a zero has its sign.
+    /// Compares bit for bit: zeros are signed.
     fn is_for(&self, place: [f32; 3], tool_mm: f32) -> bool {
         self.place.map(f32::to_bits) == place.map(f32::to_bits) && self.tool_mm == tool_mm
     }

@@ -1,4 +1,4 @@
-//! What the stock controller believes of the arm, and the one way to move it.
+//! The stock controller's estimate of the arm, and the only function that moves it.
 
 use dobot_arm::stock::{StockJoints, StockPose, forward, inverse, reach, sensed};
 use dobot_arm::{TICK, Tool};
@@ -7,7 +7,7 @@ use dobot_wire::single;
 use super::ahead::Ahead;
 use crate::outputs::{Hands, servo_value};
 
-/// The arm as the controller believes it to be. Pulses never feed back into it.
+/// The controller's estimate of the arm. Pulses never feed back into it.
 #[derive(Debug)]
 #[expect(
     clippy::struct_excessive_bools,
@@ -15,34 +15,34 @@ use crate::outputs::{Hands, servo_value};
 )]
 pub(crate) struct Body {
     pub(crate) joints: StockJoints,
-    /// What follows from the joint angles, up to date at the end of each tick.
+    /// The pose of the joint angles, updated at the end of each tick.
     pub(crate) pose: StockPose,
     pub(crate) gripper_deg: f32,
-    /// From the wrist to the tool.
+    /// The distance from the wrist to the tool.
     pub(crate) tool_mm: f32,
     pub(crate) hands: Hands,
-    /// How far the joints went in this tick, in degrees: base, rear, fore.
-    pub(crate) way_deg: [f32; 3],
-    /// Whether an increment was calculated in this tick, be it refused.
+    /// The joint motion of this tick, in degrees: base, rear, fore.
+    pub(crate) motion_deg: [f32; 3],
+    /// Whether an increment was calculated in this tick, even if refused.
     pub(crate) is_driven: bool,
-    /// Whether nothing was said of that in this tick: the motors repeat their last pulses.
+    /// Whether the motors got no new increment in this tick and repeat their last pulses.
     pub(crate) repeats: bool,
     /// Whether the soft limits are off, after the first refusal and until the arm is inside again.
     forgiven: bool,
     /// Whether there was a first refusal.
     forgave: bool,
-    /// Whether the command in force is planned. This and `start` are shared by all commands that plan, so a command that voice takes over
-    /// leaves them to the voice routine (note N50).
+    /// Whether the current command is planned. All planned commands share this and `start`, so an
+    /// interrupted command leaves them to the voice routine (note N50).
     pub(crate) is_planned: bool,
-    /// Where the last line, vector or JUMP began.
+    /// The start of the last line, vector or JUMP.
     pub(crate) start: [f32; 3],
-    /// Whether the pose follows from the angles as they are.
+    /// Whether the pose is up to date with the angles.
     is_settled: bool,
     ahead: Ahead,
 }
 
 impl Body {
-    /// Believes the sensors: that of the rear arm tells its angle from level.
+    /// Adopts the sensor readings. The rear arm's sensor measures from level.
     pub(crate) fn power_up(rear_deg: f64, fore_deg: f64) -> Self {
         Self {
             joints: StockJoints {
@@ -60,7 +60,7 @@ impl Body {
                 valve: false,
                 laser: false,
             },
-            way_deg: [0.0; 3],
+            motion_deg: [0.0; 3],
             is_driven: false,
             repeats: false,
             forgiven: false,
@@ -96,18 +96,18 @@ impl Body {
         self.joints = candidate;
         self.pose = pose;
         self.is_settled = true;
-        self.way_deg = [base, rear, fore];
+        self.motion_deg = [base, rear, fore];
         true
     }
 
-    /// Moves all joints to where the inverse kinematics say, within a tick.
+    /// Moves all joints to the inverse kinematics of a pose within a tick.
     #[must_use]
     pub(crate) fn advance_to(&mut self, pose: StockPose) -> bool {
         self.turn_to(inverse(pose, self.tool_mm))
     }
 
-    /// Moves to a place with the tool direction as it is; to the next one the next tick will probably
-    /// lead.
+    /// Moves to a position and keeps the tool direction. `next` is the probable position of the next
+    /// tick.
     #[must_use]
     pub(crate) fn advance_along(&mut self, place: [f32; 3], next: Option<[f32; 3]>) -> bool {
         let to = self.ahead.solve(place, next, self.tool_mm);
@@ -127,12 +127,12 @@ impl Body {
         ])
     }
 
-    /// Begins a line, a vector or a JUMP here.
+    /// Starts a line, a vector or a JUMP at the current pose.
     pub(crate) const fn begin(&mut self) {
         self.start = [self.pose.x_mm, self.pose.y_mm, self.pose.z_mm];
     }
 
-    /// Brings the pose up to date.
+    /// Updates the pose.
     pub(crate) fn settle(&mut self) {
         if !self.is_settled {
             self.pose = forward(self.joints, self.tool_mm);
@@ -140,13 +140,13 @@ impl Body {
         }
     }
 
-    /// Turns the servo at once, without a look at its limits.
+    /// Turns the servo immediately, without checking its limits.
     pub(crate) const fn set_servo(&mut self, servo_deg: f32) {
         self.joints.servo_deg = servo_deg;
         self.is_settled = false;
     }
 
-    /// Believes other angles from now on.
+    /// Sets the estimated angles.
     pub(crate) const fn set_arms(&mut self, base_deg: f32, rear_deg: f32, fore_deg: f32) {
         self.joints = StockJoints {
             base_deg,
@@ -157,7 +157,7 @@ impl Body {
         self.is_settled = false;
     }
 
-    /// Believes in another tool from now on.
+    /// Sets the tool.
     pub(crate) const fn set_tool(&mut self, tool_mm: f32) {
         self.tool_mm = tool_mm;
         self.is_settled = false;
@@ -183,7 +183,7 @@ impl Body {
         self.hands.head_servo = servo_value(servo_deg.clamp(-90.0, 90.0));
     }
 
-    /// Whether it is unknown where the arm is.
+    /// Whether the pose is NaN.
     pub(crate) const fn is_lost(&self) -> bool {
         let StockJoints {
             base_deg,
@@ -198,7 +198,7 @@ impl Body {
     }
 }
 
-/// Whether angles are beyond a hard limit and on their way further out.
+/// Whether angles are beyond a hard limit and moving further out.
 fn is_beyond(joints: &StockJoints, [base, rear, fore, servo]: [f32; 4]) -> bool {
     let beyond = |angle: f32, speed: f32, [low, high]: [f32; 2]| {
         (angle > high && speed > 0.0) || (angle < low && speed < 0.0)
@@ -212,7 +212,7 @@ fn is_beyond(joints: &StockJoints, [base, rear, fore, servo]: [f32; 4]) -> bool 
 /// Whether angles are outside of the soft limits.
 fn is_outside(joints: &StockJoints, pose: StockPose) -> bool {
     let reach_mm = reach(pose);
-    // What is not a number is neither.
+    // NaN is neither.
     let is_far = reach_mm > REACH_MM[1];
     let is_near = reach_mm < REACH_MM[0];
     is_far
@@ -223,9 +223,9 @@ fn is_outside(joints: &StockJoints, pose: StockPose) -> bool {
 
 /// The control tick in seconds.
 pub(crate) const PERIOD_S: f32 = TICK.as_secs_f32();
-/// From the wrist to the suction cup, the pen or the gripper.
+/// The distance from the wrist to the suction cup, the pen or the gripper.
 pub(crate) const LONG_TOOL_MM: f32 = single(Tool::SuctionCup.reach().0);
-/// From the wrist to the laser.
+/// The distance from the wrist to the laser.
 pub(crate) const LASER_MM: f32 = single(Tool::Laser.reach().0);
 
 const BASE_DEG: [f32; 2] = [-180.0, 180.0];

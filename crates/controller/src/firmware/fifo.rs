@@ -2,8 +2,8 @@
 
 use dobot_wire::Frame;
 
-/// Six places in a ring. Whoever takes one finds what was last written there, which is not always
-/// what was queued: a voice command takes a place and writes nothing.
+/// A ring of six slots. A slot returns what was last written to it, which is not always what was
+/// queued: a voice command takes a slot and writes nothing.
 #[derive(Debug)]
 pub(crate) struct Fifo {
     places: [Frame; PLACES],
@@ -20,12 +20,12 @@ impl Fifo {
         }
     }
 
-    /// How many wait.
+    /// The number of waiting commands.
     pub(crate) const fn len(&self) -> usize {
         self.count
     }
 
-    /// Queues a frame; returns whether there was a place.
+    /// Queues a frame; returns whether there was a free slot.
     pub(crate) const fn push(&mut self, frame: Frame) -> bool {
         if self.count >= PLACES {
             return false;
@@ -35,13 +35,13 @@ impl Fifo {
         true
     }
 
-    /// Takes a place and leaves there what is there. Nobody looks whether there is one: with more
-    /// than six the queue is locked forever, and the last command runs again and again.
-    pub(crate) const fn take_place(&mut self) {
+    /// Takes a slot without writing to it. The firmware does not check for a free slot: with more than
+    /// six the queue is locked forever, and the last command repeats.
+    pub(crate) const fn take_slot(&mut self) {
         self.count += 1;
     }
 
-    /// The next frame.
+    /// Takes the next frame.
     pub(crate) const fn pop(&mut self) -> Option<Frame> {
         if self.count == 0 || self.count > PLACES {
             return None;

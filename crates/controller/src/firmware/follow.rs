@@ -9,7 +9,7 @@ use super::body::{Body, FORE_DEG, PERIOD_S, REAR_DEG};
 use super::settings::StockSettings;
 use crate::{Hang, Refused};
 
-/// What follows, and what it remembers.
+/// The state of following.
 #[derive(Debug, Default)]
 pub(crate) struct Follow {
     /// Degrees per second: base, rear, fore.
@@ -19,7 +19,7 @@ pub(crate) struct Follow {
     history: History,
 }
 
-/// What is followed.
+/// The kind of target that is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FollowKind {
     Mouse,
@@ -27,7 +27,7 @@ pub(crate) enum FollowKind {
     Joints,
 }
 
-/// The last ten samples, and an eleventh place that the sums reach too.
+/// The last ten samples, and an eleventh slot that the sums also read.
 #[derive(Debug, Default)]
 struct History {
     samples: [[f32; 3]; 11],
@@ -35,13 +35,13 @@ struct History {
 }
 
 impl Follow {
-    /// Another state was in force: a row of mouse or hand begins. What was remembered stays where it
-    /// is, and counts where a sum reaches it.
-    pub(crate) const fn begin_row(&mut self) {
+    /// Starts a new sequence after another state. Old samples stay in memory and count if a sum reads
+    /// them.
+    pub(crate) const fn begin_sequence(&mut self) {
         self.history.count = 0;
     }
 
-    /// A tick of following.
+    /// Runs a tick of following.
     pub(crate) fn tick(
         &mut self,
         kind: FollowKind,
@@ -90,7 +90,7 @@ impl Follow {
         if !body.advance([base, rear, fore, 0.0]) {
             return TickOutcome::over(false);
         }
-        // A count that overflowed its sixteen bits is over after a tick.
+        // A count that overflowed its 16 bits ends after a tick.
         self.ticks_left = (self.ticks_left - 1).max(0);
         if self.ticks_left == 0 {
             TickOutcome::OVER
@@ -99,7 +99,7 @@ impl Follow {
         }
     }
 
-    /// Sets speeds and ticks, unless the command is over or hangs before it moves.
+    /// Sets speeds and ticks, unless the command ends or hangs before it moves.
     fn plan(
         &mut self,
         kind: FollowKind,
@@ -117,7 +117,7 @@ impl Follow {
         let (to, period_s) = match kind {
             FollowKind::Mouse => (self.moused(sample, settings, body)?, MOUSE_S),
             FollowKind::Gesture => self.gestured(sample, settings, body)?,
-            FollowKind::Joints => (within_limits(self.history.told(sample))?, JOINTS_S),
+            FollowKind::Joints => (within_limits(self.history.joint_average(sample))?, JOINTS_S),
         };
         let from = body.joints;
         let ways = [
@@ -195,8 +195,8 @@ impl History {
         self.count.into()
     }
 
-    /// Each of the samples before counts together with the new one, which counts once more: in degrees
-    /// of the base, mm of reach and mm of height.
+    /// Averages the previous samples with the new one, which counts twice: in degrees of the base, mm
+    /// of reach and mm of height.
     fn mouse_average(&mut self, sample: [f32; 3]) -> [f32; 3] {
         let mut sums = sample;
         for old in &self.samples[..self.len()] {
@@ -213,14 +213,14 @@ impl History {
         ]
     }
 
-    /// Half of it the new sample, half of it those before.
+    /// Averages the new sample with the mean of the previous ones.
     fn hand_average(&mut self, sample: [f32; 3]) -> [f32; 3] {
         let sums = self.sums_before(sample, [0.0, 0.0, sample[2]]);
         core::array::from_fn(|axis| 0.5 * sample[axis] + 0.5 * sums[axis] / f32::from(self.count))
     }
 
-    /// The average of the angles told before: the newest one does not count yet.
-    fn told(&mut self, [rear, fore, base]: [f32; 3]) -> StockJoints {
+    /// The average of the previous angles, without the newest.
+    fn joint_average(&mut self, [rear, fore, base]: [f32; 3]) -> StockJoints {
         let sample = [
             clamp(rear, REAR_DEG[0], REAR_DEG[1]),
             clamp(fore, FORE_DEG[0], FORE_DEG[1]),
@@ -237,8 +237,8 @@ impl History {
         }
     }
 
-    /// The sums over one place more than there are samples, before the new one is stored: over what
-    /// happens to be there, or, behind ten samples, over the new one itself.
+    /// The sums over one slot more than there are samples, before the new one is stored: over stale
+    /// memory or, after ten samples, over the new one itself.
     fn sums_before(&mut self, sample: [f32; 3], mut sums: [f32; 3]) -> [f32; 3] {
         self.samples[SAMPLES] = sample;
         for old in &self.samples[..=self.len()] {
@@ -250,7 +250,7 @@ impl History {
         sums
     }
 
-    /// Behind ten the oldest is dropped.
+    /// Stores a sample; drops the oldest of more than ten.
     fn store(&mut self, sample: [f32; 3]) {
         if self.len() == SAMPLES {
             self.samples.copy_within(1..SAMPLES, 0);
@@ -270,7 +270,7 @@ fn solve(pose: StockPose, body: &Body) -> Result<StockJoints, TickOutcome> {
     within_limits(inverse(pose, body.tool_mm))
 }
 
-/// Angles within the limits; those of a rear arm too far back are brought to its limit.
+/// Checks the limits; a rear arm too far back is set to its limit.
 fn within_limits(mut joints: StockJoints) -> Result<StockJoints, TickOutcome> {
     if joints.rear_deg > REAR_DEG[1]
         || joints.fore_deg < FORE_DEG[0]
@@ -292,7 +292,7 @@ fn grab(pump: f32, body: &mut Body) {
     }
 }
 
-/// As comparisons do it: what is not a number stays.
+/// Clamps by comparison: NaN stays NaN.
 fn clamp(value: f32, low: f32, high: f32) -> f32 {
     if value < low {
         low
@@ -307,15 +307,15 @@ const SAMPLES: usize = 10;
 const FOLLOW_DEG_S: f32 = 200.0;
 const MOUSE_DEG_S2: f32 = 100.0;
 const GESTURE_DEG_S2: f32 = 500.0;
-/// This many units of the mouse turn the base by that angle.
+/// Mouse units and the base angle they correspond to.
 const MOUSE_RANGE: f32 = 400.0;
 const MOUSE_RANGE_DEG: f32 = 90.0;
-/// What a unit of the mouse is worth in reach and height.
+/// Millimetres of reach and height per mouse unit.
 const MOUSE_MM: f32 = 0.4;
 const MOUSE_S: f32 = 0.1;
 const GESTURE_S: f32 = 0.1;
 const JOINTS_S: f32 = 0.08;
-/// Beyond that distance the time follows from the speed.
+/// Above this distance the speed determines the time.
 const NEAR_MM: f32 = 20.0;
 const GESTURE_MM_S: f32 = 200.0;
 const HIGHEST_MM: f32 = 135.0;

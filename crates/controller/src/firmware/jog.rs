@@ -9,19 +9,19 @@ use super::settings::{RampSettings, StockSettings};
 use crate::outputs::servo_value;
 use crate::{Hang, Port};
 
-/// The one speed that all axes and both kinds of jog share; it outlives every other command.
+/// The speed shared by all axes and both kinds of jog; it persists across other commands.
 #[derive(Debug, Default)]
 pub(crate) struct Jog {
     speed: f32,
     /// The last axis that was held.
     axis: i16,
-    /// The acceleration of the last tick in which one was: a run-down keeps it.
+    /// The acceleration of the last tick with a held button, which the deceleration keeps.
     acceleration: f32,
-    /// Whether a limit has refused the run-down: that is over then, though it runs on.
+    /// Whether a limit has refused the deceleration, which is then finished although it runs on.
     is_refused: bool,
 }
 
-/// Which of the two states.
+/// The kind of jog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum JogKind {
     Joint,
@@ -29,7 +29,7 @@ pub(crate) enum JogKind {
 }
 
 impl Jog {
-    /// Whether no speed is left.
+    /// Whether the speed is 0.
     pub(crate) fn is_released(&self) -> bool {
         self.speed == 0.0
     }
@@ -38,7 +38,7 @@ impl Jog {
         self.is_refused = false;
     }
 
-    /// A tick of a jog. It is finished in every tick, so that what waits replaces it.
+    /// Runs a tick of a jog. It is finished in every tick, so a waiting command replaces it.
     pub(crate) fn tick(
         &mut self,
         kind: JogKind,
@@ -98,7 +98,7 @@ impl Jog {
         TickOutcome::over(self.advance(kind, body))
     }
 
-    /// Runs the speed down; only then the command is over.
+    /// Decelerates; the command ends when the speed is 0.
     fn release(&mut self, kind: JogKind, body: &mut Body) -> TickOutcome {
         if self.speed == 0.0 {
             return TickOutcome::OVER;
@@ -158,10 +158,10 @@ const fn ramp(kind: JogKind, axis: i16, settings: &StockSettings) -> RampSetting
     }
 }
 
-/// The state whose axes are exchanged over Bluetooth, compared exactly: 2.5 is a joint jog, too.
+/// The state whose axes are exchanged over Bluetooth, compared exactly: 2.5 is also a joint jog.
 const JOINT_JOG: f32 = 2.0;
 
-/// Over Bluetooth joint jogs have other axes (note N38).
+/// Maps the axes of joint jogs over Bluetooth (note N38).
 const fn exchanged(axis: i16) -> i16 {
     match axis {
         1 => 3,

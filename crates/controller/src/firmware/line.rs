@@ -4,24 +4,24 @@ use super::Progress;
 use super::body::{Body, PERIOD_S};
 use super::settings::RampSettings;
 
-/// A straight line. There is but one: what a line that was cut short has travelled, the next one
-/// begins with.
+/// A straight line. There is only one: the next line starts with the distance travelled by a line
+/// that was cut short.
 #[derive(Debug, Default)]
 pub(crate) struct StraightLine {
     direction: [f32; 3],
     length: f32,
     acceleration: f32,
     peak: f32,
-    /// How long it accelerates, then goes on as fast, and takes in all.
+    /// The durations of acceleration, of constant speed and in total.
     ramp_s: f32,
     cruise_s: f32,
     pub(crate) total_s: f32,
     stride: Stride,
-    /// What the next tick will make of it, calculated a tick ahead.
+    /// The state after the next tick, calculated a tick ahead.
     next: Option<Stride>,
 }
 
-/// How far a line has been gone.
+/// The progress along a line.
 #[derive(Clone, Copy, Debug, Default)]
 struct Stride {
     ticks: i16,
@@ -30,8 +30,7 @@ struct Stride {
 }
 
 impl StraightLine {
-    /// Plans a line from where the body is. One without length has no direction: its parts are not
-    /// numbers.
+    /// Plans a line from the current pose. Without length it has no direction: its components are NaN.
     pub(crate) fn plan(&mut self, body: &mut Body, [x, y, z]: [f32; 3], ramp: RampSettings) {
         let from = body.pose;
         let [dx, dy, dz] = [x - from.x_mm, y - from.y_mm, z - from.z_mm];
@@ -40,7 +39,7 @@ impl StraightLine {
         self.plan_along(body, direction, length, ramp);
     }
 
-    /// Plans a line from where the body is.
+    /// Plans a line from the current pose.
     pub(crate) fn plan_along(
         &mut self,
         body: &mut Body,
@@ -53,7 +52,7 @@ impl StraightLine {
             speed,
             acceleration,
         } = ramp;
-        // If one of the two is not a number, the line counts as short.
+        // If one of the two is NaN, the line counts as short.
         let (ramp_s, cruise_s, peak) = if speed * speed / acceleration < length {
             let cruise_s = (length - speed * speed / acceleration) / speed;
             (speed / acceleration, cruise_s, speed)
@@ -77,8 +76,7 @@ impl StraightLine {
         };
     }
 
-    /// One tick further, with the tool direction as it is; the tick after the last one notices the
-    /// end.
+    /// Advances by one tick and keeps the tool direction; the tick after the last one detects the end.
     pub(crate) fn tick(&mut self, body: &mut Body) -> Progress {
         if self.stride.is_done {
             self.forget_travelled();
@@ -132,7 +130,7 @@ impl StraightLine {
     }
 }
 
-/// The place that a way leads to.
+/// The end position of a displacement.
 pub(crate) fn moved(start: [f32; 3], way: [f32; 3]) -> [f32; 3] {
     [start[0] + way[0], start[1] + way[1], start[2] + way[2]]
 }

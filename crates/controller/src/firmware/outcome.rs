@@ -2,20 +2,20 @@
 
 use crate::{Hang, Refused};
 
-/// What a tick of a command comes to.
+/// The outcome of a tick of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TickOutcome {
     pub(crate) is_over: bool,
     pub(crate) notice: Option<Refused>,
 }
 
-/// What a tick of a way comes to.
+/// The outcome of a tick of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Progress {
     GoesOn,
-    /// The end was noticed; nothing moved in this tick.
+    /// The end was detected; nothing moved in this tick.
     Arrived,
-    /// A limit forbade the tick.
+    /// A limit refused the tick.
     CutShort,
 }
 
@@ -29,9 +29,9 @@ impl TickOutcome {
         notice: None,
     };
 
-    /// Over, whether the tick was gone or a limit forbade it.
-    pub(crate) const fn over(was_gone: bool) -> Self {
-        if was_gone {
+    /// Finished; `has_moved` is false if a limit refused the tick.
+    pub(crate) const fn over(has_moved: bool) -> Self {
+        if has_moved {
             Self::OVER
         } else {
             Self::OVER.with(Refused::CutShort)
@@ -63,9 +63,9 @@ impl TickOutcome {
 }
 
 impl Progress {
-    /// Whether the tick was gone or a limit forbade it.
-    pub(crate) const fn of(was_gone: bool) -> Self {
-        if was_gone {
+    /// Moving, or refused by a limit.
+    pub(crate) const fn of(has_moved: bool) -> Self {
+        if has_moved {
             Self::GoesOn
         } else {
             Self::CutShort

@@ -1,9 +1,9 @@
-//! The port that is not served: text comes out of it (note N39).
+//! Debug text on the unused port (note N39).
 
-/// What is printed on the other port. Nobody has to fetch it: the oldest is displaced.
+/// The text printed on the other port. If it is not fetched, the oldest bytes are overwritten.
 #[derive(Debug)]
 pub(crate) struct Printer {
-    /// A ring, as long as an index of eight bits counts.
+    /// A ring with an 8-bit index.
     bytes: [u8; LEN],
     next_in: u8,
     count: usize,
@@ -20,7 +20,7 @@ impl Default for Printer {
 }
 
 impl Printer {
-    /// The oldest byte that is left.
+    /// Takes the oldest byte.
     pub(crate) fn poll(&mut self) -> Option<u8> {
         let first = (usize::from(self.next_in) + LEN - self.count) % LEN;
         self.count = self.count.checked_sub(1)?;
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn what_nobody_fetches_is_displaced_the_oldest_first() {
+    fn unfetched_bytes_are_overwritten_oldest_first() {
         let mut printer = Printer::default();
         printer.print(&[b'a'; 200]);
         printer.print(&[b'b'; 100]);

@@ -1,4 +1,4 @@
-//! How the stock controller finds packets among bytes (notes N39 and N40).
+//! The stock controller's search for packets (notes N39 and N40).
 
 use core::time::Duration;
 
@@ -9,33 +9,33 @@ use crate::Port;
 
 /// The receive buffer of the serial port, and the search for packets in it.
 ///
-/// The buffer is looked at all the time, except while a tick calculates.
+/// The buffer is searched continuously, except while a tick is calculating.
 #[derive(Debug)]
 pub(crate) struct Receiver {
     port: Port,
     /// The oldest byte first.
     ring: Vec<u8, RING_LEN>,
-    /// The header that was found, while the rest is waited for.
+    /// The header found, while the rest of the packet is awaited.
     header: Option<u8>,
-    /// Until when a tick calculates.
+    /// The end of the tick calculation.
     busy_until: Duration,
-    /// Bytes that belong to no packet, or found no place.
+    /// Bytes that belong to no packet or did not fit.
     pub(crate) skipped: u64,
 }
 
-/// What was found in the receive buffer.
+/// A result of a search of the receive buffer.
 #[derive(Debug)]
 pub(crate) enum Received {
-    /// A packet with a right tail.
+    /// A packet with a correct tail.
     Frame(Frame),
-    /// Forty bytes of text with a right tail, over Bluetooth.
+    /// Forty bytes of text with a correct tail, over Bluetooth.
     Voice([u8; BODY_LEN - 1]),
     /// A packet whose last byte is wrong.
     BadTail {
         /// Its first byte.
         header: u8,
     },
-    /// More bytes than a packet has, before anybody looked.
+    /// More bytes than a packet before the buffer was searched.
     TooLong,
 }
 
@@ -50,7 +50,7 @@ impl Receiver {
         }
     }
 
-    /// Nobody looks before that time.
+    /// Disables the search until `time`.
     pub(crate) const fn set_busy_until(&mut self, time: Duration) {
         self.busy_until = time;
     }
@@ -63,8 +63,8 @@ impl Receiver {
         now < self.busy_until
     }
 
-    /// Takes bytes that arrive, up to the first one after which a look at the buffer could change
-    /// anything; returns the others.
+    /// Stores arriving bytes up to the first one after which a search could find anything; returns the
+    /// rest.
     pub(crate) fn push<'a>(&mut self, bytes: &'a [u8]) -> &'a [u8] {
         let count = match self.header {
             Some(_) => BODY_LEN.saturating_sub(self.ring.len()).max(1),
@@ -72,18 +72,18 @@ impl Receiver {
         };
         let (taken, rest) = bytes.split_at(count.min(bytes.len()));
         if self.ring.extend_from_slice(taken).is_err() {
-            // Only where there is no place for a single one.
+            // Only if the buffer is full.
             self.skipped += 1;
         }
         rest
     }
 
-    /// Whether a look at the buffer could change anything.
+    /// Whether a search could find anything.
     pub(crate) fn may_find(&self) -> bool {
         self.header.is_none() || self.ring.len() >= BODY_LEN
     }
 
-    /// Looks at the buffer; `None` when there is nothing more to be found in it now.
+    /// Searches the buffer; `None` if it contains nothing more for now.
     pub(crate) fn look(&mut self) -> Option<Received> {
         let header = match self.header {
             Some(header) => header,
@@ -95,14 +95,14 @@ impl Receiver {
         }
         self.header = None;
         if self.ring.len() > BODY_LEN && self.port == Port::Usb {
-            // The bytes stay, and the hunt goes on inside of them.
+            // The bytes stay, and the search continues within them.
             self.skipped += 1;
             return Some(Received::TooLong);
         }
         Some(self.take_packet(header))
     }
 
-    /// The header of a packet of which a byte more has arrived, and not all.
+    /// The header of a packet of which at least one more byte, but not all, has arrived.
     pub(crate) fn begun(&self) -> Option<u8> {
         self.header.filter(|_| !self.ring.is_empty())
     }
@@ -124,9 +124,11 @@ impl Receiver {
             (HEADER, TAIL) => {
                 let mut packet = [HEADER; PACKET_LEN];
                 packet[1..].copy_from_slice(&self.ring[..BODY_LEN]);
-                Received::Frame(Frame::from_bytes(&packet).expect("so delimited"))
+                Received::Frame(Frame::from_bytes(&packet).expect("the delimiters were checked"))
             }
-            (VOICE_HEADER, VOICE_TAIL) => Received::Voice(text.try_into().expect("as many")),
+            (VOICE_HEADER, VOICE_TAIL) => {
+                Received::Voice(text.try_into().expect("the length is fixed"))
+            }
             _ => {
                 self.skipped += PACKET_LEN as u64;
                 Received::BadTail { header }
@@ -146,7 +148,7 @@ impl Receiver {
     }
 }
 
-/// What is waited for behind the header: ten floats, or a text, and the tail.
+/// The length after the header: ten floats or a text, and the tail.
 const BODY_LEN: usize = PACKET_LEN - 1;
 /// Of 64 bytes the ring can use all but one.
 const RING_LEN: usize = 63;

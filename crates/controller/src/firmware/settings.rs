@@ -1,12 +1,12 @@
-//! What configuration can change in the stock controller (Table 3.9, note N43).
+//! The configurable settings of the stock controller (Table 3.9, note N43).
 
 use dobot_arm::stock::short;
 use dobot_wire::Frame;
 
 use super::body::{Body, LASER_MM, LONG_TOOL_MM};
 
-/// Speeds and accelerations, in degrees, millimetres and seconds. Nothing is checked: a zero is
-/// taken as it comes.
+/// Speeds and accelerations, in degrees, millimetres and seconds. Values are not checked: a
+/// zero is accepted.
 #[derive(Debug)]
 pub(crate) struct StockSettings {
     /// Of the joints in moves: base, rear, fore, servo.
@@ -24,7 +24,7 @@ pub(crate) struct StockSettings {
     pub(crate) lowest_mm: f32,
 }
 
-/// A speed and the acceleration up to it.
+/// A speed and its acceleration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RampSettings {
     pub(crate) speed: f32,
@@ -48,7 +48,7 @@ impl StockSettings {
         }
     }
 
-    /// State 9.
+    /// Handles state 9.
     pub(crate) fn configure(&mut self, frame: &Frame, body: &mut Body) {
         let f = |n| frame.float(n);
         match short(f(2)) {
@@ -70,7 +70,7 @@ impl StockSettings {
         }
     }
 
-    /// State 10. Float 5, the ratio of jogs, has no effect: each jog has its own.
+    /// Handles state 10. Float 5, the jog ratio, has no effect: each jog has its own.
     pub(crate) fn adjust(&mut self, frame: &Frame) {
         self.speed_ratio = frame.float(3) / 100.0;
         self.acceleration_ratio = frame.float(4) / 100.0;

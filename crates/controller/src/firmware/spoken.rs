@@ -8,40 +8,40 @@ use super::settings::StockSettings;
 use super::{Body, Printer, Progress, TickOutcome};
 use crate::Hang;
 
-/// The words that were understood last, and what becomes of them.
+/// The last recognized words and the state of their order.
 #[derive(Debug, Default)]
 pub(crate) struct Spoken {
     order: Option<VoiceOrder>,
 }
 
-/// What else goes on while an order is looked at.
+/// Other activity during a tick of an order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct InFlight {
-    /// A text of which the rest is still to come.
+    /// A text is only partly received.
     pub(crate) text: bool,
     /// This is the first tick of a command from the queue.
     pub(crate) fetched: bool,
 }
 
-/// What was found in a text.
+/// The words found in a text.
 #[derive(Debug, PartialEq)]
 pub(crate) struct SpokenWords {
     order: Option<VoiceOrder>,
-    /// The words that were recognised, and the sum of the numbers.
+    /// The recognised words and the sum of the numbers.
     word: &'static str,
     numbers: [&'static str; 4],
     sum: u16,
 }
 
 impl Spoken {
-    /// Takes another text; returns whether it orders anything.
-    pub(crate) const fn hear(&mut self, words: &SpokenWords) -> bool {
+    /// Handles a text; returns whether it contains an order.
+    pub(crate) const fn receive(&mut self, words: &SpokenWords) -> bool {
         self.order = words.order;
         words.order.is_some()
     }
 
-    /// A tick of an order, for a command of its own or in place of another one that it interrupts. Where that
-    /// one is planned, a direction is not planned again: the last line is continued, whatever it was.
+    /// Runs a tick of an order, as its own command or in place of an interrupted one. If that one was
+    /// already planned, a direction is not planned again: the last line continues.
     pub(crate) fn tick(
         &mut self,
         is_over: bool,
@@ -53,7 +53,7 @@ impl Spoken {
         if is_over {
             return TickOutcome::OVER;
         }
-        // Without a line nothing new is calculated for the motors.
+        // Without a line, no new increment is calculated for the motors.
         let repeats = !in_flight.fetched;
         let Some(order) = self.order else {
             body.repeats = repeats;
@@ -71,7 +71,7 @@ impl Spoken {
                 return TickOutcome::OVER;
             }
             VoiceOrder::Move { x_mm, y_mm, z_mm } if !body.is_planned => {
-                // One of them is not 0: the line is exactly along its axis.
+                // Exactly one is not 0: the line is along its axis.
                 let by = [x_mm, y_mm, z_mm];
                 let direction = by.map(|mm| if mm == 0.0 { 0.0 } else { 1.0_f32.copysign(mm) });
                 let length = by.map(f32::abs).into_iter().sum();
@@ -92,7 +92,7 @@ impl Spoken {
 }
 
 impl SpokenWords {
-    /// Finds words anywhere in a text, inside of others too; what follows a zero is not read.
+    /// Finds words anywhere in a text, even inside other words; stops at a zero byte.
     pub(crate) fn find(text: &[u8]) -> Self {
         let text = text.split(|&byte| byte == 0).next().unwrap_or_default();
         let first = |list: &[(&'static str, u16)]| {
@@ -105,7 +105,7 @@ impl SpokenWords {
         let (teens, tens) = tens.split_at(10);
         let numbers = [&HUNDREDS[..], teens, tens, ones].map(first);
         let sum = numbers.iter().map(|(_, value)| value).sum();
-        // The first one that is found counts; only without one are they looked for with a capital letter.
+        // The first match counts; capitalised words are searched only if there is none.
         let find = |spelled: fn(&str) -> [u8; LONGEST]| {
             let mut words = VoiceOrder::WORDS.into_iter();
             words.find(|(word, _)| contains(text, &spelled(word)[..word.len()]))
@@ -120,7 +120,7 @@ impl SpokenWords {
         }
     }
 
-    /// What is printed on the other port: the words and the sum.
+    /// Prints the words and the sum on the other port.
     pub(crate) fn echo(&self, printer: &mut Printer) {
         printer.print(self.word.as_bytes());
         printer.print(b" ");
@@ -135,21 +135,21 @@ fn contains(text: &[u8], word: &[u8]) -> bool {
     text.windows(word.len()).any(|part| part == word)
 }
 
-/// A word in small letters.
+/// A word in lower case.
 fn letters(word: &str) -> [u8; LONGEST] {
     let mut letters = [0; LONGEST];
     letters[..word.len()].copy_from_slice(word.as_bytes());
     letters
 }
 
-/// A word with a capital letter in front.
+/// A word with its first letter capitalised.
 fn capitalised(word: &str) -> [u8; LONGEST] {
     let mut letters = letters(word);
     letters[0].make_ascii_uppercase();
     letters
 }
 
-/// The length of the longest word that is not a number.
+/// The length of the longest non-number word.
 const LONGEST: usize = 7;
 
 const HUNDREDS: [(&str, u16); 1] = [("hundred", 100)];

@@ -1,53 +1,53 @@
-//! States 3 and 6 of the stock controller: targets, with a pause and a tool at their end (notes N45
-//! to N47).
+//! States 3 and 6 of the stock controller: targets, with a pause and a tool action at the end
+//! (notes N45 to N47).
 
 use dobot_arm::stock::{StockJoints, StockPose, forward, inverse, is_out_of_reach, short};
 use dobot_wire::Frame;
 
 use super::body::{Body, FORE_DEG, REAR_DEG};
-use super::joint_way::JointWay;
+use super::joint_motion::JointMotion;
 use super::line::StraightLine;
 use super::settings::StockSettings;
 use super::{Progress, TickOutcome};
 use crate::{Hang, Refused};
 
-/// The way to a target, and the pause at its end.
+/// The motion to a target and the pause at its end.
 #[derive(Debug, Default)]
 pub(crate) struct Travel {
     way: Option<TargetMove>,
-    /// The JUMP that was begun and is not over. It outlives a command that voice ends.
+    /// The unfinished JUMP. It outlives a command interrupted by voice.
     jump: Option<Jump>,
-    /// Outlives a command that voice ends, too.
+    /// Also outlives a command interrupted by voice.
     pause: Option<Pause>,
-    /// Whether pump and gripper obey the command in force: from the middle of a pause on until the
-    /// next way is planned.
+    /// Whether pump and gripper follow the current command: from the middle of a pause until the next
+    /// motion is planned.
     acts: bool,
 }
 
 #[derive(Debug)]
 enum TargetMove {
-    Joints(JointWay),
-    /// Along the one line that there is; then the servo turns to this angle.
+    Joints(JointMotion),
+    /// Along the shared line; then the servo turns to this angle.
     Line(ServoEnd),
     Jump,
 }
 
-/// How the angle of the servo at the end of a line is told.
+/// The form of the servo angle at the end of a line.
 #[derive(Clone, Copy, Debug)]
 enum ServoEnd {
     Rotation(f32),
     Servo(f32),
 }
 
-/// Lift, across and down, each a way of all joints.
+/// Lift, traverse and descent, each a motion of all joints.
 #[derive(Debug)]
 struct Jump {
     targets: [StockPose; 3],
     next: usize,
-    phase: Option<JointWay>,
+    phase: Option<JointMotion>,
 }
 
-/// A pause, counted in ticks of sixteen bits.
+/// A pause, counted in ticks with 16 bits.
 #[derive(Debug, Default)]
 struct Pause {
     ticks: i16,
@@ -65,10 +65,10 @@ impl Travel {
     pub(crate) fn begins_phase(&self) -> bool {
         let jump = self.jump.as_ref().filter(|_| self.pause.is_none());
         let phase = jump.and_then(|jump| jump.phase.as_ref());
-        phase.is_some_and(JointWay::is_begun)
+        phase.is_some_and(JointMotion::is_begun)
     }
 
-    /// A tick of a target; `is_over` if the command has been finished already and nothing follows.
+    /// Runs a tick of a target; `is_over` if the command is already finished and none follows.
     pub(crate) fn tick(
         &mut self,
         kind: TargetKind,
@@ -79,7 +79,7 @@ impl Travel {
         body: &mut Body,
     ) -> TickOutcome {
         let outcome = match short(frame.float(8)) {
-            // A jump that is over is over; behind the others the pause begins anew (note N47).
+            // A finished JUMP stays finished; after the other modes the pause starts again (note N47).
             JUMP if is_over => TickOutcome::OVER,
             MOVJ | MOVL if is_over => {
                 self.pause = Some(Pause::default());
@@ -126,7 +126,7 @@ impl Travel {
         }
     }
 
-    /// A tick of the pause: the tool acts in the middle of it, the command is over at its end.
+    /// Runs a tick of the pause: the tool acts in the middle, the command ends at the end.
     fn wait(&mut self, frame: &Frame) -> TickOutcome {
         let pause_s = frame.float(10);
         let Some(pause) = &mut self.pause else {
@@ -143,7 +143,7 @@ impl Travel {
         }
     }
 
-    /// Plans the way to a target; `None` where a MOVJ does not reach it.
+    /// Plans the motion to a target; `None` if a MOVJ cannot reach it.
     fn plan(
         &mut self,
         kind: TargetKind,
@@ -196,11 +196,11 @@ impl Travel {
 }
 
 impl TargetMove {
-    /// The servo goes with the rear arm's acceleration.
+    /// Plans a joint motion. The servo uses the rear arm's acceleration.
     fn joints(to: StockJoints, settings: &StockSettings, body: &Body) -> Self {
         let mut ramps = settings.joint_ramps();
         ramps[3].acceleration = ramps[1].acceleration;
-        Self::Joints(JointWay::plan(body, to, &ramps))
+        Self::Joints(JointMotion::plan(body, to, &ramps))
     }
 
     fn tick(
@@ -260,15 +260,15 @@ impl Jump {
         }
     }
 
-    /// Begins the phase in which it was interrupted again, from rest.
+    /// Restarts the interrupted phase from rest.
     fn resume(&mut self) {
         if self.phase.take().is_some() {
             self.next -= 1;
         }
     }
 
-    /// One tick further. The next phase begins in the very tick in which the end of the last one is
-    /// noticed; one whose end is out of reach takes no time.
+    /// Advances by one tick. The next phase starts in the tick that detects the end of the last one; a
+    /// phase with an unreachable end takes no time.
     fn tick(&mut self, settings: &StockSettings, body: &mut Body) -> Progress {
         loop {
             if let Some(phase) = &mut self.phase
@@ -281,12 +281,12 @@ impl Jump {
             };
             self.next += 1;
             self.phase =
-                solve(target, body).map(|to| JointWay::plan(body, to, &settings.joint_ramps()));
+                solve(target, body).map(|to| JointMotion::plan(body, to, &settings.joint_ramps()));
         }
     }
 }
 
-/// The joint angles for a pose, if a MOVJ may go there.
+/// The joint angles for a pose, if a MOVJ can reach it.
 pub(crate) fn solve(pose: StockPose, body: &Body) -> Option<StockJoints> {
     let joints = inverse(pose, body.tool_mm);
     let refused = is_out_of_reach(pose, body.tool_mm)
@@ -297,7 +297,7 @@ pub(crate) fn solve(pose: StockPose, body: &Body) -> Option<StockJoints> {
     (!refused).then_some(joints)
 }
 
-/// Pump and gripper at the end of a way.
+/// Sets pump and gripper at the end of a motion.
 fn act(frame: &Frame, body: &mut Body) {
     let (grabs, gripper_deg) = (frame.float(7), frame.float(9));
     if grabs == 1.0 {

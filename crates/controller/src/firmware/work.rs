@@ -1,44 +1,44 @@
-//! How long a tick calculates (note N39): meanwhile nobody looks at the receive buffer, and the
+//! The calculation time of a tick (note N39), during which the receive buffer is not searched and the
 //! status of the tick waits.
 
 use core::time::Duration;
 
-/// What the processor has to calculate in a tick.
+/// The calculation in a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Work {
-    /// Only the pose from the angles: nothing moves, a pause passes, a button acts.
+    /// Only the pose from the angles: no motion, a pause or a button.
     Idle,
     /// An increment of one joint.
     JointJog,
     /// An increment of a coordinate, and both kinematics.
     LinearJog,
-    /// The first tick of a MOVJ, in which it is planned.
+    /// The first tick of a MOVJ, with its planning.
     PlanMovj,
     /// An increment of all joints, of a MOVJ or within a phase of a JUMP.
     Movj,
     /// An increment of a line, and both kinematics.
     Movl,
-    /// A tick of a JUMP in which a phase begins; the first one, too.
+    /// A tick of a JUMP in which a phase starts, including the first.
     JumpPhase,
-    /// The first tick of a vector, in which it is planned.
+    /// The first tick of a vector, with its planning.
     PlanWrite,
     /// An increment of a vector, and both kinematics.
     Write,
-    /// An increment of a line that was ordered by voice.
+    /// An increment of a line ordered by voice.
     Voice,
     /// The first tick of a mouse packet: sums, target and both kinematics.
     PlanMouse,
     /// The first tick of a gesture, or of state 15.
     PlanGesture,
-    /// An increment on the way of a mouse, a gesture or state 15.
+    /// An increment of a mouse, a gesture or state 15.
     Follow,
 }
 
 impl Work {
-    /// How long it takes. The most that was measured on the stock controller (note N39) stands for
-    /// what is done once; what is done again and again takes less than that as a rule, and stands
-    /// here with what loses as many packets without a gap as the stock controller was seen to lose.
-    #[expect(clippy::match_same_arms, reason = "a table, a line for each kind")]
+    /// The calculation time. One-off calculations use the maximum measured on the stock controller
+    /// (note N39). Repeated ones usually take less; they use the time that loses as many packets
+    /// without a gap as the stock controller did.
+    #[expect(clippy::match_same_arms, reason = "a table with one line per kind")]
     pub(crate) const fn time(self) -> Duration {
         Duration::from_micros(match self {
             Self::Idle => 980,
@@ -47,9 +47,9 @@ impl Work {
             // 3700 to 4600; of packets without a gap 15 % are lost.
             Self::LinearJog => 4100,
             Self::PlanMovj => 5700,
-            // 2600 to 3200; 8 % are lost. What follows moves all joints likewise.
+            // 2600 to 3200; 8 % are lost. Following moves all joints likewise.
             Self::Movj | Self::Follow => 2700,
-            // 4000 to 4900; 15 % are lost. That of voice was not measured: it is a line.
+            // 4000 to 4900; 15 % are lost. Voice was not measured: it is a line.
             Self::Movl | Self::Voice => 4100,
             Self::JumpPhase => 7000,
             Self::PlanWrite => 5400,

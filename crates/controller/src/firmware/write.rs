@@ -9,12 +9,12 @@ use super::line::moved;
 use super::settings::StockSettings;
 use crate::Hang;
 
-/// The vector that is being written, and the speed that the last one left.
+/// The current vector and the end speed of the last one.
 #[derive(Debug, Default)]
 pub(crate) struct Write {
     /// The end speed of the last vector that was completed.
     stored_speed: f32,
-    /// What that will be once this one is.
+    /// The end speed of the current vector.
     end_speed: f32,
     vector: [f32; 3],
     length: f32,
@@ -26,7 +26,7 @@ pub(crate) struct Write {
 }
 
 impl Write {
-    /// A tick of a vector.
+    /// Runs a tick of a vector.
     pub(crate) fn tick(
         &mut self,
         frame: &Frame,
@@ -57,7 +57,7 @@ impl Write {
 
     fn plan(&mut self, frame: &Frame, settings: &StockSettings, body: &mut Body) {
         let f = |n| frame.float(n);
-        // In another mode the vector keeps the z and the acceleration of the one before.
+        // In another mode the vector keeps z and acceleration of the previous one.
         let [_, _, z_before] = self.vector;
         let (z, factor) = match (f(2), lit(frame)) {
             (WRITING, _) => (f(5), Some(1.0)),
@@ -73,7 +73,7 @@ impl Write {
         body.begin();
         self.next = None;
         let (end, max) = (f(9), f(10));
-        // A length that is not a number is not above it.
+        // NaN is not above it.
         if self.length > NO_LENGTH_MM {
             let stroke =
                 TickStroke::of(self.length, self.stored_speed, end, max, self.acceleration);
@@ -86,8 +86,8 @@ impl Write {
         }
     }
 
-    /// One tick further. With all ticks used up the vector is over in that same tick, and the next
-    /// one moves in the next.
+    /// Advances by one tick. The vector ends in its last tick, and the next one moves in the following
+    /// tick.
     fn go(&mut self, body: &mut Body) -> TickOutcome {
         self.progress = self.next.unwrap_or_else(|| self.step(self.progress));
         let left = self.progress.ticks_left();
@@ -111,7 +111,7 @@ impl Write {
     }
 }
 
-/// Whether a packet wants the laser lit; where it says neither all stays as it was.
+/// The laser state that a packet sets; `None` leaves it unchanged.
 fn lit(frame: &Frame) -> Option<bool> {
     match frame.float(7) {
         1.0 => Some(true),
@@ -120,10 +120,10 @@ fn lit(frame: &Frame) -> Option<bool> {
     }
 }
 
-/// The modes, which are compared exactly.
+/// The modes, compared exactly.
 const WRITING: f32 = 0.0;
 const LASER: f32 = 1.0;
-/// With the laser off the laser mode accelerates that much faster.
+/// The acceleration factor of the laser mode with the laser off.
 const RAPID_FACTOR: f32 = 100.0;
-/// A vector of that length or less is not planned.
+/// A vector of this length or less is not planned.
 const NO_LENGTH_MM: f32 = 0.0001;

@@ -1,4 +1,4 @@
-//! The motion that is going on.
+//! The current motion.
 
 use core::time::Duration;
 
@@ -6,18 +6,18 @@ use dobot_arm::Unreachable;
 use dobot_motion::{ArmPlace, JogTrajectory, Trajectory};
 use dobot_wire::Command;
 
-/// What is going on.
+/// The current motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Running {
     pub(crate) motion: Motion,
     pub(crate) began: Duration,
-    /// When it is over; never, for a jog whose button is held.
+    /// The end time; none for a jog whose button is held.
     pub(crate) ends: Duration,
-    /// Where a jog leads until the next tick, as far as it was looked ahead already.
+    /// The cached pose of a jog at the next tick.
     pub(crate) ahead: Option<(Duration, ArmPlace)>,
 }
 
-/// The motion of a command, a jog, or the pause behind a motion.
+/// The motion of a command, a jog, or the pause after a motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Motion {
     Trajectory(Command, Trajectory),
@@ -26,7 +26,7 @@ pub(crate) enum Motion {
 }
 
 impl Running {
-    /// Where the arm is at a time; `None` while it stands.
+    /// The pose at a time; `None` while the arm stands.
     pub(crate) fn place_at(&self, at: Duration) -> Option<Result<ArmPlace, Unreachable>> {
         if let Some((_, place)) = self.ahead.filter(|(when, _)| *when == at) {
             return Some(Ok(place));

@@ -1,11 +1,11 @@
-//! What a detection sends: small slow motions near the arm, whose end no dialect doubts but that of
-//! the one vector, and which is led back.
+//! The packets of a detection: small slow motions near the arm. Except for the vector, which is
+//! undone, they end at the same point in all dialects.
 
 use dobot_wire::{
     Command, Configuration, Dialect, Frame, MoveTo, Packet, PlaybackAdjustment, Status, WriteVector,
 };
 
-/// A packet, and what is asked by it.
+/// A packet and the question it answers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DetectionStep {
     pub(super) frame: Frame,
@@ -13,14 +13,14 @@ pub(super) struct DetectionStep {
     pub(super) moves: bool,
 }
 
-/// What the dialects disagree about, and a motion shows.
+/// A difference between the dialects that a motion shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Question {
     /// Which of the moving modes 1 and 2 is straight?
     Modes,
     /// Which float of state 10 is the speed?
     Percentages,
-    /// Which way does X of a vector go?
+    /// Which direction is X in a vector?
     WriteX,
 }
 
@@ -31,17 +31,17 @@ impl Question {
         match self {
             Self::Modes => "which of the moving modes 1 and 2 is straight (note N2)",
             Self::Percentages => "which percentage of state 10 is the speed (note N3)",
-            Self::WriteX => "which way X of a write vector goes (note N4)",
+            Self::WriteX => "the direction of X in a write vector (note N4)",
         }
     }
 }
 
-/// All of it, from where the arm stands and back there.
+/// All steps, from the current position and back.
 pub(super) fn steps(start: &Status) -> Vec<DetectionStep> {
     let home = [start.x_mm, start.y_mm, start.z_mm + LIFT_MM];
     let aside = [home[0] - 6.0, home[1] + 12.0, home[2] + 4.0];
     let start_point = [start.x_mm, start.y_mm, start.z_mm];
-    let ask = |question, frame| DetectionStep {
+    let measure = |question, frame| DetectionStep {
         question: Some(question),
         ..go(frame)
     };
@@ -53,18 +53,18 @@ pub(super) fn steps(start: &Status) -> Vec<DetectionStep> {
             acceleration_mm_s2: 20.0,
         }),
         go(to(1.0, home)),
-        ask(Question::Modes, to(1.0, aside)),
-        ask(Question::Modes, to(1.0, home)),
-        ask(Question::Modes, to(2.0, aside)),
-        ask(Question::Modes, to(2.0, home)),
+        measure(Question::Modes, to(1.0, aside)),
+        measure(Question::Modes, to(1.0, home)),
+        measure(Question::Modes, to(2.0, aside)),
+        measure(Question::Modes, to(2.0, home)),
         set(playback(UNEVEN)),
         set_frame(adjustment(10.0, 100.0)),
-        ask(Question::Percentages, to(1.0, aside)),
+        measure(Question::Percentages, to(1.0, aside)),
         set(playback(GENTLE)),
         set(percentages(50.0, 50.0)),
         go(to(1.0, home)),
-        ask(Question::WriteX, vector(2.0)),
-        ask(Question::WriteX, vector(-2.0)),
+        measure(Question::WriteX, vector(2.0)),
+        measure(Question::WriteX, vector(-2.0)),
         go(to(1.0, start_point)),
         set(playback(STOCK)),
         set(Configuration::Writing {
@@ -89,14 +89,14 @@ const fn set_frame(frame: Frame) -> DetectionStep {
     }
 }
 
-/// A command that means the same in all dialects.
+/// A command that is the same in all dialects.
 fn set(command: impl Into<Command>) -> DetectionStep {
     let command = command.into();
     debug_assert_eq!(command.dialect_dependent(), None);
     set_frame(frame(&command))
 }
 
-/// A point by moving mode 1 or 2, whichever is which.
+/// A move to a point with moving mode 1 or 2 by number.
 fn target(start: &Status, mode: f32, [x_mm, y_mm, z_mm]: [f32; 3]) -> Frame {
     let command = Command::from(MoveTo {
         rotation_deg: start.rotation_deg,
@@ -120,7 +120,7 @@ const fn percentages(speed_percent: f32, acceleration_percent: f32) -> PlaybackA
     }
 }
 
-/// The percentages of state 10 by the number of their float.
+/// The percentages of state 10 by float number.
 fn adjustment(third: f32, fourth: f32) -> Frame {
     frame(&percentages(50.0, 50.0).into())
         .with(3, third)
@@ -135,16 +135,16 @@ const fn playback([joint, joint_2, line, line_2]: [f32; 4]) -> Configuration {
 fn frame(command: &Command) -> Frame {
     match command.emit(&Dialect::SPECIFICATION) {
         Packet::Frame(frame) => frame,
-        Packet::Voice(_) => unreachable!("nothing is said here"),
+        Packet::Voice(_) => unreachable!("no voice command is sent"),
     }
 }
 
-/// So slow that a dozen statuses tell of each way; and no joint reaches its largest speed, because
-/// a stock arm then strays from the way of all joints together.
+/// Slow enough for a dozen statuses per motion; no joint reaches its maximum speed, because a stock
+/// arm then leaves the joint path.
 const GENTLE: [f32; 4] = [200.0, 20.0, 200.0, 60.0];
-/// A tenth of the speed takes 1.6 s for the way aside, a tenth of the acceleration 2.5 s.
+/// The move aside takes 1.6 s at a tenth of the speed, 2.5 s at a tenth of the acceleration.
 const UNEVEN: [f32; 4] = [30.0, 30.0, 100.0, 100.0];
-/// What a stock arm knows at power-up.
+/// The power-up settings of a stock arm.
 const STOCK: [f32; 4] = [200.0, 200.0, 100.0, 200.0];
-/// A pen is lifted off the paper before anything else moves.
+/// The initial lift, which takes a pen off the paper.
 const LIFT_MM: f32 = 6.0;

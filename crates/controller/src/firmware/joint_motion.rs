@@ -6,11 +6,11 @@ use super::Progress;
 use super::body::{Body, PERIOD_S};
 use super::settings::RampSettings;
 
-/// A way of all joints to some angles.
+/// A motion of all joints to target angles.
 #[derive(Debug)]
-pub(crate) struct JointWay {
+pub(crate) struct JointMotion {
     axes: [Axis; 4],
-    /// How long it takes, in seconds.
+    /// The duration in seconds.
     pub(crate) total_s: f32,
     ticks: i16,
 }
@@ -19,21 +19,21 @@ pub(crate) struct JointWay {
 struct Axis {
     target_deg: f32,
     is_done: bool,
-    /// Signed, as the peak.
+    /// Signed, like the peak.
     acceleration: f32,
     peak: f32,
-    /// How long it accelerates, and then goes on as fast.
+    /// The durations of acceleration and of constant speed.
     ramp_s: f32,
     cruise_s: f32,
 }
 
-impl JointWay {
-    /// Plans a way from where the body is.
+impl JointMotion {
+    /// Plans a motion from the current pose.
     pub(crate) fn plan(body: &Body, to: StockJoints, ramps: &[RampSettings; 4]) -> Self {
         let (from, to) = (angles(body.joints), angles(to));
         let ways: [f32; 4] = core::array::from_fn(|axis| to[axis] - from[axis]);
         let alone = |axis: usize| time_alone(ways[axis].abs(), ramps[axis]);
-        // The base first; what is no number displaces nothing.
+        // The base first; NaN replaces nothing.
         let total_s = (1..4).fold(alone(0), |longest, axis| {
             let alone = alone(axis);
             if alone > longest { alone } else { longest }
@@ -47,12 +47,12 @@ impl JointWay {
         }
     }
 
-    /// Whether its first tick is the one that was gone last.
+    /// Whether the last tick was its first.
     pub(crate) const fn is_begun(&self) -> bool {
         self.ticks == 1
     }
 
-    /// One tick further; the tick after the last one notices the end.
+    /// Advances by one tick; the tick after the last one detects the end.
     pub(crate) fn tick(&mut self, body: &mut Body) -> Progress {
         if self.axes.iter().all(|axis| axis.is_done) {
             return Progress::Arrived;
@@ -67,7 +67,7 @@ impl JointWay {
 }
 
 impl Axis {
-    /// Stretches the way of one joint to the time that the slowest one takes.
+    /// Stretches the motion of one joint to the duration of the slowest.
     fn plan(way: f32, target_deg: f32, ramp: RampSettings, total_s: f32) -> Self {
         let (distance, sign) = (way.abs(), if way < 0.0 { -1.0 } else { 1.0 });
         let even_speed = 2.0 * distance / total_s;
@@ -87,7 +87,7 @@ impl Axis {
         }
     }
 
-    /// The speed in the tick that ends at a time; the last one makes up for what is left.
+    /// The speed in the tick that ends at `t_s`; the last one covers the remainder.
     fn speed(&mut self, from_deg: f32, t_s: f32, total_s: f32) -> f32 {
         if self.is_done {
             0.0
@@ -104,7 +104,7 @@ impl Axis {
     }
 }
 
-/// How long a joint would take by itself.
+/// The duration of one joint alone.
 fn time_alone(
     distance: f32,
     RampSettings {
@@ -128,5 +128,5 @@ const fn angles(joints: StockJoints) -> [f32; 4] {
     ]
 }
 
-/// A joint that has less far to go stays.
+/// A joint with a shorter distance stays.
 const NO_WAY_DEG: f32 = 1e-6;
