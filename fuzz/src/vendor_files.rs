@@ -9,7 +9,10 @@ pub fn vendor_files(input: &[u8]) {
     if let Ok(read) = read_points(&bytes) {
         let again = read_points(write_points(&read.content).as_bytes());
         let again = again.expect("what was written can be read");
-        assert_eq!((again.content, again.warnings.len()), (read.content.clone(), 0));
+        assert_eq!(
+            (again.content, again.warnings.len()),
+            (read.content.clone(), 0)
+        );
         let (points, lost) = points_of(&program_of(&read.content));
         assert_eq!((points, lost.len()), (read.content, 0));
     }

@@ -11,7 +11,7 @@ use dobot_api::problem_kinds::{ALL_ARMS_GIVEN, ARM_NOT_STARTED, NAME_TAKEN, NO_S
 use dobot_api::{GivenArm, GivenArms, JobPhase, LinkPhase, MemberAbout, Problem};
 use dobot_host::StationHandle;
 use dobot_session::Address;
-use dobot_station::{ArmCommand, ArmsPort, Config, Station, StationApi, ArmSelection};
+use dobot_station::{ArmCommand, ArmSelection, ArmsPort, Config, Station, StationApi};
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::{JoinHandle, JoinSet};
 use tokio::time::{Instant, MissedTickBehavior, interval, timeout};

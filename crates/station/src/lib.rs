@@ -65,6 +65,6 @@ pub use http::{ServeError, Served, StationApi, TlsError, Token, Tokens, TokensEr
 pub use program::{ProgramNews, Traffic};
 pub use raw::{RawPort, RawPortError};
 pub use start::{Failed, StartError, Station};
-pub use virtual_arms::{ArmCommand, ArmsPort, ArmSelection};
+pub use virtual_arms::{ArmCommand, ArmSelection, ArmsPort};
 #[cfg(unix)]
 pub use virtual_port::VirtualPort;

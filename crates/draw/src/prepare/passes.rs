@@ -268,7 +268,7 @@ impl Lines {
                 return strokes;
             }
             let single = without_duplicates(strokes, stay_whole);
-            doubles += single.doubles;
+            doubles += single.duplicates;
             unknown += single.unknown;
             single.strokes
         });

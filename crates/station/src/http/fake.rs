@@ -138,7 +138,11 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
 }
 
 /// Accepts one offer, and refuses all others.
-fn answer(offers: &mut HashMap<String, OfferAnswer>, key: String, ask: OfferRequest) -> OfferAnswer {
+fn answer(
+    offers: &mut HashMap<String, OfferAnswer>,
+    key: String,
+    ask: OfferRequest,
+) -> OfferAnswer {
     let refused = |reason: &str, busy| OfferAnswer::Refused {
         reason: reason.into(),
         busy,

@@ -56,7 +56,10 @@ impl Report {
             "laser on when the arm had come to rest",
             result.burnt_at_rest,
         );
-        self.row("laser on after the arm had come to rest", result.burnt_at_rest);
+        self.row(
+            "laser on after the arm had come to rest",
+            result.burnt_at_rest,
+        );
         self.line("");
         self.times("From the start of the new station to the end of the light, if it burned");
         self.row("light", &result.off_after_s);
