@@ -20,7 +20,7 @@ use crate::{Message, Record, StartError};
 ///
 /// let mut live = Live::new("2026-11-21T12:30:00Z".parse()?)?;
 /// let status = Record::FromArm(Status::AT_ZERO.emit().to_bytes().to_vec());
-/// let topics: Vec<_> = live.write(Duration::ZERO, &status).iter().map(|it| it.topic.name().to_owned()).collect();
+/// let topics: Vec<_> = live.write(Duration::ZERO, &status).iter().map(|message| message.topic.name().to_owned()).collect();
 /// assert_eq!(topics, ["/wire/from_arm", "/arm/pose", "/tf", "/arm/joints"]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

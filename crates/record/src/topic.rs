@@ -162,8 +162,8 @@ mod tests {
                 .expect_err("it makes no sense")
                 .to_string()
         };
-        assert!(refused("events", &object).contains("begins with /"));
-        assert!(refused(TO_ARM, &object).contains("the recorder writes that itself"));
+        assert!(refused("events", &object).contains("starts with /"));
+        assert!(refused(TO_ARM, &object).contains("the recorder uses itself"));
         assert!(refused("/events", &json!({ "type": "string" })).contains("`object`"));
         let long = json!({ "type": "object", "description": "x".repeat(SCHEMA_LEN) });
         assert!(refused("/events", &long).contains("allowed are 65536"));

@@ -36,7 +36,8 @@ impl ProgramError {
         }
     }
 
-    /// Merges the mistakes of one text, sorted by line and without repetitions; `None` if there are none.
+    /// Merges the mistakes of one text, sorted by line and without repetitions; `None` if there are
+    /// none.
     pub(crate) fn merge(mut mistakes: Vec<Self>) -> Option<Self> {
         mistakes.sort_by_key(|mistake| mistake.line);
         mistakes.dedup();

@@ -207,7 +207,8 @@ fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<
     })
 }
 
-/// The errors of a text that is not a program: the first one, and if it is TOML, all independent ones.
+/// The errors of a text that is not a program: the first one, and if it is TOML, all independent
+/// ones.
 fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramError {
     let mistake = |error: &toml::de::Error| {
         let line = error.span().map(|span| lines.at(span.start));

@@ -301,7 +301,7 @@ fn what_cannot_be_exported_is_told_and_nothing_is_written() {
     export(&file, &["--json"]).fails(2, &["--json"]);
     let other = folder.path().join("other.mcap");
     std::fs::write(&other, "no recording").expect("there is room");
-    export(&other, &[]).fails(1, &["other.mcap", "it is no recording"]);
+    export(&other, &[]).fails(1, &["other.mcap", "not a recording"]);
     std::fs::write(&other, "").expect("there is room");
     export(&other, &[]).fails(1, &["other.mcap"]);
     export(Path::new("nowhere.mcap"), &[]).fails(1, &["no file nowhere.mcap"]);

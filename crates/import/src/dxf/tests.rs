@@ -200,7 +200,8 @@ fn the_unit_of_the_file_counts() {
     }
 }
 
-/// The largest deviation of lines from a circle of this radius about the middle of their page, and their length.
+/// The largest deviation of lines from a circle of this radius about the middle of their page, and
+/// their length.
 fn on_circle(artwork: &Artwork, radius: f64) -> (f64, f64) {
     let strokes = &artwork.layers[0].strokes;
     let center = bounds_of_strokes(strokes).center();
@@ -909,7 +910,8 @@ fn lines_have_the_dashes_of_their_type_as_large_as_the_file_says() {
         &[4.0, 4.0],
     );
     near(dashes(&format!("{line} 6 DOTS 48 2")), &[0.0, 0.0, 0.0]);
-    // Solid: by its own type, by one that is nowhere, shorter than one turn, with dashes that nobody would see.
+    // Solid: by its own type, by one that is nowhere, shorter than one turn, with dashes that
+    // nobody would see.
     for solid in [
         "8 hidden 6 Continuous",
         "6 NONE",

@@ -62,7 +62,8 @@ fn error(text: &str) -> String {
     read.unwrap_err().to_string()
 }
 
-/// The largest deviation of a layer's lines from the circle of this radius about the middle of a page of its size.
+/// The largest deviation of a layer's lines from the circle of this radius about the middle of a
+/// page of its size.
 fn leaves_circle_by(layer: &Layer, radius: f64) -> f64 {
     let center = Point::new(radius, radius);
     let strokes = layer.strokes.iter();

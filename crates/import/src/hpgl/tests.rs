@@ -277,7 +277,8 @@ fn a_chord_angle_that_no_plotter_has_is_taken_for_the_nearest_that_it_has() {
 #[test]
 fn chords_that_are_reported_by_how_far_they_leave_the_arc_leave_it_as_far() {
     let corners = |text: &str| strokes(text)[0].points.len();
-    // A chord over the angle a leaves a circle by r (1 - cos(a / 2)): by half of r over 120 degrees.
+    // A chord over the angle a leaves a circle by r (1 - cos(a / 2)): by half of r over 120
+    // degrees.
     assert_eq!(corners("CT1;CI400,200"), 4);
     // Over 60 degrees by 1 - cos 30 degrees, 0.134 of r.
     assert_eq!(corners("CT1;PU400,0PDAA0,0,180,53.6"), 4);
@@ -452,7 +453,8 @@ fn spans(text: &str) -> Vec<[f64; 2]> {
 
 #[test]
 fn lines_are_dashed_by_their_type() {
-    // 10 mm of pattern, half of it a dash, along 30 mm; then solid again, and the type before once more.
+    // 10 mm of pattern, half of it a dash, along 30 mm; then solid again, and the type before once
+    // more.
     let dashes = [[0.0, 500.0], [1000.0, 1500.0], [2000.0, 2500.0]];
     let solid = [0.0, 3000.0];
     let line = "PU0,0;PD1200,0;PU;";

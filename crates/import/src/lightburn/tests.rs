@@ -215,7 +215,8 @@ fn groups_move_turn_and_stretch_what_is_in_them() {
         "1 0 0 1 10 0",
         &format!("<Children>{inner}</Children>"),
     );
-    // (0, 0) and (3, 0) become (1, 0) and (7, 0), turned (0, 1) and (0, 7), moved (10, 1) and (10, 7).
+    // (0, 0) and (3, 0) become (1, 0) and (7, 0), turned (0, 1) and (0, 7), moved (10, 1) and (10,
+    // 7).
     let lines = corners(&draw(&(still + &outer)));
     assert_eq!(
         lines,
@@ -298,7 +299,8 @@ proptest! {
             prop_assert!(off <= 2.0 * tolerance, "{off}");
         }
         let share = length_mm(&artwork) / (2.0 * PI * expected);
-        // Its corners lie on the circle: a chord that leaves it by the tolerance is shorter by less than this share.
+        // Its corners lie on the circle: a chord that leaves it by the tolerance is shorter by less
+        // than this share.
         let least = 1.0 - tolerance / expected;
         prop_assert!((least..=1.0 + 1e-9).contains(&share), "{share}");
     }

@@ -224,8 +224,8 @@ fn format_name(source: &Source) -> &str {
     }
 }
 
-/// Left, bottom, right and top of all strokes but the first, which is a dot, in millimetres from that
-/// dot, y up.
+/// Left, bottom, right and top of all strokes but the first, which is a dot, in millimetres from
+/// that dot, y up.
 pub(crate) fn sides_from_dot(strokes: &[Stroke]) -> [f64; 4] {
     let origin = strokes[0].points[0];
     let ink = bounds_of_strokes(&strokes[1..]);

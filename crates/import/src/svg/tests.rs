@@ -965,7 +965,7 @@ fn what_of_the_styles_is_not_read_is_reported() {
         ),
         (
             r"<style>:is(.h, .i){display:none} .a:hover{fill:red}</style>LINE",
-            "1 CSS rule: not read",
+            "1 CSS rule: ignored",
         ),
     ] {
         let line = r#"<path d="M10 10H90" stroke="red"/>"#;

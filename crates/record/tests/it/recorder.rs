@@ -74,7 +74,7 @@ fn limits_and_clocks_that_make_no_sense_are_refused() {
             .to_string()
     };
     let error = start(Limits::DEFAULT, "1969-01-01T00:00:00Z");
-    assert!(error.contains("set it right"), "{error}");
+    assert!(error.contains("set the clock"), "{error}");
     let limits = Limits {
         file_bytes: 1,
         total_bytes: 2,

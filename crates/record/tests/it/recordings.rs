@@ -164,7 +164,7 @@ fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
 fn what_is_no_recording_is_refused() {
     for bytes in [&b"x"[..], b"\x89PNG\r\n\x1a\n", b"hello, world", &[0; 100]] {
         let error = Recording::over(Cursor::new(bytes.to_vec())).unwrap_err();
-        assert!(error.to_string().contains("no recording"), "{error}");
+        assert!(error.to_string().contains("not a recording"), "{error}");
     }
     assert!(Recording::open("no-such-file.mcap").is_err());
 }

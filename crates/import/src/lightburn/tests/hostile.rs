@@ -163,7 +163,7 @@ fn groups_that_are_nested_too_deep_are_refused() {
     for depth in [101, 100_000] {
         refused(
             &nested(depth),
-            &["3:", "groups in groups, more than 100 deep", "ungroup them"],
+            &["3:", "groups nested more than 100 deep", "ungroup them"],
         );
     }
 }

@@ -9,12 +9,13 @@ use proptest::prelude::*;
 /// What a laser burns.
 ///
 /// - G0, drilling cycles and moves along Z alone never burn.
-/// - G1, G2 and G3 burn while M3, M4 or M106 hold and S is above 0. Before the first of them the laser is off. M5 and M107
-///   switch it off.
-/// - S holds from its line on, and is 0 before; without any S in the file M3, M4 and M106 have full power.
+/// - G1, G2 and G3 burn while M3, M4 or M106 hold and S is above 0. Before the first of them the
+///   laser is off. M5 and M107 switch it off.
+/// - S holds from its line on, and is 0 before; without any S in the file M3, M4 and M106 have full
+///   power.
 /// - In a file without any of these words G1, G2 and G3 burn.
-/// - A dwell may burn a dot while the laser is on, if it is neither before the first line that burns nor above all of them,
-///   and nothing is drilled.
+/// - A dwell may burn a dot while the laser is on, if it is neither before the first line that
+///   burns nor above all of them, and nothing is drilled.
 #[derive(Debug, Default)]
 pub(super) struct Reference {
     lit: Vec<(Point, Point)>,
