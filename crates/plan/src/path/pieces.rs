@@ -70,6 +70,7 @@ impl Pieces {
         };
         let pieces =
             of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(continues_alike);
+        // A long vector is better than one after which the arm would deviate from the plan.
         let pieces = pieces.unwrap_or_else(|| vec![*vector]);
         divided.run_all(&pieces);
         pieces

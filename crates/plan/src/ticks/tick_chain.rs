@@ -124,6 +124,7 @@ impl TickChain<'_> {
         let (mut here, mut at) = (ticker.clone(), 0);
         let next_change = |from: usize| (from..changed.len()).find(|&i| changed[i]);
         while let Some(change) = next_change(at) {
+            // Start slightly earlier: the vectors before determine the speed at the change.
             let begin = change.saturating_sub(MARGIN).max(at);
             for (speeds, fit) in self.speeds[at..begin].iter().zip(&fits[at..begin]) {
                 here.take(speeds, fit);
@@ -173,6 +174,8 @@ impl TickChain<'_> {
                 same_share: breadth.same_share,
             };
             self.prune_before_long_vector(i, &mut candidates);
+            // The heap holds lower bounds first; a candidate is computed only when its bound is the
+            // cheapest.
             let mut choices = BinaryHeap::new();
             for (before, candidate) in candidates.iter().enumerate() {
                 let fits = candidate.ticker.fits(&packet, self.speeds[i], wish);
@@ -192,6 +195,7 @@ impl TickChain<'_> {
         }
         let mut fits = Vec::new();
         let mut last = candidates[0].last;
+        // Follow the links back from the last vector.
         while let Some(step) = last.map(|step| &steps[step]) {
             fits.push(step.fit);
             last = step.before;
@@ -253,6 +257,7 @@ impl TickChain<'_> {
             let is_new = |other: &Candidate| {
                 (other.ticker.stored_mm_s() - fit.tick_stroke.end_mm_s).abs() >= same_mm_s
             };
+            // Equal end speeds have the same continuations, so only the cheapest is kept.
             if !best.iter().all(is_new) {
                 continue;
             }
