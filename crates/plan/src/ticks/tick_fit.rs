@@ -207,7 +207,7 @@ impl TickTarget {
         } else {
             end_mm_s.min(slow_mm_s).max(LEAST_END_MM_S)
         };
-        // The packet could not express such a speed above rest.
+        // Such a vector could not end above the least end speed.
         if slow_mm_s < LEAST_END_MM_S {
             return;
         }

@@ -146,7 +146,7 @@ impl Found {
             }
             found.is_curved = true;
             found.best = narrowed(corridor, most_mm, estimator, &ROUNDS, (here, found.best));
-            // Narrowing is a heuristic: starting from several tolerances avoids poor local optima.
+            // Start again with half of it: a larger tolerance must not give a slower path.
             most_mm *= 0.5;
             if most_mm < NARROWEST * MIN_VECTOR_MM {
                 break;
