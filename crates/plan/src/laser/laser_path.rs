@@ -107,7 +107,7 @@ impl LaserPath {
 ///            wanted                          wanted
 ///   ----------o--.                   ------o------.
 ///                 \                               \
-///                  \  at the corner         so far before it
+///                  \  at the corner         that distance before it
 /// ```
 fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
     let (mut corner_mm, mut corner) = (0.0, 0);
