@@ -371,9 +371,9 @@ impl Candidate {
         for speed_mm_s in speeds_mm_s.take(SAMPLED_TICKS) {
             let [before, now] = self.places.before_and_now();
             self.places.advance(direction, speed_mm_s);
-            let sampled_limit_mm = second_difference(before, now, self.places.last());
-            if sampled_limit_mm > allowed_mm {
-                self.cost += (sampled_limit_mm / allowed_mm - 1.0).powi(2) * BEYOND;
+            let sampled_mm = second_difference(before, now, self.places.last());
+            if sampled_mm > allowed_mm {
+                self.cost += (sampled_mm / allowed_mm - 1.0).powi(2) * BEYOND;
             }
         }
     }
