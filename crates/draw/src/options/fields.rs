@@ -200,7 +200,7 @@ mod tests {
 
     #[test]
     fn a_field_is_described_as_its_own_group_has_it() {
-        assert_eq!(Options::description("pen"), Some("Draw with this pen"));
+        assert_eq!(Options::description("pen"), Some("Pen to draw with"));
         assert_eq!(Options::description("name"), None);
     }
 
