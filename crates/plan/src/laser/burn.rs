@@ -10,7 +10,7 @@ use crate::path::commands::write;
 use crate::path::planner::{Planner, Settled};
 use crate::speed::chain::ChainSpeeds;
 use crate::speed::objective::Objective;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_fit::LEAST_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
 use crate::{Laser, MoveKind, PlannedVector};

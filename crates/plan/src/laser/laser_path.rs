@@ -3,7 +3,7 @@
 use dobot_geometry::{Point, Stroke, Vec2, bounds, distance_from_chord};
 
 use crate::path::planner::LEAST_VECTOR_MM;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::{ArmLimits, Laser};
 
 /// The path of a laser through a stroke, with run-up and run-out.

@@ -16,7 +16,7 @@ use dobot_wire::single;
 use crate::path::commands::write;
 use crate::path::endpoint::Endpoint;
 use crate::path::planner::round_down;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
 use crate::ticks::ticker::{Ticker, length};
 use crate::{ArmLimits, DrawingTool, MoveKind, PlannedVector};

@@ -5,7 +5,7 @@ use dobot_motion::TickStroke;
 use crate::path::vector::length;
 use crate::speed::lookahead::ChainVector;
 use crate::speed::speeds::{Ramps, Speeds};
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 
 /// A chain in motion: time and position of its corners.
 #[derive(Debug)]

@@ -10,7 +10,7 @@ use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::{WINDOW_TICKS, sampled_limit_mm, second_difference};
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_fit::{LEAST_BURN_MM_S, MOST_FITS, TickFit, TickPreference};
 use crate::ticks::ticker::Ticker;
 use crate::{MoveKind, PlannedVector};

@@ -5,7 +5,7 @@ use dobot_wire::single;
 
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 
 /// Returns the tick count to try; [`TickStroke`] computes the actual one.
 #[expect(

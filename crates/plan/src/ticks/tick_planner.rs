@@ -7,7 +7,7 @@ use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::TickPositions;
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_chain::{Breadth, LastPositions, TickChain};
 use crate::ticks::tick_fit::TickFit;
 use crate::ticks::ticker::Ticker;

@@ -7,7 +7,7 @@ use crate::path::commands::write;
 use crate::speed::link::Credit;
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickPreference, TickTarget};
 use crate::{ArmLimits, MoveKind, PlannedVector};
 
