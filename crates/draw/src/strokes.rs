@@ -1,4 +1,5 @@
-//! From areas and lines to strokes: filled, joined, without duplicates, in order, and with few vectors.
+//! From areas and lines to strokes: filled, joined, without duplicates, in order, and with few
+//! vectors.
 
 pub(crate) mod cutting;
 pub(crate) mod duplicate_lines;

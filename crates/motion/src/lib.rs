@@ -31,10 +31,12 @@
 
 //! # Commands
 //!
-//! A [`Model`] holds the estimated state of an arm. It predicts the [`Trajectory`] of a [`Command`](dobot_wire::Command), and the
-//! model after the command. Controller, client and safety share this prediction. The differences between arms are fields of
-//! [`Dialect`](dobot_wire::Dialect). A stock arm executes motions in ticks of 20 ms: each of its motions ends up to one tick
-//! later than its trajectory, and deviates from it by up to one tick's travel.
+//! A [`Model`] holds the estimated state of an arm. It predicts the [`Trajectory`] of a
+//! [`Command`](dobot_wire::Command), and the model after the command. Controller, client and safety
+//! share this prediction. The differences between arms are fields of
+//! [`Dialect`](dobot_wire::Dialect). A stock arm executes motions in ticks of 20 ms: each of its
+//! motions ends up to one tick later than its trajectory, and deviates from it by up to one tick's
+//! travel.
 //!
 //! ```
 //! use dobot_motion::Model;

@@ -15,13 +15,13 @@ mod place;
 mod plan;
 mod segment;
 mod settings;
-mod status;
 mod trajectory;
 mod vector;
 
 use dobot_arm::{Calibration, Joints, Tool, forward};
 use dobot_wire::{
     Command, Configuration, Dialect, MoveJoints, MoveTo, MovingMode, Status, Voice, VoiceOrder,
+    single,
 };
 
 use self::followed::Followed;
@@ -178,6 +178,17 @@ impl Model {
     #[must_use]
     pub const fn idle_pause_s(&self) -> f64 {
         self.idle_pause_s
+    }
+
+    /// Returns the status of the arm with this model.
+    #[must_use]
+    pub fn status(&self) -> Status {
+        // The coordinates match exactly the angles in the status.
+        Status {
+            suction: self.suction,
+            gripper_deg: single(self.gripper_deg),
+            ..ArmPlace::at_joints(self.place.joints, self.tool).status()
+        }
     }
 
     /// Returns the running jog. A stock arm also keeps the speed of a jog that was stopped by

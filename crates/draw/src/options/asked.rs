@@ -357,8 +357,8 @@ fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, Op
 pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
 /// The minimum distance of a sheet's lower edge in front of the arm.
 const NEAREST_MM: f64 = 140.0;
-/// The distance below the sheet's lower edge at which the touches may be, because nobody hits the
-/// edge exactly.
+/// The distance below the sheet's lower edge at which the touches may be, because people rarely hit
+/// the edge exactly.
 const TOUCHED_BELOW_MM: f64 = 5.0;
 /// In characters.
 const LONGEST_TITLE: usize = 60;

@@ -133,8 +133,8 @@ impl Options {
     /// use dobot_draw::Options;
     ///
     /// let error = "tool.lead_in is 30 mm; it takes 0 to 20 mm";
-    /// let told = Options::rename_fields(error, |field| format!("--{}", field.replace('_', "-")));
-    /// assert_eq!(told, "--lead-in is 30 mm; it takes 0 to 20 mm");
+    /// let renamed = Options::rename_fields(error, |field| format!("--{}", field.replace('_', "-")));
+    /// assert_eq!(renamed, "--lead-in is 30 mm; it takes 0 to 20 mm");
     /// ```
     #[must_use]
     pub fn rename_fields(text: &str, name: impl Fn(&str) -> String) -> String {
@@ -200,7 +200,7 @@ mod tests {
 
     #[test]
     fn a_field_is_described_as_its_own_group_has_it() {
-        assert_eq!(Options::description("pen"), Some("Draw with this pen"));
+        assert_eq!(Options::description("pen"), Some("Pen to draw with"));
         assert_eq!(Options::description("name"), None);
     }
 

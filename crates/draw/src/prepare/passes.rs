@@ -257,7 +257,7 @@ impl Lines {
     /// Joins lines that meet, and removes duplicates if requested.
     fn joined(self, tool: DrawingTool, settings: &Settings, warnings: &mut Vec<Warning>) -> Self {
         let stay_whole = settings.cutting_of(tool).is_asked_for();
-        let (mut doubles, mut unknown) = (0, 0);
+        let (mut duplicates, mut unknown) = (0, 0);
         let mut whole = Vec::new();
         if settings.drops_duplicates && tool.cuts() {
             whole = merge(self.own.clone(), settings.join_mm());
@@ -268,11 +268,11 @@ impl Lines {
                 return strokes;
             }
             let single = without_duplicates(strokes, stay_whole);
-            doubles += single.duplicates;
+            duplicates += single.duplicates;
             unknown += single.unknown;
             single.strokes
         });
-        warnings.extend(counted(doubles, "duplicate line", "drawn once"));
+        warnings.extend(counted(duplicates, "duplicate line", "drawn once"));
         warnings.extend(counted(
             unknown,
             "line",

@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_with_the_same_corners_are_no_doubles_where_they_go_elsewhere() {
+    fn lines_with_the_same_corners_are_no_duplicates_where_they_go_elsewhere() {
         let bow_tie = line(&[
             (0.0, 0.0),
             (20.0, 20.0),

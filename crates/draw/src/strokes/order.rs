@@ -63,6 +63,7 @@ pub(crate) fn order_until(
     let given = given(&strokes);
     let mut way = searched(&strokes, &given, start, search, cancel);
     let cost = |way: &[Stop]| cost(&strokes, way, start, search.travel);
+    // The search may end early or find nothing, but must never make the order worse.
     if cost(&way) >= cost(&given) {
         way = given;
     }
@@ -83,8 +84,10 @@ fn searched(
     let nodes_of = |way: &[Stop]| Nodes::new(strokes, way, start, search.travel);
     let mut nodes = nodes_of(given);
     let mut way = nodes.way(&greedy(&nodes));
+    // Without closed strokes the nodes never change, so a single round suffices.
     let rounds = if turn(&mut way) > 0.0 { ROUNDS } else { 1 };
     for _ in 0..rounds {
+        // The starts of closed strokes may have moved, which moves their nodes.
         if rounds > 1 {
             nodes = nodes_of(&way);
         }
@@ -94,10 +97,12 @@ fn searched(
         let most = kicks(search, way.len());
         let kicks = most / rounds;
         let warmth = mean * patience(most, way.len());
+        // Half of the kicks exchange edges; the rest moves parts, which exchanges cannot do.
         local_search.anneal(kicks - kicks / 2, warmth, &mut random);
         let mut turns = Turns::new(&nodes, local_search.tour(), cancel);
         let left = moved(&mut turns, kicks / 2, &mut random);
         local_search.set(turns.tour());
+        // Moved parts open new exchanges; start cooler, because the order is already good.
         local_search.anneal(left, warmth / 4.0, &mut random);
         way = nodes.way(local_search.tour());
         turn(&mut way);
@@ -115,6 +120,7 @@ fn moved(turns: &mut Turns, kicks: u32, random: &mut Random) -> u32 {
         let before = turns.cost();
         turns.kicks(some / turns.kicks_for_one(), random);
         left = left.saturating_sub(some);
+        // The remaining kicks gain more as exchanges of edges.
         if turns.cost() > before * (1.0 - WORTHWHILE) {
             break;
         }

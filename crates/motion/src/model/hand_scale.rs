@@ -45,7 +45,8 @@ impl HandScale {
         }
     }
 
-    /// The number of equal packets after which the arm is at the hand's position: a stock arm averages the last ones.
+    /// The number of equal packets after which the arm is at the hand's position: a stock arm
+    /// averages the last ones.
     #[must_use]
     pub const fn samples(dialect: &Dialect) -> usize {
         if dialect.scales_gesture { SAMPLES } else { 1 }

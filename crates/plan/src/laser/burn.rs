@@ -10,7 +10,7 @@ use crate::path::commands::write;
 use crate::path::planner::{Planner, Settled};
 use crate::speed::chain::ChainSpeeds;
 use crate::speed::objective::Objective;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_fit::LEAST_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
 use crate::{Laser, MoveKind, PlannedVector};
@@ -35,6 +35,7 @@ impl Planner<'_> {
         let before = self.checkpoint();
         let mut best: Option<BurnAttempt> = None;
         let (mut planned, mut is_planned) = (0, false);
+        // Variants are ordered by preference: stop at the first that is good enough.
         'ways: for way in BurnVariant::all() {
             let is_over_budget = planned > MOST_PLANNED;
             let goes = |attempt: BurnAttempt| {
@@ -45,6 +46,8 @@ impl Planner<'_> {
             }
             let mut wanted = SwitchLead::at_speed(laser, self.arm_limits);
             for _ in 0..BURN_ROUNDS {
+                // Planning changes the state of the arm, so every attempt starts from the
+                // checkpoint.
                 if is_planned {
                     self.restore(&before);
                 }
@@ -73,6 +76,7 @@ impl Planner<'_> {
                 wanted = wanted.half_way(found);
             }
         }
+        // The last attempt need not be the best one; plan the best one again.
         if let Some(best) = best.filter(|best| !best.is_within(NEAR_MM)) {
             self.restore(&before);
             self.burn_once(&points, laser, &best);
@@ -170,6 +174,7 @@ impl Planner<'_> {
         let slowest_mm_s = speeds
             .map(|speeds| speeds.start_mm_s.min(speeds.end_mm_s).min(speeds.max_mm_s))
             .fold(limit_mm_s, f64::min);
+        // Where the slowest part is much slower, even burning would make the whole stroke too slow.
         if slowest_mm_s * MOST_SPREAD >= limit_mm_s {
             let least_mm_s = f64::from(LEAST_BURN_MM_S);
             let even_mm_s = if limit_mm_s < least_mm_s {

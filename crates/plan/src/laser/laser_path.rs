@@ -3,7 +3,7 @@
 use dobot_geometry::{Point, Stroke, Vec2, bounds, distance_from_chord};
 
 use crate::path::planner::LEAST_VECTOR_MM;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::{ArmLimits, Laser};
 
 /// The path of a laser through a stroke, with run-up and run-out.
@@ -107,7 +107,7 @@ impl LaserPath {
 ///            wanted                          wanted
 ///   ----------o--.                   ------o------.
 ///                 \                               \
-///                  \  at the corner         so far before it
+///                  \  at the corner         that distance before it
 /// ```
 fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
     let (mut corner_mm, mut corner) = (0.0, 0);

@@ -36,13 +36,13 @@ impl Plan {
         let is_slow = |row: &[f64; 2]| row[0] * SLOW < laser.burn_speed_mm_s;
         let burned_mm = sum_mm(&burned);
         let slow_mm = sum_mm(&burned[..burned.partition_point(is_slow)]);
-        let sampled_limit_mm = SEEN_SHARE * burned_mm;
+        let negligible_mm = SEEN_SHARE * burned_mm;
         let mut passed_mm = 0.0;
         let even = burned.iter().find(|row| {
             passed_mm += row[1];
-            passed_mm > sampled_limit_mm
+            passed_mm > negligible_mm
         })?;
-        (slow_mm > sampled_limit_mm).then_some(SlowBurning {
+        (slow_mm > negligible_mm).then_some(SlowBurning {
             slow_mm,
             burned_mm,
             even_mm_s: even[0],

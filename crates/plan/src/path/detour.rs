@@ -24,6 +24,7 @@ pub fn detour(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
     // Angles range from -pi to pi, so the path between them passes x > 0.
     let touches = |p: Vec2| (radius_mm / p.hypot()).min(1.0).acos();
     let turn = to.atan2() - from.atan2();
+    // The straight path is free if the two tangents already cover the whole turn.
     let arc = turn.abs() - touches(from) - touches(to);
     if arc <= 0.0 {
         return Vec::new();

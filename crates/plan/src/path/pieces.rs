@@ -16,7 +16,7 @@ use dobot_wire::single;
 use crate::path::commands::write;
 use crate::path::endpoint::Endpoint;
 use crate::path::planner::round_down;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
 use crate::ticks::ticker::{Ticker, length};
 use crate::{ArmLimits, DrawingTool, MoveKind, PlannedVector};
@@ -70,6 +70,7 @@ impl Pieces {
         };
         let pieces =
             of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(continues_alike);
+        // A long vector is better than one after which the arm would deviate from the plan.
         let pieces = pieces.unwrap_or_else(|| vec![*vector]);
         divided.run_all(&pieces);
         pieces

@@ -140,6 +140,7 @@ impl<'a> Planner<'a> {
         #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
         let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| (to[i] - here[i]) as f32);
         let way = [x_mm, y_mm, z_mm].map(f64::from);
+        // `here` is unchanged, so the next vector includes this distance.
         if length(way) < self.least_vector_mm(kind) {
             return;
         }
@@ -184,6 +185,7 @@ impl<'a> Planner<'a> {
                 set(vector, speeds);
             }
             self.raise_burn_speeds(begin);
+        // A single vector between two rests is planned later, together with its neighbours.
         } else if self.objective == Objective::Fast && self.chain.len() == 1 {
             self.push_travel();
         } else {

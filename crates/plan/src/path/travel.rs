@@ -35,6 +35,7 @@ impl Planner<'_> {
         self.travel.chain.push(self.chain[0]);
         self.travel.speeds.extend(speeds);
         self.travel.most_mm_s.push(round_down(limits_mm_s[0]));
+        // Bound the memory and the time of the search in drawings of many dots.
         if self.travel.chain.len() >= MOST_TRAVEL {
             self.chain.clear();
             self.plan_travel(TRAVEL_BEFORE_LAST);

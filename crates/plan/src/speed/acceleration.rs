@@ -3,7 +3,7 @@
 use crate::Plan;
 use crate::path::commands::write;
 use crate::speed::sampled_acceleration::{at_ticks, second_difference};
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::ticker::Ticker;
 
 /// Returns the maximum acceleration of a plan's motion in mm/s2, from positions sampled every

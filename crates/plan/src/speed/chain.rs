@@ -72,6 +72,8 @@ impl ChainSpeeds {
             Objective::Even => self.lower_to_link(chain, 0),
             Objective::Fast => {
                 self.plan_motion(chain);
+                // Up to the first wait the queue covers short vectors, so their limits need not be
+                // lowered.
                 if let Some(waits) = self.first_wait() {
                     self.lower_to_link(chain, waits.saturating_sub(REACH));
                 }
@@ -114,6 +116,7 @@ impl ChainSpeeds {
             self.plan_motion(chain);
             let credit = self.credit;
             let keeps_up = self.wait_for_link(chain);
+            // Stop only when neither the corners nor the link changed anything in this round.
             if !self.ease_corners(chain, 1 + round / PATIENCE) && keeps_up {
                 return;
             }
@@ -172,6 +175,7 @@ impl ChainSpeeds {
                 self.wanted_s[i] = least_s;
             }
             let can_s = self.speeds(chain, i).duration_s;
+            // The ends are too fast for such a slow vector; lowering the limit slows the ends too.
             if can_s < least_s * (1.0 - 1e-9) {
                 let run = &mut chain[i];
                 run.limit_mm_s = run.limit_mm_s.min(run.length_mm / least_s) * SLOWER;

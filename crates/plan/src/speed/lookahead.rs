@@ -104,6 +104,8 @@ impl Cornering {
                 .map(|pair| self.junction(&pair[0], &pair[1])),
         );
         junctions.push(Junction::REST);
+        // Squared speeds are linear in the distance at constant acceleration, so both passes
+        // use them.
         let mut v2 = 0.0_f64;
         for (i, run) in chain.iter().enumerate().rev() {
             v2 = self.reached_v2(v2, &junctions[i + 1], run, &junctions[i]);

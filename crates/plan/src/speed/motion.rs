@@ -110,7 +110,8 @@ mod tests {
 
     #[test]
     fn a_line_is_run_at_its_acceleration_and_speed() {
-        // 40 mm at 40 mm/s and 100 mm/s2, in two vectors: 0.4 s up and 0.4 s down over 8 mm each, 0.6 s between.
+        // 40 mm at 40 mm/s and 100 mm/s2, in two vectors: 0.4 s up and 0.4 s down over 8 mm each,
+        // 0.6 s between.
         let estimator = DurationEstimator::of(&ArmLimits::default(), &DrawingTool::default());
         let motion = Motion::along(
             &estimator,

@@ -93,6 +93,7 @@ impl Respeeding<'_> {
             slower(chain, self.share)
         };
         let most = targets.iter().map(|target| target[1]).fold(0.0, f64::max);
+        // The arm may already be faster than the new maximum and needs distance to brake.
         let most_mm_s = round_down(most).max(self.speed_mm_s);
         let pairs = chain.iter().zip(targets);
         pairs
@@ -115,6 +116,7 @@ impl Respeeding<'_> {
         let mut next = from_speed(vector, self.speed_mm_s.into(), targets, acceleration_mm_s2);
         if let Some(ticker) = &mut self.ticker {
             let rests = vector.end_speed_mm_s == 0.0;
+            // A stock arm executes whole ticks only; find the closest speeds that it can execute.
             ticker.respeed(&mut next, rests, acceleration_mm_s2, most_mm_s);
         }
         self.follow(&next);

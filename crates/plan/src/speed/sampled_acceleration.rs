@@ -5,7 +5,7 @@ use dobot_motion::TickStroke;
 use crate::path::vector::length;
 use crate::speed::lookahead::ChainVector;
 use crate::speed::speeds::{Ramps, Speeds};
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 
 /// A chain in motion: time and position of its corners.
 #[derive(Debug)]
@@ -58,6 +58,7 @@ impl<'a> SampledMotion<'a> {
                 let moments = [-WINDOW_S, 0.0, WINDOW_S];
                 let [before, now, after] = moments.map(|moment_s| self.at(t_s + moment_s, corner));
                 let turned_mm2 = squared(change(before, now, after));
+                // Compare squares first: most samples are within the limit and need no root.
                 if turned_mm2 > most_mm2 {
                     let seen = &mut shares[self.nearest(t_s, corner) - 1];
                     *seen = seen.min(allowed_mm / turned_mm2.sqrt());

@@ -10,7 +10,7 @@ use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::{WINDOW_TICKS, sampled_limit_mm, second_difference};
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_fit::{LEAST_BURN_MM_S, MOST_FITS, TickFit, TickPreference};
 use crate::ticks::ticker::Ticker;
 use crate::{MoveKind, PlannedVector};
@@ -124,6 +124,7 @@ impl TickChain<'_> {
         let (mut here, mut at) = (ticker.clone(), 0);
         let next_change = |from: usize| (from..changed.len()).find(|&i| changed[i]);
         while let Some(change) = next_change(at) {
+            // Start slightly earlier: the vectors before determine the speed at the change.
             let begin = change.saturating_sub(MARGIN).max(at);
             for (speeds, fit) in self.speeds[at..begin].iter().zip(&fits[at..begin]) {
                 here.take(speeds, fit);
@@ -173,6 +174,8 @@ impl TickChain<'_> {
                 same_share: breadth.same_share,
             };
             self.prune_before_long_vector(i, &mut candidates);
+            // The heap holds lower bounds first; a candidate is computed only when its bound is the
+            // cheapest.
             let mut choices = BinaryHeap::new();
             for (before, candidate) in candidates.iter().enumerate() {
                 let fits = candidate.ticker.fits(&packet, self.speeds[i], wish);
@@ -192,6 +195,7 @@ impl TickChain<'_> {
         }
         let mut fits = Vec::new();
         let mut last = candidates[0].last;
+        // Follow the links back from the last vector.
         while let Some(step) = last.map(|step| &steps[step]) {
             fits.push(step.fit);
             last = step.before;
@@ -253,6 +257,7 @@ impl TickChain<'_> {
             let is_new = |other: &Candidate| {
                 (other.ticker.stored_mm_s() - fit.tick_stroke.end_mm_s).abs() >= same_mm_s
             };
+            // Equal end speeds have the same continuations, so only the cheapest is kept.
             if !best.iter().all(is_new) {
                 continue;
             }
@@ -366,9 +371,9 @@ impl Candidate {
         for speed_mm_s in speeds_mm_s.take(SAMPLED_TICKS) {
             let [before, now] = self.places.before_and_now();
             self.places.advance(direction, speed_mm_s);
-            let sampled_limit_mm = second_difference(before, now, self.places.last());
-            if sampled_limit_mm > allowed_mm {
-                self.cost += (sampled_limit_mm / allowed_mm - 1.0).powi(2) * BEYOND;
+            let sampled_mm = second_difference(before, now, self.places.last());
+            if sampled_mm > allowed_mm {
+                self.cost += (sampled_mm / allowed_mm - 1.0).powi(2) * BEYOND;
             }
         }
     }

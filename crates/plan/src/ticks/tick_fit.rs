@@ -5,7 +5,7 @@ use dobot_wire::single;
 
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 
 /// Returns the tick count to try; [`TickStroke`] computes the actual one.
 #[expect(
@@ -146,6 +146,7 @@ impl TickTarget {
             if even_mm_s > stored_mm_s + change {
                 continue;
             }
+            // Rounding in the controller may shift the count, so neighbouring counts are tried too.
             let about = self.slowing(ticks, change);
             for down in (about - 2).max(0)..=(about + 2).min(ticks) {
                 let downs = f32::from(down);
@@ -206,6 +207,7 @@ impl TickTarget {
         } else {
             end_mm_s.min(slow_mm_s).max(LEAST_END_MM_S)
         };
+        // Such a vector could not end above the least end speed.
         if slow_mm_s < LEAST_END_MM_S {
             return;
         }
@@ -224,6 +226,8 @@ impl TickTarget {
         let possible_mm_s = self.possible_ends_mm_s(end_mm_s, max_mm_s, &tick_stroke);
         let apart_mm_s = |mm_s: &f32| (mm_s - tick_stroke.end_mm_s).abs();
         let unsure_mm_s = possible_mm_s.iter().flatten().map(apart_mm_s);
+        // An unknown initial speed carries over to all later vectors, so certainty is worth many
+        // ticks.
         let unsure = UNSURE * f64::from(unsure_mm_s.fold(0.0, f32::max) / tick_stroke.change_mm_s);
         let cost = self.cost(stored_mm_s, &tick_stroke) + self.slow_burn_cost(slow_mm_s) + unsure;
         let fit = TickFit {

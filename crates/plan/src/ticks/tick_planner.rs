@@ -7,7 +7,7 @@ use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::TickPositions;
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_chain::{Breadth, LastPositions, TickChain};
 use crate::ticks::tick_fit::TickFit;
 use crate::ticks::ticker::Ticker;
@@ -25,6 +25,7 @@ impl Planner<'_> {
         let mut plan = TickPlan::new(begin, ticker, moves, &self.chain, travel_mm_s);
         let attempt = match self.objective {
             Objective::Fast => {
+                // A greedy attempt is often good enough and far cheaper than a search.
                 let attempt = self.attempt(&plan, Breadth::ONE);
                 if attempt.is_good() {
                     attempt
@@ -52,12 +53,14 @@ impl Planner<'_> {
         let mut best = attempt.clone();
         let (mut splits, mut in_vain) = (0, 0);
         for _ in 0..MOST_ROUNDS {
+            // Neither more rounds nor splits would help further.
             if !attempt.is_sharp() || in_vain == MOST_IN_VAIN {
                 break;
             }
             let is_split =
                 in_vain >= PATIENCE && splits < MAX_SPLITS && self.split(plan, &mut best);
             if is_split {
+                // Continue from the best attempt, whose vectors were just split.
                 attempt = best.clone();
                 splits += 1;
             } else {
@@ -90,6 +93,7 @@ impl Planner<'_> {
             .filter(|&i| attempt.fits[i].ticks() >= SPLIT_TICKS)
             .collect();
         split.dedup();
+        // From the end, so that earlier indices remain valid.
         for &i in split.iter().rev() {
             let second_mm = self.brakes_mm(attempt.speeds[i].peak_mm_s);
             let second_mm = second_mm.min(0.5 * self.chain[i].length_mm);
@@ -191,6 +195,8 @@ impl Planner<'_> {
         let step_mm_s = f64::from(plan.ticker.step_mm_s());
         let shares = attempt.shares.iter().enumerate();
         for (i, share) in shares.filter(|share| *share.1 < 1.0) {
+            // Lowering the target alone may round to the same ticks; a higher weight forces a
+            // change.
             plan.over[i] = (2.0 * plan.over[i]).min(MOST_OVER);
             let slower_mm_s = attempt.speeds[i].end_mm_s * share;
             let stops = plan.over[i] == MOST_OVER && slower_mm_s < step_mm_s;

@@ -7,7 +7,7 @@ use crate::path::commands::write;
 use crate::speed::link::Credit;
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
-use crate::ticks::tick::TICK_S;
+use crate::ticks::TICK_S;
 use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickPreference, TickTarget};
 use crate::{ArmLimits, MoveKind, PlannedVector};
 
@@ -121,6 +121,7 @@ impl Ticker {
         };
         let target = self.target(length_mm, speeds, factor(vector), wish);
         let fit = target.fits(stored_mm_s)[0];
+        // `take` updates timing and credit; the stored speed follows when the vector is executed.
         self.take(&speeds, &fit);
         self.stored_mm_s = stored_mm_s;
         vector.start_speed_mm_s = stored_mm_s.clamp(0.0, fit.max_mm_s);
@@ -257,6 +258,7 @@ impl Ticker {
     pub(crate) fn take(&mut self, speeds: &Speeds, fit: &TickFit) {
         let ticks = speeds.duration_s / f64::from(TICK_S);
         let took = f64::from(fit.tick_stroke.ticks());
+        // Bounded, so that one odd vector does not distort many others.
         self.early = (self.early + ticks - took).clamp(-MOST_EARLY, MOST_EARLY);
         self.credit.take(fit.duration_s());
         self.stored_mm_s = fit.tick_stroke.end_mm_s;

@@ -44,6 +44,7 @@ impl<'a> Row<'a> {
     pub(super) fn new(nodes: &'a Nodes, tour: &[u32]) -> Self {
         let begins = begins(nodes, tour);
         let count = begins.len();
+        // A power of two keeps the positions of children simple; the padding costs nothing.
         let leaves = count.next_power_of_two();
         let mut parts = vec![NONE; 2 * leaves];
         parts[leaves] = START;
@@ -218,6 +219,8 @@ impl<'a> Row<'a> {
                 &self.gaps[place]
             }
         };
+        // Combine O(log n) nodes of the tree from both ends; their order matters, because costs
+        // through parts do not commute.
         while from < to {
             if from % 2 == 1 {
                 left = through(&left, gap(left_to), &self.parts[from]);
@@ -247,6 +250,7 @@ impl<'a> Row<'a> {
                 self.places[node as usize] = u32::try_from(place).expect("fewer than the nodes");
             }
         }
+        // The gap before the first changed stroke changes too.
         self.rebuild(from.max(1) - 1, to);
         self.price();
     }
@@ -280,6 +284,7 @@ impl<'a> Row<'a> {
             costs = found.map(|found| found.0);
             self.before[place] = found.map(|found| found.1);
         }
+        // Walk back through the recorded choices to recover the directions.
         let mut turned = usize::from(costs[1] < costs[0]);
         self.cost = costs[turned];
         for place in (1..self.len()).rev() {

@@ -60,12 +60,15 @@ impl<'a> LocalSearch<'a> {
         let (mut gain, mut most) = (0.0, 0.0);
         let mut best = self.tour.order().to_vec();
         for kick in 0_u64.. {
+            // Count written places rather than time, so that a seed gives the same order
+            // everywhere.
             let done = kick * KICK_WRITES + (self.tour.written() - begin);
             if done >= work || self.cancel.is_cancelled() {
                 break;
             }
             #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
             let left = 1.0 - done as f64 / work as f64;
+            // Cool down quadratically: accept losses early and refine at the end.
             gain += self.kick(WARMTH * mean * left * left, random);
             if gain > most + EPSILON {
                 most = gain;
@@ -92,6 +95,8 @@ impl<'a> LocalSearch<'a> {
             // A zero cost cannot be improved.
             return 0.0;
         }
+        // A double bridge cannot be undone by one exchange of three edges, so settling does not
+        // simply revert it.
         let [[a0, b0], [a1, b1], [a2, b2], [a3, b3]] = ends;
         for [a, b] in [[a0, b2], [a3, b1], [a2, b0], [a1, b3]] {
             gain -= self.nodes.cost(a, b);
@@ -101,6 +106,8 @@ impl<'a> LocalSearch<'a> {
             self.touch(end);
         }
         gain += self.settle();
+        // The Metropolis criterion: a loss is accepted with probability exp(gain / warmth).
+        // `chance` is above 0, so that its logarithm is finite.
         let chance = f64::from(random.below(CHANCES) + 1) / f64::from(CHANCES);
         if gain < warmth * chance.ln() - EPSILON {
             self.tour.take_back();
@@ -137,6 +144,7 @@ impl<'a> LocalSearch<'a> {
             }
             let before = self.tour.previous(node);
             let after = self.tour.next(node);
+            // Cut on the side of the node that is travel, because strokes must not be cut.
             let is_behind = self.nodes.is_stroke(node, after)
                 || !self.nodes.is_stroke(node, before) && random.below(2) == 0;
             *place = self.tour.place(if is_behind { before } else { node });
@@ -155,6 +163,7 @@ impl<'a> LocalSearch<'a> {
                 .nodes
                 .is_stroke(self.tour.at(*place), self.after(*place))
             {
+                // The edge is a stroke and must stay; the next one is travel.
                 *place = if *place + 1 == size { 0 } else { *place + 1 };
             }
         }
@@ -176,6 +185,7 @@ impl<'a> LocalSearch<'a> {
         let mut gain = 0.0;
         while let Some(node) = self.queue.pop_front() {
             self.queued[node as usize] = false;
+            // Keep emptying the queue, so that no node stays marked as queued.
             if self.cancel.is_cancelled() {
                 continue;
             }
@@ -236,9 +246,12 @@ impl<'a> LocalSearch<'a> {
         let around = [self.tour.next(from), self.tour.previous(from)];
         for &Near { node: to, cost } in self.nodes.near(from) {
             let left = open - cost;
+            // Neighbours are sorted by cost, so no later one can leave a gain either.
             if left <= EPSILON {
                 break;
             }
+            // An edge of the tour cannot be added, and a node listed as its own neighbour is a
+            // filler.
             if around.contains(&to) || to == from {
                 continue;
             }
@@ -255,6 +268,7 @@ impl<'a> LocalSearch<'a> {
                 } else {
                     slot = most - 1;
                 }
+                // Insertion sort: there are at most five steps.
                 while slot > 0 && steps[slot - 1].open < open {
                     steps[slot] = steps[slot - 1];
                     slot -= 1;

@@ -104,6 +104,8 @@ impl Tour {
             cuts,
             pieces,
         };
+        // If a piece was not passed, the exchange would split the tour; a very long exchange would
+        // take too much time.
         (passed == count && self.writes(&exchange) <= self.reach).then_some(exchange)
     }
 
@@ -154,6 +156,8 @@ impl Tour {
 
     pub(super) fn apply(&mut self, exchange: &Exchange) {
         let count = exchange.count;
+        // Rewrite all but the longest piece. If that one would be reversed, reverse all others
+        // instead: the tour is closed, so its direction does not matter.
         let (longest, kept) = self.longest(exchange);
         let size = self.order.len();
         let begin = (self.piece(exchange, longest).0 + kept) % size;

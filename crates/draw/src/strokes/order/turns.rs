@@ -55,6 +55,7 @@ impl<'a> Turns<'a> {
             };
             self.kick(places, random);
             self.settle();
+            // Only improvements are kept here; accepting losses is left to the exchanges of edges.
             if self.row.cost() < best.cost() - EPSILON {
                 best.restore(&self.row);
             } else {
@@ -109,6 +110,7 @@ impl<'a> Turns<'a> {
             return None;
         }
         let mut first = any(random);
+        // Prefer long travel, where a change can gain the most, but do not search for it forever.
         for _ in 0..MOST_LOOKED_AT {
             if self.is_long(first) {
                 break;

@@ -61,6 +61,7 @@ pub(super) fn seemingly_fastest(
 ) -> Vec<Corner> {
     let most_mm = corridor.radii[0];
     let few = Attempt::of(fewest, &corridor, estimator);
+    // On straight lines more vectors only add packets.
     if !few.is_curved(&corridor, most_mm / NARROWEST) {
         return few.path;
     }
@@ -76,6 +77,7 @@ pub(super) fn seemingly_fastest(
             None => few,
         },
     };
+    // The attempts above narrowed the corridor; the timed paths may use all of it.
     corridor.radii.fill(most_mm);
     let [as_the_arm, as_the_link] = gentler(estimator);
     let (sides, arm_seems, best_seems) = if estimator.has_ticks() {
@@ -92,6 +94,7 @@ pub(super) fn seemingly_fastest(
     let arm = Course::along(&smoothest.path, 0.0, as_the_arm[0], estimator);
     let timed = [(link, 1.0), (arm, arm_seems)].map(|(course, seems)| {
         let TimedPath { path, time_s } = course.timed(&corridor, sides, estimator)?;
+        // With ticks, the time in the graph is the better estimate, because it counts whole ticks.
         if estimator.has_ticks() {
             return Some((time_s, path));
         }
@@ -130,6 +133,7 @@ impl Found {
             plain: Vec::new(),
             is_curved: false,
         };
+        // A smaller tolerance only adds vectors, so stop once the initial path is clearly slower.
         while here.time_s <= found.best.time_s * WORTH_MORE {
             found.smoothest = found.smoothest.or_smoother(here.clone());
             let curved = here.is_curved(corridor, most_mm / NARROWEST);
@@ -142,6 +146,7 @@ impl Found {
             }
             found.is_curved = true;
             found.best = narrowed(corridor, most_mm, estimator, &ROUNDS, (here, found.best));
+            // Start again with half of it: a larger tolerance must not give a slower path.
             most_mm *= 0.5;
             if most_mm < NARROWEST * MIN_VECTOR_MM {
                 break;
@@ -183,6 +188,8 @@ impl Found {
             .chain(smoother)
             .filter_map(timed)
             .collect();
+        // Closer to the stroke the curve is rounder, which may be faster where the arm is the
+        // limit.
         corridor.radii.fill(0.5 * most_mm);
         let nearer = self.as_the_arm(as_the_arm[0], estimator);
         ways.extend(nearer.timed(corridor, &SIDES, estimator));

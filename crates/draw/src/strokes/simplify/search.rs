@@ -84,14 +84,18 @@ impl<'a> Search<'a> {
             layer.sort_by_key(|corner| corner.passed);
             let lean = LEAN_WORK + WORK_PER_POINT * layer[layer.len() - 1].passed;
             for &corner in layer.iter().rev() {
+                // Never stop before the next layer has a corner, or the path could not be
+                // continued.
                 let enough = self.work > lean && !self.next.is_empty();
                 if enough && (self.work > lean + EXACT_WORK || self.is_useless(corner.passed)) {
                     break;
                 }
+                // The guarantee concerns the stroke's own points only.
                 if enough && corner.at != self.corridor.points[corner.passed] {
                     continue;
                 }
                 self.done.push(corner);
+                // Breadth-first: the first path that reaches the end has the fewest vectors.
                 if self.go_on(corner) {
                     return Some(self.path());
                 }
@@ -145,6 +149,7 @@ impl<'a> Search<'a> {
         let [left, right] = corridor.beside(i);
         let is_tedious = visibility.is_tedious(i);
         let mut look = |bit: u16, at: Point| {
+            // A corner reached by an earlier layer, or this one, needs no second path.
             if self.reached[i] & bit == 0 && visibility.reaches(at, i) {
                 self.note(at, i, bit);
             }

@@ -43,6 +43,7 @@ pub(super) fn smooth(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
         for i in 1..last {
             let wanted = bent_evenly(&at, i);
             let off = wanted - given[i];
+            // Limit the displacement, so that the vectors in between still have some tolerance.
             let most_mm = SHARE * corridor.radii[nodes[i]];
             at[i] = given[i] + off * (most_mm / off.length().max(most_mm));
         }

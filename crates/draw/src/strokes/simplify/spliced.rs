@@ -196,6 +196,8 @@ impl Paths<'_> {
             before: None,
         };
         let mut labels: Vec<Label> = nodes.iter().map(begin).collect();
+        // All edges lead forward along the stroke, so the label of a node is final when it is
+        // expanded.
         for (here, node) in nodes.iter().enumerate() {
             let time_s = labels[here].time_s;
             let mut note = |there: usize, took_s: f64| {
@@ -258,10 +260,12 @@ impl Paths<'_> {
         let [own, other] = [from, to].map(|node| &self.all[node.path]);
         let (begin_s, end_s) = (own.times_s[from.corner], other.times_s[to.corner]);
         let beside_s = other.time_s(from.gone_mm);
+        // Both paths cover this part of the stroke; use the mean of their durations.
         let took_s = 0.5 * (end_s - beside_s + own.time_s(to.gone_mm) - begin_s);
         let took_s = took_s.max(self.estimator.link.period_s);
         let a = self.estimator.cornering.acceleration_mm_s2;
         let (has, wanted) = (own.speed_mm_s(begin_s), other.speed_mm_s(beside_s));
+        // Changing from the speed of one path to that of the other takes time too.
         let unlike_s = (has - wanted).powi(2) / (2.0 * a * has.max(wanted).max(1.0));
         let [from_at, to_at] = [from, to].map(|node| self.corner(node).at);
         let at = |t_s: f64| {

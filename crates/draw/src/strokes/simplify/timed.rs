@@ -1,7 +1,7 @@
 //! A path whose vectors take whole ticks of the fastest motion.
 //!
 //! At each tick of that motion, there are places for corners at the tool position, on the stroke
-//! and to both sides of it. CornerPlaces that one vector joins are connected by an edge, which takes as
+//! and to both sides of it. Places that one vector joins are connected by an edge, which takes as
 //! many ticks as the motion between them, and at least as many as the link needs for the next
 //! vector. Excess acceleration at the corner at its start counts as additional time. The result is
 //! the shortest path in this graph.
@@ -91,6 +91,7 @@ impl<'a> Course<'a> {
     ) -> Option<TimedPath> {
         let places = CornerPlaces::of(self, corridor, sides).all;
         let rates = Rates::of(estimator);
+        // Pruning late places is fast, but may cut off the only path; then search without it.
         let quickly = labels(corridor, &places, &rates, MOST_LATE_S);
         let reached = |labels: &[Label]| labels[labels.len() - 1].time_s.is_finite();
         let labels = if reached(&quickly) {
@@ -320,6 +321,8 @@ impl Label {
                 way * speed
             }
         };
+        // The arm reports positions a window apart; the difference of two displacements is what it
+        // measures as acceleration.
         let seen = (part(from.after_mm) - self.came).length() / rates.seen_mm;
         let beyond = (seen - SEEN_SHARE).max(0.0);
         Self {
@@ -369,7 +372,7 @@ fn whole_ticks_s(duration_s: f64) -> f64 {
     TICK_S * if below < ticks { below + 1.0 } else { below }
 }
 
-/// Computes the fastest way to reach each place. CornerPlaces that are much later than the best of the
+/// Computes the fastest way to reach each place. Places that are much later than the best of the
 /// last steps are not expanded.
 fn labels(
     corridor: &Corridor<'_>,
@@ -450,10 +453,13 @@ fn go_to(
         }
         while passed < to.passed {
             passed += 1;
+            // No direction is left, so no farther place is visible either.
             if !visibility.pass(passed) {
                 return reaches_any;
             }
         }
+        // A lower bound without the corner's penalty: the costly visibility test is needed only if
+        // it helps.
         let soonest_s = labels[here].time_s + rates.took_s(&from, to);
         if soonest_s < labels[there].time_s || !reaches_any {
             if !visibility.reaches(to.at, to.passed) {
@@ -485,7 +491,7 @@ fn path(places: &[CornerPlace], labels: &[Label]) -> Vec<Corner> {
     path
 }
 
-/// CornerPlaces reached later than the best of this many steps by [`MOST_LATE_S`] are not expanded.
+/// Places reached later than the best of this many steps by [`MOST_LATE_S`] are not expanded.
 const STEPS_BACK: usize = 7;
 const MOST_LATE_S: f64 = 2.0 * TICK_S;
 /// The maximum number of steps that a vector spans.

@@ -61,10 +61,13 @@ impl<'a> Visibility<'a> {
         } else if self.reach2 > 0.0 {
             self.wavering = true;
             let reach = (self.reach2 + self.reach_radius * self.reach_radius).sqrt();
+            // The stroke came back so far that this disc is entirely before the farthest one, so no
+            // vector hits them in order.
             if distance2.sqrt() + radius + self.reach_radius < reach {
                 return false;
             }
         }
+        // The stroke keeps wavering; checking ever more points would take quadratic time.
         if self.misses > LOOK_PAST {
             return false;
         }
