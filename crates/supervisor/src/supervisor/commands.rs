@@ -68,7 +68,7 @@ impl Commands {
 /// Returns whether the start of a motion is known: after a jog, or a motion that ended elsewhere,
 /// only once the arm was seen at rest.
 fn knows_start(arm: &Arm) -> bool {
-    arm.session().model().is_none_or(Model::knows_start)
+    arm.session().model().is_none_or(Model::knows_place)
 }
 
 /// Translates a command for this arm: a voice order to a stock arm, which has no voice recognition
