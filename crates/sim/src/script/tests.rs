@@ -81,11 +81,11 @@ fn a_line_that_is_none_is_told_with_what_is_allowed() {
         &["begins with `jump`", "`credit`, `raw`, `voice`"],
     );
     says("!stop 3", &["`!stop`", "`!end MS`"]);
-    says("!end", &["ends where a time"]);
+    says("!end", &["ends before a time"]);
     says("!end soon", &["`soon`", "0 to 86400000"]);
     says("!end -1", &["`-1`"]);
     says("!end 5 6", &["`6`", "nothing more"]);
-    says("!pose 45", &["ends where a tilt sensor's angle"]);
+    says("!pose 45", &["ends before a tilt sensor's angle"]);
     says("!pose 45 nan", &["`nan`", "-180 to 180"]);
     says("!pose 181 0", &["`181`"]);
     says("!port usb3", &["`usb3`", "`usb` and `bt`"]);
@@ -98,7 +98,7 @@ fn times_that_cannot_be_are_refused() {
         assert!(text.contains(time), "{text}");
     }
     says("raw -1 00", &["`-1`", "`credit`"]);
-    says("voice", &["ends where a time"]);
+    says("voice", &["ends before a time"]);
 }
 
 #[test]
@@ -122,13 +122,13 @@ fn bytes_are_hex_floats_and_repeats() {
             &["word 2", word, "two hex digits"],
         );
     }
-    says("raw 5", &["ends where a byte"]);
+    says("raw 5", &["ends before a byte"]);
     says("raw 5 40000*00 40000*00", &["word 2"]);
 }
 
 #[test]
 fn a_text_is_up_to_40_printable_bytes() {
-    says("voice 5", &["ends where a text"]);
+    says("voice 5", &["ends before a text"]);
     says(&format!("voice 5 {}", "x".repeat(41)), &["41"]);
     says("voice 5 à gauche", &["byte 1"]);
     assert_eq!(
@@ -144,7 +144,7 @@ fn a_directive_stands_once_and_time_does_not_go_back() {
     let twice = Script::parse("!end 5\n!end 5").unwrap_err();
     assert_eq!(
         twice.to_string(),
-        "line 2: `!end` stands here for the second time; allowed is once"
+        "line 2: `!end` is repeated; it is allowed once"
     );
     let back = Script::parse("raw 200 00\nraw credit 00\nraw 199.5 00").unwrap_err();
     assert_eq!(back.line, 3);
