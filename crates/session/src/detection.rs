@@ -264,7 +264,10 @@ impl Running {
     /// Whether the step is completed.
     fn progress(&self, now: Duration) -> Result<bool, Trouble> {
         if !self.step.moves {
-            let moved = self.seen.iter().any(|(_, status)| !is_same(status, &self.from));
+            let moved = self
+                .seen
+                .iter()
+                .any(|(_, status)| !is_same(status, &self.from));
             return if moved {
                 Err(Trouble::Moving)
             } else {
@@ -275,7 +278,10 @@ impl Running {
             && self.seen[self.seen.len() - AT_REST..]
                 .windows(2)
                 .all(|pair| is_same(&pair[0].1, &pair[1].1));
-        let begun = self.seen.iter().any(|(_, status)| !is_same(status, &self.from));
+        let begun = self
+            .seen
+            .iter()
+            .any(|(_, status)| !is_same(status, &self.from));
         if !begun && now.saturating_sub(self.sent) > PATIENCE {
             return Err(Trouble::Ignored);
         }
@@ -291,7 +297,9 @@ impl Running {
             return Ok(None);
         }
         let found = position(last);
-        let off_end = trajectories.each_ref().map(|trajectory| end(trajectory).distance(found).0);
+        let off_end = trajectories
+            .each_ref()
+            .map(|trajectory| end(trajectory).distance(found).0);
         let nearest = off_end[0].min(off_end[1]);
         if nearest > END_MM {
             return Err(DetectionError::Elsewhere { off_mm: nearest });
@@ -302,7 +310,9 @@ impl Running {
             let took_s = duration_s(self.sent, &self.seen) - ON_THE_LINE_S;
             let (off, apart, saw) = match question {
                 Question::Modes => (
-                    trajectories.each_ref().map(|trajectory| path_deviation_mm(trajectory, &self.seen)),
+                    trajectories
+                        .each_ref()
+                        .map(|trajectory| path_deviation_mm(trajectory, &self.seen)),
                     path_difference_mm(one, other),
                     0.0,
                 ),
@@ -359,7 +369,9 @@ fn check_room(
         let motion_s = trajectory.motion_s().unwrap_or_default();
         for index in 0..=SAMPLES {
             let t_s = motion_s * f64::from(index) / f64::from(SAMPLES);
-            let place = trajectory.place_at(t_s).map_err(|error| no_room(error.into()))?;
+            let place = trajectory
+                .place_at(t_s)
+                .map_err(|error| no_room(error.into()))?;
             if !allowed(&place.joints) {
                 let Position { x, y, z } = place.pose.position;
                 return Err(DetectionError::NoRoom {
@@ -400,7 +412,12 @@ fn end(trajectory: &Trajectory) -> Position {
 
 /// Describes the measurements of a question.
 fn words(question: Question, measurements: &[&Measurement]) -> String {
-    let most = |dialect: usize| measurements.iter().map(|m| m.off[dialect]).fold(0.0, f64::max);
+    let most = |dialect: usize| {
+        measurements
+            .iter()
+            .map(|m| m.off[dialect])
+            .fold(0.0, f64::max)
+    };
     let saw: Vec<f64> = measurements.iter().map(|m| m.saw).collect();
     match question {
         Question::Modes => format!(

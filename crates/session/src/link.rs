@@ -333,7 +333,9 @@ mod tests {
         link.send(b"abc");
         link.push();
         let mut bytes = [0; 3];
-        far.read_exact(&mut bytes).await.expect("the bytes were sent");
+        far.read_exact(&mut bytes)
+            .await
+            .expect("the bytes were sent");
         assert_eq!(&bytes, b"abc");
     }
 
@@ -356,7 +358,10 @@ mod tests {
 
         fn send(&mut self, bytes: &[u8]) {
             if !bytes.is_empty() {
-                self.received.lock().expect("the lock is not poisoned").push(self.now);
+                self.received
+                    .lock()
+                    .expect("the lock is not poisoned")
+                    .push(self.now);
             }
         }
 

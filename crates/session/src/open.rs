@@ -249,13 +249,22 @@ mod tests {
     fn system_errors_become_errors_with_a_hint() {
         use io::ErrorKind as Kind;
         let converted = |kind: Kind| serial_error("/dev/ttyUSB9", kind.into());
-        assert!(matches!(converted(Kind::NotFound), OpenError::NoSuchPort { .. }));
+        assert!(matches!(
+            converted(Kind::NotFound),
+            OpenError::NoSuchPort { .. }
+        ));
         assert!(matches!(
             converted(Kind::PermissionDenied),
             OpenError::NotAllowed { .. }
         ));
-        assert!(matches!(converted(Kind::ResourceBusy), OpenError::InUse { .. }));
-        assert!(matches!(converted(Kind::TimedOut), OpenError::Serial { .. }));
+        assert!(matches!(
+            converted(Kind::ResourceBusy),
+            OpenError::InUse { .. }
+        ));
+        assert!(matches!(
+            converted(Kind::TimedOut),
+            OpenError::Serial { .. }
+        ));
     }
 
     /// A pseudo-terminal: its master and the name of its slave.

@@ -30,7 +30,7 @@ impl Speed {
         self.0.is_none()
     }
 
-    /// The multiple of real time; infinite for [`Speed::MAX`].
+    /// The multiple of real time; the largest allowed one for [`Speed::MAX`].
     #[must_use]
     pub fn times(self) -> f64 {
         self.0.unwrap_or(FASTEST)
@@ -80,9 +80,7 @@ impl fmt::Display for Speed {
 
 /// The error returned when a text is not a speed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "speed is `{found}`; allowed is 0.1 to 1000 times real time, or max"
-)]
+#[error("speed is `{found}`; allowed is 0.1 to 1000 times real time, or max")]
 pub struct SpeedError {
     /// The whole text.
     pub found: String,

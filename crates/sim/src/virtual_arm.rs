@@ -152,7 +152,9 @@ impl VirtualArm {
     /// The recorded samples.
     #[must_use]
     pub fn samples(&self) -> &[Sample] {
-        self.recorder.as_ref().map_or(&[], |recorder| &recorder.samples)
+        self.recorder
+            .as_ref()
+            .map_or(&[], |recorder| &recorder.samples)
     }
 
     /// The controller, whose time counts from its own first tick ([`VirtualArm::controller_time`]).

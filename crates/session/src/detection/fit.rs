@@ -24,7 +24,9 @@ fn chain(trajectory: &Trajectory) -> Vec<Position> {
 pub(super) fn path_deviation_mm(trajectory: &Trajectory, seen: &[(Duration, Status)]) -> f64 {
     let chain = chain(trajectory);
     let off = |at: Position| {
-        let segments = chain.windows(2).map(|pair| segment_distance_mm(pair[0], pair[1], at));
+        let segments = chain
+            .windows(2)
+            .map(|pair| segment_distance_mm(pair[0], pair[1], at));
         segments.fold(f64::INFINITY, f64::min)
     };
     let offs = seen.iter().map(|(_, status)| off(position(status)));
@@ -35,7 +37,9 @@ pub(super) fn path_deviation_mm(trajectory: &Trajectory, seen: &[(Duration, Stat
 pub(super) fn path_difference_mm(one: &Trajectory, other: &Trajectory) -> f64 {
     let other = chain(other);
     let off = |at: Position| {
-        let segments = other.windows(2).map(|pair| segment_distance_mm(pair[0], pair[1], at));
+        let segments = other
+            .windows(2)
+            .map(|pair| segment_distance_mm(pair[0], pair[1], at));
         segments.fold(f64::INFINITY, f64::min)
     };
     chain(one).into_iter().map(off).fold(0.0, f64::max)
@@ -46,7 +50,8 @@ pub(super) fn duration_s(sent: Duration, seen: &[(Duration, Status)]) -> f64 {
     let Some((_, last)) = seen.last() else {
         return 0.0;
     };
-    let at_end = |(_, status): &&(Duration, Status)| position(status).distance(position(last)).0 < HERE_MM;
+    let at_end =
+        |(_, status): &&(Duration, Status)| position(status).distance(position(last)).0 < HERE_MM;
     // Search backwards: the arm may have passed this point earlier.
     let first = seen.iter().rev().take_while(at_end).last();
     first.map_or(0.0, |(at, _)| at.saturating_sub(sent).as_secs_f64())

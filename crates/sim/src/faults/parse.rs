@@ -66,9 +66,7 @@ pub enum FaultError {
         allowed: &'static str,
     },
     /// The fault must be set before power-up.
-    #[error(
-        "fault `{fault}` must be set when the arm is switched on: `dobot arm --fault {fault}`"
-    )]
+    #[error("fault `{fault}` must be set when the arm is switched on: `dobot arm --fault {fault}`")]
     NotNow {
         /// The whole text.
         fault: String,
@@ -140,7 +138,8 @@ fn bytes(damage: Damage, value: &str) -> Option<FaultKind> {
 
 fn delay(value: &str) -> Option<FaultKind> {
     let (longest, way) = split_way(value)?;
-    let longest = time(longest).filter(|delay| !delay.is_zero() && delay.as_secs() <= LONGEST_DELAY_S)?;
+    let longest =
+        time(longest).filter(|delay| !delay.is_zero() && delay.as_secs() <= LONGEST_DELAY_S)?;
     Some(FaultKind::Delay { longest, way })
 }
 

@@ -164,7 +164,9 @@ pub(crate) fn time(text: &str) -> Option<Duration> {
 
 /// Parses a plain decimal number: no sign, no exponent, no infinity.
 pub(crate) fn unsigned(text: &str) -> Option<f64> {
-    let plain = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
+    let plain = text
+        .bytes()
+        .all(|byte| byte.is_ascii_digit() || byte == b'.');
     text.parse().ok().filter(|it: &f64| plain && it.is_finite())
 }
 

@@ -32,7 +32,7 @@ pub enum ScriptProblem {
     #[error("the line ends before {0}")]
     Missing(&'static str),
     /// There are too many words; this is the first of them.
-    #[error("unexpected `{0}` after the end of the line")]
+    #[error("unexpected `{0}` at the end of the line; nothing more is allowed")]
     TooMuch(String),
     /// A word is not a time.
     #[error("the time is `{0}`; allowed are 0 to {LONGEST_MS} milliseconds, or `credit`")]
@@ -42,7 +42,7 @@ pub enum ScriptProblem {
     End(String),
     /// A line has an earlier time than one above it.
     #[error(
-        "the time is {found_ms} ms; lines are sent in order, and so {latest_ms} ms or later is allowed"
+        "the time is {found_ms} ms, but a line above starts at {latest_ms} ms; lines must be in order"
     )]
     Backwards {
         /// The time in milliseconds.
