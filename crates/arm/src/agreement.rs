@@ -3,9 +3,9 @@
 use crate::kinematics::RAD_PER_DEG;
 use crate::{FOREARM, REAR_ARM, Tool};
 
-/// Whether position, rotation and joint angles of a status tell of the same pose.
+/// Whether position, rotation and joint angles of a status describe the same pose.
 ///
-/// A status carries no checksum, but it says where the tool is twice: as coordinates and as joint
+/// A status carries no checksum, but it reports the tool position twice: as coordinates and as joint
 /// angles (Table 2.3). They agree where the position lies within 0.01 mm of the forward
 /// kinematics with one of the tools, and the rotation within 0.01 degrees of base plus servo. A
 /// number that is not finite never agrees.
@@ -36,8 +36,8 @@ pub fn agrees(position_mm: [f64; 3], rotation_deg: f64, joints_deg: [f64; 4]) ->
         && (fits(Tool::SuctionCup) || fits(Tool::Laser))
 }
 
-fn near(told: f64, calculated: f64) -> bool {
-    (told - calculated).abs() <= TOLERANCE
+fn near(reported: f64, calculated: f64) -> bool {
+    (reported - calculated).abs() <= TOLERANCE
 }
 
 /// Millimetres or degrees; a stock arm's single precision errs by less than 0.0001.

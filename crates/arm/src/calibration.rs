@@ -1,12 +1,12 @@
-//! How one arm differs from the drawing of it, and what follows for its places.
+//! The calibration of an arm: its deviations from the drawing and the resulting positions.
 
 use crate::{
     Degrees, Joints, Millimeters, Plane, Pose, Position, Tool, Unreachable, forward, inverse,
 };
 
-/// What is wrong with one arm: where it really is, compared with where it says it is.
+/// The calibration of an arm: the offset between its true and its reported pose.
 ///
-/// A *told* place is what the arm states and takes, a *true* place is where the tool is. Both belong together as
+/// A *raw* (told) position is what the arm reports and accepts; a *calibrated* (true) position is that of the tool. Both belong together as
 /// long as each joint was turned on last; a joint that was turned back stands further by its backlash.
 ///
 /// ```
@@ -20,13 +20,13 @@ use crate::{
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Calibration {
-    /// How much further the base stands than it says, in degrees.
+    /// The offset of the base from its reported angle, in degrees.
     pub base_deg: f64,
-    /// How much further the rear arm stands than it says, in degrees.
+    /// The offset of the rear arm from its reported angle, in degrees.
     pub rear_deg: f64,
-    /// How much further the forearm stands than it says, in degrees.
+    /// The offset of the forearm from its reported angle, in degrees.
     pub fore_deg: f64,
-    /// How much further out the tool is than the drawing says, in mm.
+    /// The outward offset of the tool from the drawing, in mm.
     pub reach_mm: f64,
     /// How far to the left of the forearm's direction the tool is, in mm.
     pub left_mm: f64,
@@ -40,7 +40,7 @@ pub struct Calibration {
 }
 
 impl Calibration {
-    /// Nothing is wrong: the arm is where it says.
+    /// No deviation: the arm is where it reports.
     pub const NONE: Self = Self {
         base_deg: 0.0,
         rear_deg: 0.0,
@@ -91,7 +91,7 @@ impl Calibration {
         ]
     }
 
-    /// What [`to_numbers`](Self::to_numbers) gave.
+    /// Restores the numbers of [`to_numbers`](Self::to_numbers).
     #[must_use]
     pub const fn from_numbers(numbers: [f64; 10]) -> Self {
         let [
@@ -125,7 +125,7 @@ impl Calibration {
         numbers.into_iter().all(|(a, b)| (a - b).abs() < SAME)
     }
 
-    /// The same arm when it has been told its true joint angles.
+    /// The calibration after the arm was sent its true joint angles.
     #[must_use]
     pub const fn without_zeros(self) -> Self {
         Self {
@@ -136,18 +136,18 @@ impl Calibration {
         }
     }
 
-    /// The true joint angles when the arm says these.
+    /// The calibrated joint angles for raw ones.
     #[must_use]
-    pub fn true_joints(&self, told: &Joints) -> Joints {
+    pub fn true_joints(&self, raw: &Joints) -> Joints {
         Joints {
-            base: told.base + Degrees(self.base_deg),
-            rear: told.rear + Degrees(self.rear_deg),
-            fore: told.fore + Degrees(self.fore_deg),
-            servo: told.servo,
+            base: raw.base + Degrees(self.base_deg),
+            rear: raw.rear + Degrees(self.rear_deg),
+            fore: raw.fore + Degrees(self.fore_deg),
+            servo: raw.servo,
         }
     }
 
-    /// The joint angles that the arm says when these are the true ones.
+    /// The raw joint angles for calibrated ones.
     #[must_use]
     pub fn told_joints_of(&self, joints: &Joints) -> Joints {
         Joints {
@@ -188,20 +188,20 @@ impl Calibration {
         }
     }
 
-    /// Where the tool is when the arm says this place.
+    /// The calibrated position for a raw one.
     ///
     /// # Errors
     ///
-    /// [`Unreachable`] where no joint angles belong to the told place.
-    pub fn true_place(&self, told: Position, tool: Tool) -> Result<Position, Unreachable> {
-        let told = inverse(&at(told), tool)?;
-        Ok(self.true_place_of(&told, tool))
+    /// Returns [`Unreachable`] if no joint angles reach the raw position.
+    pub fn true_place(&self, raw: Position, tool: Tool) -> Result<Position, Unreachable> {
+        let raw = inverse(&at(raw), tool)?;
+        Ok(self.true_place_of(&raw, tool))
     }
 
-    /// Where the tool is when the arm says these joint angles.
+    /// The calibrated position for raw joint angles.
     #[must_use]
-    pub fn true_place_of(&self, told: &Joints, tool: Tool) -> Position {
-        let joints = self.true_joints(told);
+    pub fn true_place_of(&self, raw: &Joints, tool: Tool) -> Position {
+        let joints = self.true_joints(raw);
         let straight_ahead = Joints {
             base: Degrees(0.0),
             ..joints
@@ -217,7 +217,7 @@ impl Calibration {
         )
     }
 
-    /// The place that the arm has to be told for its tool to be at a true one.
+    /// The raw position for a calibrated one.
     ///
     /// # Errors
     ///
@@ -226,7 +226,7 @@ impl Calibration {
         Ok(forward(&self.told_joints(true_place, tool)?, tool).position)
     }
 
-    /// The joint angles that the arm has to be told for its tool to be at a true place.
+    /// The raw joint angles for a calibrated position.
     ///
     /// ```text
     ///   tool *----- left -----+          out = sqrt(distance^2 - left^2)
@@ -268,7 +268,7 @@ impl Calibration {
 
 /// Far less than anybody can measure, in degrees and mm.
 const SAME: f64 = 1e-6;
-/// What turns less than this does not turn.
+/// The smallest rotation that counts as motion.
 const STILL_DEG: f64 = 1e-3;
 
 fn at(position: Position) -> Pose {

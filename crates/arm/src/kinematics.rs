@@ -30,7 +30,7 @@ pub fn forward(joints: &Joints, tool: Tool) -> Pose {
 
 /// The joint angles that bring the tool to this pose, with the elbow up.
 ///
-/// This is geometry only: whether the arm may go there is told by
+/// This is geometry only: whether the arm can go there is checked by
 /// [`Limits::check_at`](crate::Limits::check_at). The base angle lies in -180..=180.
 ///
 /// ```text
@@ -107,7 +107,7 @@ fn why_unreachable(pose: &Pose, distance_mm: f64) -> Unreachable {
 pub(crate) const RAD_PER_DEG: f64 = PI / 180.0;
 pub(crate) const DEG_PER_RAD: f64 = 180.0 / PI;
 
-/// What rounding may add to a value that stands right on a limit.
+/// The tolerance for rounding of a value at a limit.
 pub(crate) const ROUNDING: f64 = 1e-9;
 
 const NEAREST_MM: f64 = FOREARM.0 - REAR_ARM.0 - ROUNDING;

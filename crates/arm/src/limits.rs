@@ -58,7 +58,7 @@ impl Limits {
         self.check_workspace(reach_mm, z_mm)
     }
 
-    /// Like [`check`](Self::check) where it is known already which place the joint angles lead to.
+    /// Like [`check`](Self::check) for a known position of the joint angles.
     ///
     /// The caller answers for `position` being that place.
     ///

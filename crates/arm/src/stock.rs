@@ -76,10 +76,10 @@ pub fn inverse(pose: StockPose, tool_mm: f32) -> StockJoints {
     }
 }
 
-/// Where the stock controller takes itself to be behind a relative way, in mm: X, Y and Z.
+/// The stock controller's estimated position after a relative motion, in mm: X, Y and Z.
 ///
 /// It begins each way from its own rounded pose: a hundredth of a micrometre short each time, always
-/// in the same direction, which is half a millimetre behind 50,000 vectors. Out of reach it is the
+/// in the same direction, which is half a millimetre after 50,000 vectors. Out of reach it is the
 /// sum of both.
 #[must_use]
 #[expect(
@@ -96,7 +96,7 @@ pub fn behind(from_mm: [f64; 3], way_mm: [f32; 3], tool_mm: f32) -> [f64; 3] {
     };
     let found = forward(inverse(wanted, tool_mm), tool_mm);
     let found = [found.x_mm, found.y_mm, found.z_mm];
-    if found.iter().all(|it| it.is_finite()) {
+    if found.iter().all(|mm| mm.is_finite()) {
         found.map(f64::from)
     } else {
         [x_mm, y_mm, z_mm].map(f64::from)
@@ -116,7 +116,7 @@ pub fn reach(pose: StockPose) -> f32 {
     libm::sqrtf(pose.x_mm * pose.x_mm + pose.y_mm * pose.y_mm)
 }
 
-/// What the sensor on an arm tells of its tilt, in degrees: gravity along two axes, each in whole
+/// The tilt reading of the sensor on an arm, in degrees: gravity along two axes, each in whole
 /// parts of 16384.
 #[must_use]
 pub fn sensed(tilt_deg: f64) -> f32 {

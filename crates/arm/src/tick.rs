@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-/// The control tick: so often the controller sets its motors (note N27).
+/// The control tick, the period at which the controller sets its motors (note N27).
 pub const TICK: Duration = Duration::from_millis(20);
 /// The same in seconds.
 pub const TICK_S: f64 = TICK.as_secs_f64();

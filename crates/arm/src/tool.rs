@@ -2,7 +2,7 @@
 
 use crate::Millimeters;
 
-/// What is mounted at the end of the arm.
+/// The tool mounted at the end of the arm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -23,7 +23,7 @@ impl Tool {
     /// All tools.
     pub const ALL: [Self; 4] = [Self::SuctionCup, Self::Gripper, Self::Pen, Self::Laser];
 
-    /// The tools that the protocol knows, each at its [`code`](Self::code) (Table 3.9; state 9, mode 4).
+    /// The tools of the protocol, each at its [`code`](Self::code) (Table 3.9; state 9, mode 4).
     pub const END_EFFECTORS: [Self; 3] = [Self::SuctionCup, Self::Gripper, Self::Laser];
 
     /// The table of the tools.
@@ -74,7 +74,9 @@ impl Tool {
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let names = |tool: Self| [tool.name(), tool.option(), tool.short()];
-        Self::ALL.into_iter().find(|it| names(*it).contains(&name))
+        Self::ALL
+            .into_iter()
+            .find(|tool| names(*tool).contains(&name))
     }
 
     /// Its name in files and in the API, such as `suction_cup`.
@@ -120,7 +122,7 @@ impl Tool {
         self.facts().reach
     }
 
-    /// How far its tip hangs below the wrist where nobody has measured it.
+    /// The default distance of its tip below the wrist.
     #[must_use]
     pub const fn default_length(self) -> Millimeters {
         self.facts().length

@@ -47,7 +47,7 @@ impl Unreachable {
     }
 }
 
-/// What an [`Unreachable`] speaks of.
+/// The quantity in an [`Unreachable`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Quantity {

@@ -10,248 +10,249 @@ use crate::checks::{
 use crate::outcome::Outcome;
 use crate::rig::{CheckError, Rig};
 
-/// Something that is checked.
+/// A check of the suite.
 #[derive(Clone, Copy, Debug)]
 pub struct Check {
-    /// A name to speak of it.
+    /// The name.
     pub id: &'static str,
-    /// What is checked, in plain words.
+    /// The title.
     pub title: &'static str,
-    /// The table of the published protocol or the note of `docs/protocol.md` that says so.
+    /// The source: a table of the published protocol or a note of `docs/protocol.md`.
     pub source: &'static str,
-    /// What has to hold before it says anything, by name.
+    /// The names of the checks that must hold first.
     pub(crate) needs: &'static [&'static str],
     pub(crate) begins: Begins,
-    make: for<'r> fn(&'r mut Rig) -> Judging<'r>,
+    make: for<'r> fn(&'r mut Rig) -> PendingOutcome<'r>,
 }
 
-/// Where a check begins.
+/// The start position of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Begins {
-    /// Where nearly all do.
+    /// The common home position.
     AtHome,
-    /// Where the arm is.
+    /// The current position.
     Anywhere,
-    /// Where the arm is, and once only: it just listens, or a stock arm does not come back from it.
+    /// The current position, without repetition: it only receives, or a stock arm does not recover from
+    /// it.
     Once,
 }
 
-/// A check that is being made.
-struct Judging<'r>(Pin<Box<dyn Future<Output = Result<Outcome, CheckError>> + 'r>>);
+/// A running check.
+struct PendingOutcome<'r>(Pin<Box<dyn Future<Output = Result<Outcome, CheckError>> + 'r>>);
 
 impl Check {
-    /// All checks, in the order in which they are made.
+    /// All checks, in order of execution.
     pub const ALL: &[Self] = &[
-        check("status-form", |rig| judged(link::form(rig)))
-            .says("statuses are whole packets of ten floats")
+        check("status-form", |rig| pending(link::form(rig)))
+            .title("statuses are whole packets of ten floats")
             .by("Table 2.3")
             .needs(&[])
             .begins(Begins::Once),
-        check("status-period", |rig| told(link::period(rig)))
-            .says("a status comes every 80 ms")
+        check("status-period", |rig| ready_outcome(link::period(rig)))
+            .title("a status is sent every 80 ms")
             .by("N20, N27")
             .needs(&[])
             .begins(Begins::Once),
-        check("status-pose", |rig| told(link::pose(rig)))
-            .says("position and angles of a status agree")
+        check("status-pose", |rig| ready_outcome(link::pose(rig)))
+            .title("position and angles of a status agree")
             .by("N22")
             .needs(&[])
             .begins(Begins::Once),
-        check("status-start", |rig| told(link::start(rig)))
-            .says("the arm stands still, within its limits")
+        check("status-start", |rig| ready_outcome(link::start(rig)))
+            .title("the arm is at rest, within its limits")
             .by("N28, N30")
             .needs(&[])
             .begins(Begins::Once),
-        check("line-delay", |rig| judged(delay::measure(rig)))
-            .says("the line is fast enough: how long it takes there and back")
+        check("line-delay", |rig| pending(delay::measure(rig)))
+            .title("the line is fast enough: round-trip time")
             .by("N20, N41")
             .needs(&["status-form", "status-pose", "status-start"])
             .begins(Begins::Once),
-        check("move-point", |rig| judged(moves::lift(rig)))
-            .says("goes to a point: 10 mm up (state 3)")
+        check("move-point", |rig| pending(moves::lift(rig)))
+            .title("moves to a point: 10 mm up (state 3)")
             .by("Table 3.7")
             .needs(&["line-delay"])
             .begins(Begins::Anywhere),
-        check("set-tool", |rig| judged(settings::tool(rig)))
-            .says("takes an end effector (9/4)")
+        check("set-tool", |rig| pending(settings::tool(rig)))
+            .title("accepts an end effector (9/4)")
             .by("Table 3.9, N32"),
-        check("frame-noise", |rig| judged(framing::noise(rig)))
-            .says("skips noise before a packet")
+        check("frame-noise", |rig| pending(framing::noise(rig)))
+            .title("skips noise before a packet")
             .by("N24")
             .needs(TOOL_SHOWS),
-        check("frame-tail", |rig| judged(framing::tail(rig)))
-            .says("does not obey a packet with a wrong tail")
+        check("frame-tail", |rig| pending(framing::tail(rig)))
+            .title("ignores a packet with a wrong tail")
             .by("Table 2.1")
             .needs(TOOL_SHOWS),
-        check("frame-pieces", |rig| judged(framing::pieces(rig)))
-            .says("takes a packet that comes in two pieces")
+        check("frame-pieces", |rig| pending(framing::pieces(rig)))
+            .title("accepts a packet in two pieces")
             .by("Table 2.1")
             .needs(TOOL_SHOWS),
-        check("frame-truncated", |rig| judged(framing::truncated(rig)))
-            .says("finds its place again after half a packet")
+        check("frame-truncated", |rig| pending(framing::truncated(rig)))
+            .title("resynchronises after half a packet")
             .by("N24")
             .needs(TOOL_SHOWS),
-        check("frame-pair", |rig| judged(framing::pair(rig)))
-            .says("takes two packets without a gap")
+        check("frame-pair", |rig| pending(framing::pair(rig)))
+            .title("accepts two packets without a gap")
             .by("N26")
             .needs(TOOL_SHOWS),
-        check("move-modes", |rig| judged(moves::modes(rig)))
-            .says("MovingMode 1 and 2: one straight, one by joints")
+        check("move-modes", |rig| pending(moves::modes(rig)))
+            .title("MovingMode 1 and 2: one straight, one by joints")
             .by("Table 3.7, N2"),
-        check("move-jump", |rig| judged(jump::lifts(rig)))
-            .says("MovingMode 0: up, across, down")
+        check("move-jump", |rig| pending(jump::lifts(rig)))
+            .title("MovingMode 0: up, across, down")
             .by("Table 3.7, N11"),
-        check("jump-across", |rig| judged(jump::across(rig)))
-            .says("MovingMode 0 between unequal heights: how it goes across")
+        check("jump-across", |rig| pending(jump::across(rig)))
+            .title("MovingMode 0 between different heights: traverse")
             .by("N11, N45")
             .needs(&["move-point", "move-jump"]),
-        check("move-joints", |rig| judged(moves::joints(rig)))
-            .says("goes to joint angles (state 6)")
+        check("move-joints", |rig| pending(moves::joints(rig)))
+            .title("moves to joint angles (state 6)")
             .by("Table 3.7, N19"),
-        check("move-ticks", |rig| judged(ticks::whole(rig)))
-            .says("a move of whole ticks: when the next one begins")
+        check("move-ticks", |rig| pending(ticks::whole(rig)))
+            .title("a move of whole ticks: start of the next move")
             .by("N29, N45"),
-        check("move-pause", |rig| judged(moves::pause(rig)))
-            .says("waits after a move as long as commanded")
+        check("move-pause", |rig| pending(moves::pause(rig)))
+            .title("pauses after a move for the given time")
             .by("Table 3.7, N10"),
-        check("default-pause", |rig| judged(moves::default_pause(rig)))
-            .says("the default pause of 9/1")
+        check("default-pause", |rig| pending(moves::default_pause(rig)))
+            .title("the default pause of 9/1")
             .by("Table 3.9, N10"),
-        check("move-tool", |rig| judged(moves::tool(rig)))
-            .says("sets pump and gripper after a move")
+        check("move-tool", |rig| pending(moves::tool(rig)))
+            .title("sets pump and gripper after a move")
             .by("Table 3.7, N21"),
-        check("flow-silence", |rig| judged(flow::silence(rig)))
-            .says("no status while four commands wait")
+        check("flow-silence", |rig| pending(flow::silence(rig)))
+            .title("no status while four commands wait")
             .by("N20"),
-        check("flow-again", |rig| told(flow::again(rig)))
-            .says("statuses again when three wait")
+        check("flow-again", |rig| ready_outcome(flow::again(rig)))
+            .title("statuses resume when three wait")
             .by("N20")
             .begins(Begins::Anywhere),
-        check("flow-six", |rig| told(flow::six(rig)))
-            .says("six commands wait, a seventh does not")
+        check("flow-six", |rig| ready_outcome(flow::six(rig)))
+            .title("six commands wait, a seventh does not")
             .by("N20")
             .begins(Begins::Anywhere),
-        check("flow-order", |rig| told(flow::order(rig)))
-            .says("what waits is done in order")
+        check("flow-order", |rig| ready_outcome(flow::order(rig)))
+            .title("waiting commands are executed in order")
             .by("N20")
             .begins(Begins::Anywhere),
-        check("jog-release", |rig| judged(jog::release(rig)))
-            .says("a released button stops the jog")
+        check("jog-release", |rig| pending(jog::release(rig)))
+            .title("a released button stops the jog")
             .by("Table 2.5, N13"),
-        check("jog-base", |rig| judged(jog::axis(rig, jog::BASE)))
-            .says("joint jog 1, 2: base (state 2)")
+        check("jog-base", |rig| pending(jog::axis(rig, jog::BASE)))
+            .title("joint jog 1, 2: base (state 2)")
             .by("Table 2.5")
             .needs(JOG_STOPS),
-        check("jog-rear", |rig| judged(jog::axis(rig, jog::REAR)))
-            .says("joint jog 3, 4: rear arm")
+        check("jog-rear", |rig| pending(jog::axis(rig, jog::REAR)))
+            .title("joint jog 3, 4: rear arm")
             .by("Table 2.5")
             .needs(JOG_STOPS),
-        check("jog-fore", |rig| judged(jog::axis(rig, jog::FORE)))
-            .says("joint jog 5, 6: forearm")
+        check("jog-fore", |rig| pending(jog::axis(rig, jog::FORE)))
+            .title("joint jog 5, 6: forearm")
             .by("Table 2.5")
             .needs(JOG_STOPS),
-        check("jog-servo", |rig| judged(jog::axis(rig, jog::SERVO)))
-            .says("joint jog 7, 8: servo")
+        check("jog-servo", |rig| pending(jog::axis(rig, jog::SERVO)))
+            .title("joint jog 7, 8: servo")
             .by("Table 2.5")
             .needs(JOG_STOPS),
-        check("jog-gripper", |rig| judged(jog::axis(rig, jog::GRIPPER)))
-            .says("joint jog 11, 12: gripper")
+        check("jog-gripper", |rig| pending(jog::axis(rig, jog::GRIPPER)))
+            .title("joint jog 11, 12: gripper")
             .by("Table 2.5")
             .needs(JOG_STOPS),
-        check("jog-pump", |rig| judged(jog::pump(rig)))
-            .says("joint jog 9, 10: pump")
+        check("jog-pump", |rig| pending(jog::pump(rig)))
+            .title("joint jog 9, 10: pump")
             .by("Table 2.5, N21"),
-        check("line-x", |rig| judged(jog::axis(rig, jog::X)))
-            .says("linear jog 1, 2: X (state 7)")
+        check("line-x", |rig| pending(jog::axis(rig, jog::X)))
+            .title("linear jog 1, 2: X (state 7)")
             .by("Table 2.5")
             .needs(JOG_STOPS),
-        check("line-y", |rig| judged(jog::axis(rig, jog::Y)))
-            .says("linear jog 3, 4: Y")
+        check("line-y", |rig| pending(jog::axis(rig, jog::Y)))
+            .title("linear jog 3, 4: Y")
             .by("Table 2.5")
             .needs(JOG_STOPS),
-        check("line-z", |rig| judged(jog::axis(rig, jog::Z)))
-            .says("linear jog 5, 6: Z")
+        check("line-z", |rig| pending(jog::axis(rig, jog::Z)))
+            .title("linear jog 5, 6: Z")
             .by("Table 2.5")
             .needs(JOG_STOPS),
-        check("line-servo", |rig| judged(jog::axis(rig, jog::LINE_SERVO)))
-            .says("linear jog 7, 8: servo")
+        check("line-servo", |rig| pending(jog::axis(rig, jog::LINE_SERVO)))
+            .title("linear jog 7, 8: servo")
             .by("N14")
             .needs(JOG_STOPS),
         check("line-gripper", |rig| {
-            judged(jog::axis(rig, jog::LINE_GRIPPER))
+            pending(jog::axis(rig, jog::LINE_GRIPPER))
         })
-        .says("linear jog 11, 12: gripper")
+        .title("linear jog 11, 12: gripper")
         .by("N14")
         .needs(JOG_STOPS),
-        check("release-kind", |rig| judged(release::other_kind(rig)))
-            .says("a release of the other kind of jog")
+        check("release-kind", |rig| pending(release::other_kind(rig)))
+            .title("a release of the other kind of jog")
             .by("N13, N44")
             .needs(&["move-point", "jog-fore", "line-z"]),
         check("release-settings", |rig| {
-            judged(release::other_settings(rig))
+            pending(release::other_settings(rig))
         })
-        .says("another acceleration (9/0) between press and release")
+        .title("another acceleration (9/0) between press and release")
         .by("N13, N44")
         .needs(&["move-point", "jog-servo"]),
-        check("write-vector", |rig| judged(write::vector(rig)))
-            .says("a write vector: which way is X (state 4)")
+        check("write-vector", |rig| pending(write::vector(rig)))
+            .title("a write vector: direction of X (state 4)")
             .by("Table 2.6, N4"),
-        check("write-speed", |rig| judged(write::start_speed(rig)))
-            .says("the start speed of a write vector")
+        check("write-speed", |rig| pending(write::start_speed(rig)))
+            .title("the start speed of a write vector")
             .by("Table 2.6, N5"),
-        check("write-stop", |rig| judged(write::stop(rig)))
-            .says("a write vector with float 6 of 1 moves nothing")
+        check("write-stop", |rig| pending(write::stop(rig)))
+            .title("a write vector with float 6 of 1 does not move")
             .by("N7"),
-        check("set-jog", |rig| judged(settings::jog(rig)))
-            .says("teach configuration (9/0) and StarVel")
+        check("set-jog", |rig| pending(settings::jog(rig)))
+            .title("teach configuration (9/0) and StarVel")
             .by("Tables 3.5 and 3.9")
             .needs(JOG_STOPS),
-        check("set-moves", |rig| judged(settings::moves(rig)))
-            .says("playback configuration (9/1)")
+        check("set-moves", |rig| pending(settings::moves(rig)))
+            .title("playback configuration (9/1)")
             .by("Table 3.9"),
-        check("set-writing", |rig| judged(settings::writing(rig)))
-            .says("acceleration of writing (9/2)")
+        check("set-writing", |rig| pending(settings::writing(rig)))
+            .title("acceleration of writing (9/2)")
             .by("Table 3.9"),
-        check("set-angles", |rig| judged(settings::angles(rig)))
-            .says("initial angles (9/3), without motion")
+        check("set-angles", |rig| pending(settings::angles(rig)))
+            .title("initial angles (9/3), without motion")
             .by("Table 3.9, N8"),
-        check("percent", |rig| judged(settings::percentages(rig)))
-            .says("state 10: which percentage comes first")
+        check("percent", |rig| pending(settings::percentages(rig)))
+            .title("state 10: order of the percentages")
             .by("Table 3.9, N3"),
-        check("gesture", |rig| judged(hand::gesture(rig)))
-            .says("a hand position (state 8)")
+        check("gesture", |rig| pending(hand::gesture(rig)))
+            .title("a hand position (state 8)")
             .by("N18"),
-        check("mouse", |rig| judged(hand::mouse(rig)))
-            .says("an increment of the mouse (state 1)")
+        check("mouse", |rig| pending(hand::mouse(rig)))
+            .title("an increment of the mouse (state 1)")
             .by("Table 2.4, N9"),
-        check("voice", |rig| judged(hand::voice(rig)))
-            .says("a spoken order (state 5)")
+        check("voice", |rig| pending(hand::voice(rig)))
+            .title("a voice command (state 5)")
             .by("N17"),
-        check("laser", |rig| judged(jog::laser(rig)))
-            .says("joint jog 13, 14: laser")
+        check("laser", |rig| pending(jog::laser(rig)))
+            .title("joint jog 13, 14: laser")
             .by("Table 2.5, N21"),
-        check("limit-far", |rig| judged(limits::far(rig)))
-            .says("does not go to a point out of reach")
+        check("limit-far", |rig| pending(limits::far(rig)))
+            .title("does not move to a point out of reach")
             .by("N30"),
-        check("limit-jog", |rig| judged(limits::jog(rig)))
-            .says("a jog stops at the servo's limit")
+        check("limit-jog", |rig| pending(limits::jog(rig)))
+            .title("a jog stops at the servo's limit")
             .by("N13, N30")
             .needs(JOG_STOPS),
-        check("return", |rig| judged(moves::back(rig)))
-            .says("is back where it was")
+        check("return", |rig| pending(moves::back(rig)))
+            .title("returns to the start")
             .by("Table 3.7")
             .begins(Begins::Anywhere),
-        check("trap-no-length", |rig| judged(traps::no_length(rig)))
-            .says("a write vector without length")
+        check("trap-no-length", |rig| pending(traps::no_length(rig)))
+            .title("a write vector without length")
             .by("N16, N34")
             .begins(Begins::Once),
-        check("trap-state", |rig| judged(traps::unknown_state(rig)))
-            .says("an unknown state")
+        check("trap-state", |rig| pending(traps::unknown_state(rig)))
+            .title("an unknown state")
             .by("N34")
             .begins(Begins::Once),
     ];
 
-    const fn says(self, title: &'static str) -> Self {
+    const fn title(self, title: &'static str) -> Self {
         Self { title, ..self }
     }
 
@@ -267,7 +268,7 @@ impl Check {
         Self { begins, ..self }
     }
 
-    /// Makes the check.
+    /// Runs the check.
     pub(crate) async fn make(&self, rig: &mut Rig) -> Result<Outcome, CheckError> {
         (self.make)(rig).0.await
     }
@@ -279,8 +280,8 @@ impl PartialEq for Check {
     }
 }
 
-/// A check of an arm that could be moved, beginning at home, unless something else is said.
-const fn check(id: &'static str, make: for<'r> fn(&'r mut Rig) -> Judging<'r>) -> Check {
+/// A check of an arm that may be moved, starting at home by default.
+const fn check(id: &'static str, make: for<'r> fn(&'r mut Rig) -> PendingOutcome<'r>) -> Check {
     Check {
         id,
         title: "",
@@ -291,13 +292,13 @@ const fn check(id: &'static str, make: for<'r> fn(&'r mut Rig) -> Judging<'r>) -
     }
 }
 
-fn judged<'r>(making: impl Future<Output = Result<Outcome, CheckError>> + 'r) -> Judging<'r> {
-    Judging(Box::pin(making))
+fn pending<'r>(run: impl Future<Output = Result<Outcome, CheckError>> + 'r) -> PendingOutcome<'r> {
+    PendingOutcome(Box::pin(run))
 }
 
-/// The outcome of a check that only looks at what came.
-fn told<'r>(outcome: Outcome) -> Judging<'r> {
-    judged(ready(Ok(outcome)))
+/// The outcome of a check that only evaluates received statuses.
+fn ready_outcome<'r>(outcome: Outcome) -> PendingOutcome<'r> {
+    pending(ready(Ok(outcome)))
 }
 
 const TOOL_SHOWS: &[&str] = &["move-point", "set-tool"];
@@ -312,7 +313,11 @@ mod tests {
         for (n, check) in Check::ALL.iter().enumerate() {
             for needed in check.needs {
                 let mut before = Check::ALL[..n].iter();
-                assert!(before.any(|it| it.id == *needed), "{}: {needed}", check.id);
+                assert!(
+                    before.any(|earlier| earlier.id == *needed),
+                    "{}: {needed}",
+                    check.id
+                );
             }
         }
     }

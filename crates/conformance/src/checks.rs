@@ -1,4 +1,4 @@
-//! The checks, by what they are about.
+//! The checks by topic.
 
 pub(crate) mod delay;
 pub(crate) mod flow;

@@ -1,4 +1,4 @@
-//! One run with a queue that is full.
+//! One run with a full queue.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use dobot_wire::Status;
 
 use crate::timed_status::TimedStatus;
 
-/// What came of a full queue.
+/// The result of a full queue.
 #[derive(Debug)]
 pub(crate) struct Flow {
     pub(crate) home: Position,
@@ -23,12 +23,12 @@ impl Flow {
         let gaps = self
             .seen
             .windows(2)
-            .map(|it| it[1].at.saturating_sub(it[0].at));
+            .map(|pair| pair[1].at.saturating_sub(pair[0].at));
         let numbered = (1..).zip(gaps);
         numbered.max_by_key(|(_, gap)| *gap).unwrap_or_default()
     }
 
-    /// Which of the eight lead from the beginning to the end, if some do.
+    /// The subset of the eight that leads from the start to the end.
     pub(crate) fn done(&self) -> Option<Vec<usize>> {
         let end = position(&self.end);
         (0..1_u32 << STEPS.len())
@@ -37,11 +37,11 @@ impl Flow {
                 let corners = self.corners(done);
                 corners
                     .last()
-                    .is_some_and(|it| it.distance(end).0 < NEAR_MM)
+                    .is_some_and(|point| point.distance(end).0 < NEAR_MM)
             })
     }
 
-    /// The corners of the way of the slow vector and of those of the eight.
+    /// The corners of the path of the slow vector and the given ones of the eight.
     pub(crate) fn corners(&self, done: &[usize]) -> Vec<Position> {
         let steps = done.iter().map(|&n| STEPS[n]);
         let mut at = self.home;
@@ -56,7 +56,7 @@ impl Flow {
 
 /// Keeps the arm busy while the others arrive. Y and Z are the same in every dialect.
 pub(crate) const BLOCKER: [f32; 3] = [0.0, -4.0, 0.0];
-/// No two choices of these lead to the same place; the last two find the queue full.
+/// No two subsets lead to the same point; the last two exceed the queue.
 pub(crate) const STEPS: [[f32; 3]; 8] = [
     [0.0, 0.0, 0.8],
     [0.0, 0.8, 0.0],

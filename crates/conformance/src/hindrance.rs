@@ -1,30 +1,30 @@
-//! Why an arm is not moved at all.
+//! The reasons not to move the arm.
 
 use std::fmt;
 use std::time::Duration;
 
 use crate::latency::MOST;
 
-/// Why an arm is not moved at all, although nothing about it differs from the protocol.
+/// The reason not to move an arm that conforms to the protocol.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Hindrance {
-    /// The status says that the pump runs.
+    /// The pump is reported on.
     Pump,
-    /// Where it stands there is too little room for the checks: why, in words.
+    /// There is too little room for the checks at its position, with the reason.
     Cramped(String),
-    /// The line takes so long, there and back.
+    /// The line is too slow, with its round-trip time.
     Slow(Duration),
 }
 
 impl fmt::Display for Hindrance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Pump => f.write_str("the pump runs: something may hang on it"),
+            Self::Pump => f.write_str("the pump is on: it may hold an object"),
             Self::Cramped(why) => f.write_str(why),
             Self::Slow(took) => write!(
                 f,
-                "the line is too slow ({} ms); at most {} ms there and back",
+                "the round-trip time of the line is {} ms; at most {} ms is allowed",
                 took.as_millis(),
                 MOST.as_millis()
             ),

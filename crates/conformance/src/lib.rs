@@ -1,9 +1,8 @@
 //! Checks a controller at the other end of a link, real or virtual, against the protocol.
 //!
-//! [`Suite`] makes all checks of [`Check::ALL`] with small motions and tells which of them hold,
-//! what differs, and which dialect the controller speaks. It knows a controller by its bytes and
-//! their times only, so that it runs over a serial port or TCP in real time, and over a peer in this
-//! process in virtual time.
+//! [`Suite`] runs all checks of [`Check::ALL`] with small motions and reports which of them hold, what
+//! differs, and the dialect of the controller. It uses only bytes and their times, so it runs over a
+//! serial port or TCP in real time, and over a peer in this process in virtual time.
 //!
 //! ```
 //! use dobot_session::Link;

@@ -1,4 +1,4 @@
-//! A motion as its statuses tell it.
+//! A motion observed in its statuses.
 
 use dobot_arm::{Position, Tool, forward};
 use dobot_session::position;
@@ -18,11 +18,10 @@ impl<'s> ObservedMotion<'s> {
         Self { seen }
     }
 
-    /// How long it took, to the period of statuses: how many of them told of neither end, or would
-    /// have, had they come.
+    /// The duration in status periods: the number of statuses at neither end, including lost ones.
     pub(crate) fn duration_s(&self) -> f64 {
-        let under_way = self.under_way();
-        match (under_way.first(), under_way.last()) {
+        let in_motion = self.in_motion();
+        match (in_motion.first(), in_motion.last()) {
             (Some(first), Some(last)) => (periods(first, last) + 1.0) * PERIOD_S,
             _ => 0.0,
         }
@@ -31,32 +30,36 @@ impl<'s> ObservedMotion<'s> {
     /// The largest speed between two statuses, in millimetres per second.
     pub(crate) fn peak_mm_s(&self) -> f64 {
         let steps = self.seen.windows(2);
-        let speeds = steps.map(|it| apart(&it[0], &it[1]) / periods(&it[0], &it[1]).max(1.0));
+        let speeds =
+            steps.map(|pair| apart(&pair[0], &pair[1]) / periods(&pair[0], &pair[1]).max(1.0));
         speeds.fold(0.0, f64::max) / PERIOD_S
     }
 
-    /// The way covered at a status, on average of those under way: half of it for a motion that is
-    /// the same backwards, more for one that begins fast.
+    /// The mean covered fraction of the path over the statuses in motion: one half for a symmetric
+    /// motion, more for one that starts fast.
     pub(crate) fn mean_progress(&self) -> Option<f64> {
         let (first, last) = (self.seen.first()?, self.seen.last()?);
         let length = apart(first, last);
-        let under_way = self.under_way();
-        let sum: f64 = under_way.iter().map(|it| apart(first, it) / length).sum();
-        let count = u32::try_from(under_way.len()).ok()?;
+        let in_motion = self.in_motion();
+        let sum: f64 = in_motion
+            .iter()
+            .map(|status| apart(first, status) / length)
+            .sum();
+        let count = u32::try_from(in_motion.len()).ok()?;
         (count > 0).then(|| sum / f64::from(count))
     }
 
-    /// How far it strays from the straight line between its ends, in millimetres.
+    /// The largest deviation from the straight line between its ends, in millimetres.
     pub(crate) fn off_line_mm(&self) -> f64 {
         self.strays(|from, to, at| off_segment(position(from), position(to), at))
     }
 
-    /// How far it strays from the way on which all joints go together, in millimetres.
+    /// The largest deviation from the joint path between its ends, in millimetres.
     pub(crate) fn off_joints_mm(&self, tool: Tool) -> f64 {
         self.strays(|from, to, at| off_joints(from, to, at, tool))
     }
 
-    /// How long it rested at a place in the middle: the time of the statuses that tell of it.
+    /// The rest time at an intermediate position, from its statuses.
     pub(crate) fn rest_s(&self, at: [f32; 3]) -> f64 {
         let [x, y, z] = at.map(f64::from);
         let place = Position::new(x, y, z);
@@ -65,8 +68,8 @@ impl<'s> ObservedMotion<'s> {
         f64::from(u32::try_from(count).unwrap_or(u32::MAX)) * PERIOD_S
     }
 
-    /// The statuses that tell of neither end.
-    fn under_way(&self) -> Vec<TimedStatus> {
+    /// The statuses at neither end.
+    fn in_motion(&self) -> Vec<TimedStatus> {
         let (Some(first), Some(last)) = (self.seen.first(), self.seen.last()) else {
             return Vec::new();
         };
@@ -81,12 +84,12 @@ impl<'s> ObservedMotion<'s> {
         let offs = self
             .seen
             .iter()
-            .map(|it| off(&first.status, &last.status, &it.status));
+            .map(|timed| off(&first.status, &last.status, &timed.status));
         offs.fold(0.0, f64::max)
     }
 }
 
-/// How far a position is from the line between two others.
+/// The distance of a position from the line between two others.
 pub(crate) fn off_segment(from: Position, to: Position, at: &Status) -> f64 {
     let (way, here) = (to - from, position(at) - from);
     let squared = dot(way, way);
@@ -97,7 +100,7 @@ pub(crate) fn off_segment(from: Position, to: Position, at: &Status) -> f64 {
     (here - way * share).length().0
 }
 
-/// How far a position is from the nearest one on the way of all joints together.
+/// The distance of a position from the joint path.
 fn off_joints(from: &Status, to: &Status, at: &Status, tool: Tool) -> f64 {
     let (a, b) = (joints(from), joints(to));
     let here = position(at);
@@ -107,7 +110,7 @@ fn off_joints(from: &Status, to: &Status, at: &Status, tool: Tool) -> f64 {
     })
 }
 
-/// The least value of a function with one valley between 0 and 1.
+/// The minimum of a unimodal function between 0 and 1.
 fn nearest(off: impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = (0.0_f64, 1.0_f64);
     for _ in 0..40 {
@@ -125,7 +128,7 @@ fn dot(a: Position, b: Position) -> f64 {
     a.x.0 * b.x.0 + a.y.0 * b.y.0 + a.z.0 * b.z.0
 }
 
-/// How many periods of statuses lie between two, whether all between them came or not.
+/// The number of status periods between two statuses, including lost statuses.
 pub(crate) fn periods(a: &TimedStatus, b: &TimedStatus) -> f64 {
     (b.at.saturating_sub(a.at).as_secs_f64() / PERIOD_S).round()
 }
@@ -134,7 +137,7 @@ fn apart(a: &TimedStatus, b: &TimedStatus) -> f64 {
     position(&a.status).distance(position(&b.status)).0
 }
 
-/// The time between two statuses (note N20).
+/// The status period (note N20).
 pub(crate) const PERIOD_S: f64 = Dialect::SPECIFICATION.status_period().as_secs_f64();
-/// A status tells of a place where it is as near as this.
+/// The distance within which a status is at a position.
 const HERE_MM: f64 = 0.01;

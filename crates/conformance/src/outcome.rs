@@ -2,21 +2,20 @@
 
 use std::fmt;
 
-/// What came of a check, with what was found, in words.
+/// The outcome of a check, with a description of the finding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// It is as the protocol says, in every dialect.
+    /// As the protocol requires, in every dialect.
     Holds(String),
-    /// It is as the published document says, and stock arms do not do it: a vote for that dialect.
+    /// As in the published specification but not in stock arms: a vote for that dialect.
     Specification(String),
-    /// It is as stock arms do, and the published document says otherwise: a vote for that dialect.
+    /// As in stock arms but not in the published specification: a vote for that dialect.
     Firmware11(String),
-    /// It is like neither.
+    /// Neither.
     Differs(String),
-    /// It was not the same each time that it was tried, or something got lost on the way: more is
-    /// said of the line by it than of the controller.
+    /// The repetitions differ or a packet was lost: a property of the line rather than the controller.
     Unsteady(String),
-    /// It was not tried, and why.
+    /// Not tried, with the reason.
     NotTried(String),
 }
 
@@ -34,26 +33,26 @@ impl Outcome {
         }
     }
 
-    /// What was found, or why nothing was tried.
+    /// The finding, or the reason why it was not tried.
     #[must_use]
     pub fn found(&self) -> &str {
         match self {
-            Self::Holds(it)
-            | Self::Specification(it)
-            | Self::Firmware11(it)
-            | Self::Differs(it)
-            | Self::Unsteady(it)
-            | Self::NotTried(it) => it,
+            Self::Holds(found)
+            | Self::Specification(found)
+            | Self::Firmware11(found)
+            | Self::Differs(found)
+            | Self::Unsteady(found)
+            | Self::NotTried(found) => found,
         }
     }
 
-    /// Whether the controller does otherwise than the protocol, in any dialect.
+    /// Whether the controller differs from the protocol in every dialect.
     #[must_use]
     pub const fn differs(&self) -> bool {
         matches!(self, Self::Differs(_))
     }
 
-    /// Whether it was tried and is as some dialect says.
+    /// Whether it was tried and fits a dialect.
     pub(crate) const fn passed(&self) -> bool {
         !matches!(self, Self::Differs(_) | Self::NotTried(_))
     }

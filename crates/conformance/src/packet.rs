@@ -1,4 +1,4 @@
-//! Packets as the checks send them: floats by number, because a dialect is what is to be found out.
+//! Packets of the checks: floats by number, because the dialect is unknown.
 
 use dobot_wire::{Frame, Status};
 
@@ -7,7 +7,7 @@ pub(crate) fn jog(state: f32, axis: f32, percent: f32) -> Frame {
     Frame::ZERO.with(1, state).with(2, axis).with(8, percent)
 }
 
-/// A target (states 3 and 6; Table 3.7) with pump and gripper as a status tells them.
+/// A target (states 3 and 6; Table 3.7) with pump and gripper of a status.
 fn target(state: f32, [a, b, c]: [f32; 3], turn: f32, mode: f32, now: &Status) -> Frame {
     Frame::ZERO
         .with(1, state)
@@ -72,7 +72,7 @@ pub(crate) fn playback(joints: [f32; 2], line: [f32; 2], pause_s: f32, height_mm
     )
 }
 
-/// Slow moves, and a low JUMP: what the checks run with.
+/// The settings of the checks: slow moves and a low JUMP.
 pub(crate) fn gentle(pause_s: f32) -> Frame {
     playback([30.0, 200.0], [80.0, 200.0], pause_s, JUMP_MM)
 }
@@ -87,7 +87,7 @@ pub(crate) fn tool(number: f32) -> Frame {
     configuration(4.0, &[number])
 }
 
-/// The percentages (state 10); which of the first two is which depends on the dialect.
+/// The percentages (state 10); the order of the first two depends on the dialect.
 pub(crate) fn percent(float_3: f32, float_4: f32) -> Frame {
     Frame::ZERO
         .with(1, 10.0)
@@ -100,6 +100,6 @@ pub(crate) const SUCTION_CUP: f32 = 0.0;
 pub(crate) const LASER: f32 = 2.0;
 /// The height of a JUMP while the checks run.
 pub(crate) const JUMP_MM: f32 = 5.0;
-/// What a stock arm has at power-up.
+/// The power-up settings of a stock arm.
 pub(crate) const STOCK_TEACH_DEG_S: f32 = 15.0;
 pub(crate) const STOCK_WRITING_MM_S2: f32 = 100.0;

@@ -1,4 +1,4 @@
-//! The report: a table, and what it comes to.
+//! The report: a table and its summary.
 
 use std::fmt::{self, Write};
 use std::time::Duration;
@@ -8,7 +8,7 @@ use crate::hindrance::Hindrance;
 use crate::latency::Latency;
 use crate::outcome::Outcome;
 
-/// What came of all checks, in their order.
+/// The outcomes of all checks in order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     rows: Vec<Row>,
@@ -16,32 +16,32 @@ pub struct Report {
     hindrance: Option<Hindrance>,
 }
 
-/// A check and what came of it.
+/// A check and its outcome.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// The check.
     pub check: Check,
-    /// What came of it.
+    /// The outcome.
     pub outcome: Outcome,
-    /// How long it took, by the clock of the link.
+    /// The duration on the clock of the link.
     pub took: Duration,
 }
 
-/// Which dialect a controller speaks.
+/// The dialect of a controller.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// The published document (`Dialect::SPECIFICATION`).
+    /// The published specification (`Dialect::SPECIFICATION`).
     Specification,
-    /// That of stock arms (`Dialect::FIRMWARE_1_1`).
+    /// Stock arms (`Dialect::FIRMWARE_1_1`).
     Firmware11,
-    /// Some of one and some of the other, by the names of the checks.
+    /// A mixture, with the names of the checks.
     Mixed {
-        /// As the document says.
+        /// Checks that fit the specification.
         specification: Vec<&'static str>,
-        /// As stock arms do.
+        /// Checks that fit stock arms.
         firmware_1_1: Vec<&'static str>,
     },
-    /// No check told.
+    /// No check distinguished them.
     Unknown,
 }
 
@@ -64,43 +64,42 @@ impl Report {
         &self.rows
     }
 
-    /// What came of a check.
+    /// The outcome of a check.
     #[must_use]
     pub fn outcome(&self, id: &str) -> Option<&Outcome> {
         let row = self.rows.iter().find(|row| row.check.id == id);
         row.map(|row| &row.outcome)
     }
 
-    /// The names of the checks that found something else than the protocol says.
+    /// The names of the checks that differ from the protocol.
     #[must_use]
     pub fn differing(&self) -> Vec<&'static str> {
         self.ids(Outcome::differs)
     }
 
-    /// The names of the checks that did not find the same each time, or found that something got
-    /// lost on the way.
+    /// The names of the checks whose repetitions differ or that lost a packet.
     #[must_use]
     pub fn unsteady(&self) -> Vec<&'static str> {
-        self.ids(|it| matches!(it, Outcome::Unsteady(_)))
+        self.ids(|outcome| matches!(outcome, Outcome::Unsteady(_)))
     }
 
-    /// How long the line takes, if that could be measured.
+    /// The latency of the line, if it could be measured.
     #[must_use]
     pub const fn latency(&self) -> Option<Latency> {
         self.latency
     }
 
-    /// Why the arm was not moved at all, if it was not although nothing differs.
+    /// The reason why the arm was not moved although nothing differs.
     #[must_use]
     pub const fn hindrance(&self) -> Option<&Hindrance> {
         self.hindrance.as_ref()
     }
 
-    /// Which dialect the controller speaks.
+    /// The dialect of the controller.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
-        let specification = self.ids(|it| matches!(it, Outcome::Specification(_)));
-        let firmware_1_1 = self.ids(|it| matches!(it, Outcome::Firmware11(_)));
+        let specification = self.ids(|outcome| matches!(outcome, Outcome::Specification(_)));
+        let firmware_1_1 = self.ids(|outcome| matches!(outcome, Outcome::Firmware11(_)));
         match (specification.is_empty(), firmware_1_1.is_empty()) {
             (true, true) => Verdict::Unknown,
             (false, true) => Verdict::Specification,
@@ -112,18 +111,20 @@ impl Report {
         }
     }
 
-    /// Whether all that was tried holds, in one dialect.
+    /// Whether all tried checks hold, in one dialect.
     #[must_use]
     pub fn conforms(&self) -> bool {
         let one_dialect = matches!(self.verdict(), Verdict::Specification | Verdict::Firmware11);
         one_dialect && self.differing().is_empty() && self.unsteady().is_empty()
     }
 
-    /// What it comes to, in one line: `46 hold, 4 not tried; speaks specification`.
+    /// A one-line summary: `46 hold, 4 not tried; speaks specification`.
     #[must_use]
     pub fn summary(&self) -> String {
         let differ = self.differing().len();
-        let untried = self.ids(|it| matches!(it, Outcome::NotTried(_))).len();
+        let untried = self
+            .ids(|outcome| matches!(outcome, Outcome::NotTried(_)))
+            .len();
         let unsteady = self.unsteady().len();
         let hold = self.rows.len() - differ - untried - unsteady;
         let unsteady = match unsteady {
@@ -136,7 +137,7 @@ impl Report {
         )
     }
 
-    /// The report as a file: Markdown, the same for the same outcomes.
+    /// Returns the report as Markdown; equal outcomes give equal text.
     #[must_use]
     pub fn markdown(&self, address: &str, date: &str) -> String {
         let mut text = format!("{HEADING}\n\n| | |\n|---|---|\n");

@@ -1,4 +1,4 @@
-//! The test rig: a link, everything that came over it, and the place that the checks start from.
+//! The test rig: a link, everything received, and the home position of the checks.
 
 use std::time::Duration;
 
@@ -15,40 +15,40 @@ use crate::packet::{
 };
 use crate::timed_status::TimedStatus;
 
-/// A link with a controller, and all that is known about it so far.
+/// A link to a controller and the findings about it.
 #[derive(Debug)]
 pub(crate) struct Rig {
     link: Link,
     decoder: Decoder<Statuses>,
     pub(crate) options: Options,
-    /// All bytes that came.
+    /// All received bytes.
     pub(crate) raw: Vec<u8>,
-    /// All statuses that came.
+    /// All received statuses.
     pub(crate) seen: Vec<TimedStatus>,
-    /// When what was sent last can have had an effect that shows.
+    /// The time at which the last packet can show an effect.
     reacted: Duration,
-    /// What the line takes, once it was measured.
+    /// The measured latency of the line.
     pub(crate) latency: Option<Latency>,
-    /// Why the arm must not be moved, if it must not.
+    /// The reason not to move the arm.
     pub(crate) hindrance: Option<Hindrance>,
-    /// Where the arm stood at the very beginning.
+    /// The initial status.
     pub(crate) start: Option<Status>,
-    /// Whether something was sent that moves the arm.
+    /// Whether a motion was sent.
     pub(crate) moved: bool,
-    /// Where every check begins, a little higher.
+    /// The home position of the checks, slightly above the start.
     pub(crate) home: Option<Status>,
     /// Votes for the specification and for firmware 1.1.
     pub(crate) votes: [u32; 2],
-    /// The moving mode that moves all joints together, once that is known.
+    /// The moving mode of joint motions, if known.
     pub(crate) joint_mode: Option<f32>,
-    /// What came of the overfull queue, once it was tried.
+    /// The result of the overfull queue, if tried.
     pub(crate) flow: Option<Flow>,
 }
 
-/// Why a check, and with it what would come after it, came to nothing.
+/// The error that ends a check and the following ones.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CheckError {
-    #[error("no status came for {:.1} s", SILENCE.as_secs_f64())]
+    #[error("no status arrived for {:.1} s", SILENCE.as_secs_f64())]
     Silent,
     #[error(
         "no status that can be trusted came for {:.1} s: {count} came whose position and angles \
@@ -57,9 +57,9 @@ pub(crate) enum CheckError {
     )]
     Implausible { count: usize, worst: f64 },
     #[error(
-        "no status came for {:.1} s, only {bytes} bytes that are not a status{}",
+        "no status arrived for {:.1} s, only {bytes} bytes that are not a status{}",
         SILENCE.as_secs_f64(),
-        if *.lost { ": the pose is no number (NaN)" } else { "" }
+        if *.lost { ": the pose is NaN" } else { "" }
     )]
     Garbled { bytes: usize, lost: bool },
     #[error(
@@ -70,11 +70,11 @@ pub(crate) enum CheckError {
     Unanswered,
     #[error("the arm did not come to rest within {:.0} s", RESTLESS.as_secs_f64())]
     Restless,
-    #[error("the arm did not come back to where the checks begin: it is {off_by:.2} mm away")]
+    #[error("the arm did not return to the home position of the checks: it is {off_by:.2} mm away")]
     Astray { off_by: f64 },
-    #[error("the arm never came to where the checks begin")]
+    #[error("the arm never reached the home position of the checks")]
     Homeless,
-    #[error("the arm does not take its angles back: switch it off and on before it moves")]
+    #[error("the arm does not accept its previous angles; switch it off and on before it moves")]
     Untrue,
     #[error(transparent)]
     Link(#[from] LinkError),
@@ -116,25 +116,26 @@ impl Rig {
         let count = u32::try_from(bytes.len()).unwrap_or(u32::MAX);
         let free = self.now() + BYTE * count + self.gap();
         self.reacted = free + REACTION + self.line_delay();
-        self.listen(free).await
+        self.receive_until(free).await
     }
 
-    /// What was sent last takes effect so much later.
+    /// Delays the expected effect of the last packet.
     pub(crate) fn expect_later(&mut self, ms: u64) {
         self.reacted += Duration::from_millis(ms);
     }
 
-    /// Listens for so long.
+    /// Receives for this time.
     pub(crate) async fn pass(&mut self, ms: u64) -> Result<(), CheckError> {
-        self.listen(self.now() + Duration::from_millis(ms)).await
+        self.receive_until(self.now() + Duration::from_millis(ms))
+            .await
     }
 
-    /// Listens until what was sent can have had an effect that shows.
+    /// Receives until the last packet can show an effect.
     pub(crate) async fn react(&mut self) -> Result<(), CheckError> {
-        self.listen(self.reacted.max(self.now())).await
+        self.receive_until(self.reacted.max(self.now())).await
     }
 
-    async fn listen(&mut self, until: Duration) -> Result<(), CheckError> {
+    async fn receive_until(&mut self, until: Duration) -> Result<(), CheckError> {
         loop {
             self.take(until).await?;
             if self.now() >= until {
@@ -158,18 +159,18 @@ impl Rig {
         }
     }
 
-    /// What is left between two packets, so that a line that varies does not push them together.
+    /// The gap between two packets, so that jitter does not merge them.
     fn gap(&self) -> Duration {
         let jitter = self.latency.map_or(Duration::ZERO, |it| it.jitter());
         GAP + jitter.min(MOST_GAP)
     }
 
-    /// What the line adds to every answer, at worst.
+    /// The worst latency of a response.
     fn line_delay(&self) -> Duration {
         self.latency.map_or(Duration::ZERO, |it| it.most)
     }
 
-    /// The next status.
+    /// Waits for the next status.
     pub(crate) async fn next_status(&mut self) -> Result<Status, CheckError> {
         let (had, heard) = (self.seen.len(), self.raw.len());
         let until = self.now() + SILENCE;
@@ -184,7 +185,7 @@ impl Rig {
         }
     }
 
-    /// Waits until the arm rests after what was sent.
+    /// Waits until the arm is at rest after the last packet.
     pub(crate) async fn settled(&mut self) -> Result<Status, CheckError> {
         let until = self.now().max(self.reacted) + RESTLESS;
         self.react().await?;
@@ -199,7 +200,7 @@ impl Rig {
         }
     }
 
-    /// Sends a packet, and waits until the arm rests: where it does then, and the statuses of the way.
+    /// Sends a packet, waits until the arm is at rest and returns its motion.
     pub(crate) async fn carry_out(
         &mut self,
         frame: Frame,
@@ -210,8 +211,7 @@ impl Rig {
         Ok((end, self.seen[mark..].to_vec()))
     }
 
-    /// Where the arm rests: its last three statuses, late enough to show what was sent, tell the
-    /// same.
+    /// The status at rest: the last three statuses after the effect of the last packet are equal.
     fn resting(&self) -> Option<Status> {
         let [first, second, last] = *self.seen.last_chunk::<3>()?;
         let late = last.at >= self.reacted;
@@ -221,19 +221,18 @@ impl Rig {
         (late && same).then_some(last.status)
     }
 
-    /// Where every check begins.
+    /// The home position of the checks.
     pub(crate) fn home(&self) -> Result<Status, CheckError> {
         self.home.ok_or(CheckError::Homeless)
     }
 
-    /// Goes to where every check begins, if the arm is not there.
+    /// Moves to the home position of the checks.
     pub(crate) async fn go_home(&mut self) -> Result<Status, CheckError> {
         let home = self.home()?;
         self.go_to(&home).await
     }
 
-    /// Goes to the joint angles of a status, if the arm is not there. A command may get lost: it is
-    /// told to three times.
+    /// Moves to the joint angles of a status. Sends up to three times because a command may be lost.
     pub(crate) async fn go_to(&mut self, to: &Status) -> Result<Status, CheckError> {
         let mut now = self.settled().await?;
         if turned(&now, to) < AT_REST_DEG {
@@ -252,7 +251,7 @@ impl Rig {
         Err(CheckError::Astray { off_by })
     }
 
-    /// Whether the arm stands still now.
+    /// Whether the arm is at rest.
     pub(crate) async fn stands(&mut self) -> Result<bool, CheckError> {
         self.react().await?;
         let before = self.next_status().await?;
@@ -260,21 +259,20 @@ impl Rig {
         Ok(still(&before, &after))
     }
 
-    /// Stops a jog by all means that there are: a release, and a setting, which both dialects take
-    /// up only when the jog has ended.
-    pub(crate) async fn halt(&mut self) -> Result<(), CheckError> {
+    /// Stops a jog with a release and a setting, which both dialects handle only after the jog.
+    pub(crate) async fn stop_jog(&mut self) -> Result<(), CheckError> {
         for packet in [jog(2.0, 0.0, 0.0), writing(STOCK_WRITING_MM_S2)] {
             self.send(packet).await?;
         }
         Ok(())
     }
 
-    /// The speeds that the checks run with.
+    /// Sends the speeds of the checks.
     pub(crate) async fn be_gentle(&mut self) -> Result<(), CheckError> {
         self.send(gentle(0.0)).await
     }
 
-    /// All settings that the checks run with.
+    /// Sends all settings of the checks.
     pub(crate) async fn settings(&mut self) -> Result<(), CheckError> {
         for packet in [
             gentle(0.0),
@@ -292,7 +290,7 @@ impl Rig {
         self.start.as_ref().map_or(Tool::SuctionCup, tool_of)
     }
 
-    /// The one dialect that all checks so far voted for: specification (0) or firmware 1.1 (1).
+    /// The dialect that all checks until now voted for: specification (0) or firmware 1.1 (1).
     pub(crate) const fn leaning(&self) -> Option<usize> {
         match self.votes {
             [0, 0] => None,
@@ -302,7 +300,7 @@ impl Rig {
         }
     }
 
-    /// How many bytes of packets that were begun wait for their end.
+    /// The number of bytes of incomplete packets.
     pub(crate) fn skipped(&self) -> u64 {
         self.decoder.counts().skipped_bytes
     }
@@ -315,14 +313,14 @@ pub(crate) fn lenient(raw: &[u8]) -> Vec<Status> {
     statuses.flatten().collect()
 }
 
-/// How far the numbers of a status are apart, in millimetres or degrees.
+/// The disagreement of position and angles of a status, in millimetres or degrees.
 pub(crate) fn disagreement(status: &Status) -> f64 {
     let turn = status.base_deg + status.servo_deg - status.rotation_deg;
     pose_error(status, tool_of(status)).max(turn.abs().into())
 }
 
-/// Whether some window of the bytes is a status whose X is not a number.
-pub(crate) fn tells_no_pose(raw: &[u8]) -> bool {
+/// Whether a window of the bytes is a status whose X is NaN.
+pub(crate) fn has_nan_pose(raw: &[u8]) -> bool {
     raw.windows(PACKET_LEN).any(|window| {
         let window: Result<&[u8; PACKET_LEN], _> = window.try_into();
         let frame = window.ok().and_then(Frame::from_bytes);
@@ -330,7 +328,7 @@ pub(crate) fn tells_no_pose(raw: &[u8]) -> bool {
     })
 }
 
-/// What came instead of a status that can be trusted.
+/// The error for a missing trustworthy status.
 fn silence(raw: &[u8]) -> CheckError {
     let statuses = lenient(raw);
     if !statuses.is_empty() {
@@ -342,12 +340,12 @@ fn silence(raw: &[u8]) -> CheckError {
         0 => CheckError::Silent,
         bytes => CheckError::Garbled {
             bytes,
-            lost: tells_no_pose(raw),
+            lost: has_nan_pose(raw),
         },
     }
 }
 
-/// The end effector with which the numbers of a status agree best.
+/// The end effector that best fits a status.
 pub(crate) fn tool_of(status: &Status) -> Tool {
     let off = |tool| pose_error(status, tool);
     if off(Tool::Laser) < off(Tool::SuctionCup) {
@@ -357,7 +355,7 @@ pub(crate) fn tool_of(status: &Status) -> Tool {
     }
 }
 
-/// How far the position of a status is from that of its angles, in millimetres.
+/// The distance of the position of a status from that of its angles, in millimetres.
 pub(crate) fn pose_error(status: &Status, tool: Tool) -> f64 {
     let there = forward(&joints(status), tool).position;
     position(status).distance(there).0
@@ -379,12 +377,12 @@ pub(crate) fn distance(a: &Status, b: &Status) -> f64 {
     position(a).distance(position(b)).0
 }
 
-/// The position of a status moved by so many millimetres, as floats of a packet.
+/// The position of a status with an offset in millimetres, as floats of a packet.
 pub(crate) fn moved(from: &Status, [x, y, z]: [f32; 3]) -> [f32; 3] {
     [from.x_mm + x, from.y_mm + y, from.z_mm + z]
 }
 
-/// How far a status is from a position in millimetres.
+/// The distance of a status from a position in millimetres.
 pub(crate) fn off(status: &Status, to: [f32; 3]) -> f64 {
     let [x, y, z] = to.map(f64::from);
     position(status).distance(Position::new(x, y, z)).0
@@ -403,19 +401,19 @@ fn still(a: &Status, b: &Status) -> bool {
         && (a.gripper_deg - b.gripper_deg).abs() < STILL
 }
 
-/// What a byte takes at 9600 baud, and a bit more.
+/// The transmission time of a byte at 9600 baud, rounded up.
 pub(crate) const BYTE: Duration = Duration::from_micros(1045);
-/// A stock arm may lose a packet that follows another one sooner (note N26).
+/// A stock arm may lose a packet after a shorter gap (note N26).
 const GAP: Duration = Duration::from_millis(12);
-/// Nine packets have to arrive while a vector of 1.4 s is under way.
+/// Nine packets must arrive during a vector of 1.4 s.
 const MOST_GAP: Duration = Duration::from_millis(90);
 /// A tick, the tick that a status lags behind, the time between two statuses, and the way of one
 /// over the line; twenty more for a serial port over USB.
 const REACTION: Duration = Duration::from_millis(200);
 const SILENCE: Duration = Duration::from_secs(3);
-/// How long the very first answer may take.
+/// The timeout of the first response.
 pub(crate) const ANSWER: Duration = Duration::from_secs(6);
-/// How often the arm is told to come back.
+/// The number of attempts to return.
 const TRIES: u32 = 3;
 const RESTLESS: Duration = Duration::from_secs(8);
 const AT_REST_DEG: f32 = 0.005;

@@ -10,29 +10,29 @@ use crate::packet::jog;
 use crate::report::{Report, Row};
 use crate::rig::{CheckError, Rig};
 
-/// All checks, over one link.
+/// A run of all checks over one link.
 #[derive(Debug)]
 pub struct Suite {
     rig: Rig,
     rows: Vec<Row>,
-    /// Why nothing more can be tried.
+    /// The reason why the run ended early.
     ended: Option<String>,
 }
 
-/// What else may be tried.
+/// Optional checks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// Switch the laser on for a moment. Eyes and what lies below must be safe from it.
+    /// Switch the laser on for a moment. Protect eyes and the surface below it.
     pub laser: bool,
-    /// Try at the end what makes a stock arm lose its pose or hang until it is reset, and the limit
-    /// of the servo (note N34): for virtual arms.
+    /// Finally try packets that make a stock arm lose its pose or hang until a reset, and the limit of
+    /// the servo (note N34): for virtual arms.
     pub traps: bool,
-    /// The arm was switched on just now and has had no other client, as a new virtual one.
+    /// The arm was just switched on and has had no other client, like a new virtual arm.
     pub fresh: bool,
 }
 
 impl Suite {
-    /// A suite over a link; nothing has been sent yet.
+    /// Creates a suite over a link; sends nothing.
     #[must_use]
     pub fn new(link: Link, options: Options) -> Self {
         Self {
@@ -42,11 +42,11 @@ impl Suite {
         }
     }
 
-    /// Makes all checks, and tells each outcome when it is there. Every motion is small, at or above
-    /// the height of the start, and at the end the arm is where it was.
+    /// Runs all checks and calls `report` with each outcome. Every motion is small, at or above the
+    /// start height, and ends at the start.
     ///
-    /// A wait that is cancelled leaves the arm as it is: see [`Suite::stop`].
-    pub async fn run(&mut self, mut tell: impl FnMut(&Row)) -> Report {
+    /// Cancellation leaves the arm as it is: see [`Suite::stop`].
+    pub async fn run(&mut self, mut report: impl FnMut(&Row)) -> Report {
         for check in Check::ALL {
             let began = self.rig.now();
             let outcome = match self.prevented(check) {
@@ -63,21 +63,21 @@ impl Suite {
                 outcome,
                 took: self.rig.now().saturating_sub(began),
             };
-            tell(&row);
+            report(&row);
             self.rows.push(row);
         }
         let rig = &self.rig;
         Report::new(self.rows.clone(), rig.latency, rig.hindrance.clone())
     }
 
-    /// Stops: releases the button, switches the laser off, and goes back to where the arm was.
+    /// Stops: releases the button, switches the laser off and moves back to the start.
     ///
     /// # Errors
     ///
-    /// [`LinkError`] when the link does not take it.
+    /// Returns a [`LinkError`] if the link fails.
     pub async fn stop(&mut self) -> Result<(), LinkError> {
         let stopped = async {
-            self.rig.halt().await?;
+            self.rig.stop_jog().await?;
             self.rig.send(jog(2.0, LASER_OFF, 0.0)).await?;
             self.make_back().await
         };
@@ -94,8 +94,8 @@ impl Suite {
         Ok(())
     }
 
-    /// Makes a check; again where it differs or contradicts all before it, because a command or a
-    /// status may have got lost on the way.
+    /// Runs a check; repeats it if it differs or contradicts all earlier ones, because a command or a
+    /// status may have been lost.
     async fn judge(&mut self, check: &Check) -> Outcome {
         let first = self.make(check).await;
         if !self.is_doubtful(check, &first) {
@@ -120,7 +120,7 @@ impl Suite {
         first
     }
 
-    /// Whether an outcome may come of something that got lost.
+    /// Whether an outcome may be due to a lost packet.
     fn is_doubtful(&self, check: &Check, outcome: &Outcome) -> bool {
         let contradicts = match outcome {
             Outcome::Specification(_) => self.rig.leaning() == Some(1),
@@ -130,8 +130,7 @@ impl Suite {
         contradicts && self.ended.is_none() && check.begins != Begins::Once
     }
 
-    /// What a check that is made again needs: settings may have got lost too, and the queue is
-    /// filled anew.
+    /// Prepares a repetition: sends the settings again, which may be lost, and refills the queue.
     async fn prepare_again(&mut self, check: &Check) -> Result<(), CheckError> {
         self.rig.settings().await?;
         show_tool(&mut self.rig, true).await?;
@@ -166,7 +165,7 @@ impl Suite {
         self.ended = Some(format!("before it, {trouble}"));
     }
 
-    /// Why a check cannot be made, or must not.
+    /// The reason why a check cannot or must not run.
     fn prevented(&self, check: &Check) -> Option<String> {
         if check.id == "return" && self.rig.moved {
             return None;
@@ -180,29 +179,29 @@ impl Suite {
     fn forbidden(&self, check: &Check) -> Option<String> {
         let options = self.rig.options;
         let why = match check.id {
-            "laser" if !options.laser => "it burns: `--with-laser` tries it",
+            "laser" if !options.laser => "the laser burns; use `--laser` to try it",
             "limit-jog" if !options.traps => {
-                "a stock arm forgives the first limit: `--traps` tries it on a virtual arm"
+                "a stock arm ignores the first limit; use `--traps` to try it on a virtual arm"
             }
             "trap-no-length" | "trap-state" if !options.traps => {
-                "only a reset cures a stock arm of it: `--traps` tries it on a virtual arm"
+                "a stock arm only recovers by a reset; use `--traps` to try it on a virtual arm"
             }
             _ => return None,
         };
         Some(why.into())
     }
 
-    /// What has to hold before a check says anything.
+    /// The failed prerequisite of a check.
     fn lacks(&self, check: &Check) -> Option<String> {
         let failed = |row: &&Row| check.needs.contains(&row.check.id) && !row.outcome.passed();
         let row = self.rows.iter().find(failed)?;
         Some(match &row.outcome {
             Outcome::NotTried(why) => why.clone(),
-            _ => format!("it rests on {}", row.check.id),
+            _ => format!("it requires {}", row.check.id),
         })
     }
 }
 
-/// How often a check is made again at most.
+/// The maximum number of repetitions.
 const REPEATS: u32 = 3;
 const LASER_OFF: f32 = 14.0;

@@ -1,10 +1,10 @@
-//! A status, and when it came.
+//! A status with its time.
 
 use std::time::Duration;
 
 use dobot_wire::Status;
 
-/// A status and when it was there.
+/// A status with its arrival time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TimedStatus {
     pub(crate) at: Duration,

@@ -1,4 +1,4 @@
-//! What one control tick costs: idle, and in each way to move.
+//! The cost of one control tick: idle and in each kind of motion.
 //!
 //! `cargo bench -p dobot-controller --bench tick`: each sample is 500 ticks of 20 ms, with
 //! the statuses fetched as a host does. The aim: below 150 ns a tick while moving.
@@ -85,7 +85,7 @@ fn bench(bencher: Bencher, personality: Personality, command: Option<Command>, f
         .bench_local_refs(|controller| tick(controller, from));
 }
 
-/// A controller that has begun what it was told.
+/// A controller that has started the command.
 fn in_flight(personality: Personality, command: Option<Command>, until: u32) -> Controller {
     let mut controller = Controller::power_up(PowerUp::new(personality));
     for (command, ticks) in [Some(SLOWLY), command].into_iter().flatten().zip(0..) {
@@ -115,7 +115,7 @@ fn target(mode: MovingMode) -> Command {
     })
 }
 
-/// So slow that a sample lies within one motion.
+/// Slow enough for a sample within one motion.
 const SLOWLY: Command = Command::PlaybackAdjustment(PlaybackAdjustment {
     speed_percent: 1.0,
     acceleration_percent: 50.0,
@@ -124,7 +124,7 @@ const SLOWLY: Command = Command::PlaybackAdjustment(PlaybackAdjustment {
 const TICKS: u32 = 500;
 /// The ticks after which a motion has its speed.
 const SPED_UP: u32 = 10;
-/// The ticks after which a jump is over its rise: 20 mm straight up, or 3 degrees for 10 mm.
+/// The number of ticks of the rise of a jump: 20 mm straight up, or 3 degrees for 10 mm.
 const fn across(personality: Personality) -> u32 {
     match personality {
         Personality::Firmware11 => 200,

@@ -7,16 +7,16 @@ use dobot_session::Peer;
 
 use crate::VirtualArm;
 
-/// A virtual arm in this process: time passes as fast as it is waited for.
+/// A virtual arm in this process: its time passes only while the client waits.
 ///
-/// Clones share the arm: one is given to a `Connection`, another looks at the arm afterwards.
+/// Clones share the arm: pass one to a `Connection` and inspect the arm with another.
 #[derive(Clone, Debug)]
 pub struct InProcess {
     arm: Arc<Mutex<VirtualArm>>,
 }
 
 impl InProcess {
-    /// Shares a virtual arm, and opens its port.
+    /// Opens the port of a virtual arm.
     #[must_use]
     pub fn new(mut arm: VirtualArm) -> Self {
         arm.handle_open(arm.now());
@@ -25,14 +25,14 @@ impl InProcess {
         }
     }
 
-    /// Opens the port again, which is there: after a client left, or after it was closed.
+    /// Opens the port again after a client left or the port was closed.
     pub fn reopen(&self) {
         let mut arm = self.arm();
         let now = arm.now();
         arm.handle_open(now);
     }
 
-    /// The arm, to look at it; it is locked meanwhile.
+    /// Locks the arm for inspection.
     pub fn arm(&self) -> MutexGuard<'_, VirtualArm> {
         self.arm.lock().unwrap_or_else(PoisonError::into_inner)
     }

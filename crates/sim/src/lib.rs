@@ -1,8 +1,8 @@
 //! Virtual Dobot Arms: in this process, on a virtual serial port and on TCP.
 //!
-//! [`VirtualArm`] is a controller at the end of a serial line, an engine without a clock.
-//! [`InProcess`] runs it for a client in this process, as fast as it is waited for or at a pace; [`Server`]
-//! for programs, in real time or faster.
+//! [`VirtualArm`] is a controller on a serial line, an engine without a clock. [`InProcess`] runs it
+//! for a client in this process, in virtual time or paced; [`Server`] runs it for other programs, in
+//! real time or faster.
 //!
 //! ```
 //! use dobot_session::Connection;

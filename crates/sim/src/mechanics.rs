@@ -1,15 +1,15 @@
-//! The machine beside what the controller believes of it.
+//! The true machine, independent of the controller's estimate.
 
 use std::time::Duration;
 
 use dobot_arm::{Joints, TICK};
 use dobot_controller::STEPS_PER_DEG;
 
-/// Where the joints really are: motors turn them, pulse by pulse, whatever the controller believes.
+/// The true joint angles, turned by the motors pulse by pulse.
 ///
-/// The pulses of a control tick are clocked out evenly over the 20 ms from that tick on. The
-/// controller never learns what comes of them: after a lost pulse, a slack joint or a start anew
-/// what it believes and what is true differ, as with a real arm.
+/// The pulses of a control tick are spread evenly over the 20 ms from that tick on. The controller
+/// gets no feedback: after a lost pulse, backlash or a restart its estimate differs from the true
+/// angles, as with a real arm.
 ///
 /// ```
 /// use std::time::Duration;
@@ -17,20 +17,20 @@ use dobot_controller::STEPS_PER_DEG;
 /// use dobot_sim::Mechanics;
 ///
 /// let mut machine = Mechanics::new(Joints::new(0.0, 45.0, 45.0, 0.0));
-/// // 200 pulses of the base in one tick, and the servo of the tool stays in its middle.
+/// // 200 pulses of the base in one tick, and the servo of the tool stays in the middle.
 /// machine.handle_tick(Duration::ZERO, [-200, 0, 0], 500);
 /// assert_eq!(machine.joints_at(Duration::from_millis(10)).base.0, 1.125);
 /// assert_eq!(machine.joints_at(Duration::from_millis(20)).base.0, 2.25);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mechanics {
-    /// When the last control tick was.
+    /// The time of the last control tick.
     tick: Duration,
-    /// Where the motors stood at the last tick, as angles of their joints.
+    /// The motor positions at the last tick, as joint angles.
     from_deg: [f64; 4],
-    /// Where they stand a tick later.
+    /// The motor positions a tick later.
     to_deg: [f64; 4],
-    /// Where the joints were at the last tick.
+    /// The joint angles at the last tick.
     joints_deg: [f64; 4],
     backlash_deg: [f64; 4],
     servo_zero_deg: f64,
@@ -50,7 +50,7 @@ pub enum Joint {
 }
 
 impl Mechanics {
-    /// A machine that stands there, with nothing wrong.
+    /// Creates a machine at these angles, without faults.
     #[must_use]
     pub const fn new(joints: Joints) -> Self {
         let angles = [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0];
@@ -64,13 +64,13 @@ impl Mechanics {
         }
     }
 
-    /// Makes a joint slack: when its motor turns back, it first turns that many degrees in vain. A
-    /// turn in positive direction moves the joint at once after power-up.
+    /// Sets the backlash of a joint: after a reversal the motor turns this many degrees before the joint
+    /// moves. After power-up a positive turn moves the joint immediately.
     pub const fn set_backlash(&mut self, joint: Joint, backlash_deg: f64) {
         self.backlash_deg[joint as usize] = backlash_deg;
     }
 
-    /// Turns the joints on by so many degrees, where they stay; the controller does not know it.
+    /// Turns the joints by these degrees without the controller.
     pub(crate) fn set_zeros(&mut self, zeros_deg: [f64; 4]) {
         for (joint, zero_deg) in zeros_deg.into_iter().enumerate() {
             self.from_deg[joint] += zero_deg;
@@ -80,7 +80,7 @@ impl Mechanics {
         self.servo_zero_deg = zeros_deg[Joint::Servo as usize];
     }
 
-    /// Takes what a control tick sent: the pulses that the motors of base, rear and fore really
+    /// Applies the outputs of a control tick: the pulses that the motors of base, rear and fore really
     /// make, signed as the controller counts them, and the signal of the tool's servo (500 is the
     /// middle, 1000 is 90 degrees).
     pub fn handle_tick(&mut self, at: Duration, pulses: [i32; 3], head_servo: u16) {
@@ -91,7 +91,7 @@ impl Mechanics {
         self.to_deg[3] = (f64::from(head_servo) - 500.0) * 0.18 + self.servo_zero_deg;
     }
 
-    /// Stops where it is: no pulses come any more.
+    /// Stops at the current angles.
     pub fn halt(&mut self, at: Duration) {
         let share = self.share(at);
         for joint in 0..4 {
@@ -102,7 +102,7 @@ impl Mechanics {
         self.tick = at;
     }
 
-    /// Where the joints are at a time from the last control tick on.
+    /// The joint angles at a time since the last control tick.
     #[must_use]
     pub fn joints_at(&self, at: Duration) -> Joints {
         let share = self.share(at);
@@ -110,13 +110,13 @@ impl Mechanics {
         Joints::new(base, rear, fore, servo)
     }
 
-    /// Whether it stands still from the last control tick to the next.
+    /// Whether it is at rest from the last control tick to the next.
     #[must_use]
     pub fn is_still(&self) -> bool {
         self.from_deg == self.to_deg
     }
 
-    /// How much of the tick is over.
+    /// The elapsed fraction of the tick.
     fn share(&self, at: Duration) -> f64 {
         if self.is_still() {
             return 1.0;
@@ -133,7 +133,7 @@ impl Mechanics {
         }
     }
 
-    /// The motor turns in a gap of the joint, and takes it along where the gap ends.
+    /// Turns the motor within the backlash; at its end the joint follows.
     fn joint_deg(&self, joint: usize, share: f64) -> f64 {
         let motor = self.motor_deg(joint, share);
         self.joints_deg[joint]
@@ -143,10 +143,10 @@ impl Mechanics {
 }
 
 impl Joint {
-    /// All four, in the order of their numbers.
+    /// All joints in numerical order.
     pub const ALL: [Self; 4] = [Self::Base, Self::Rear, Self::Fore, Self::Servo];
 
-    /// What it is called in texts.
+    /// The name used in texts.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! A run as a picture: the way of the tool, angles and speeds over time, pump and laser.
+//! Plot of a run: the tool path, angles and speeds over time, pump and laser.
 
 mod axis;
 mod chart;
@@ -15,36 +15,36 @@ use self::chart::{Chart, Curve, bands};
 use self::views::views;
 use crate::TracedStatus;
 
-/// A picture of a run.
+/// The plot of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Plot<'a> {
-    /// Above the picture.
+    /// The title.
     pub title: &'a str,
-    /// How the controller behaved.
+    /// The personality of the controller.
     pub personality: Personality,
     /// The arm at every control tick.
     pub snapshots: &'a [Snapshot],
-    /// What it uploaded: that tells where its pose is lost.
+    /// The statuses, which show where the pose is lost.
     pub statuses: &'a [TracedStatus],
 }
 
 /// The arm at a control tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Snapshot {
-    /// When.
+    /// The time.
     pub at: Duration,
     /// The angles of base, rear arm, forearm and servo, in degrees.
     pub joints_deg: [f64; 4],
-    /// Where the motors bring the tool, in the base frame: x, y and z in millimetres.
+    /// The true tool position in the base frame: x, y and z in millimetres.
     pub tool_mm: [f64; 3],
-    /// Whether the pump runs.
+    /// Whether the pump is on.
     pub pump: bool,
     /// Whether the laser is on.
     pub laser: bool,
 }
 
 impl Plot<'_> {
-    /// The picture as the text of an SVG file.
+    /// Returns the plot as the text of an SVG file.
     #[must_use]
     pub fn to_svg(&self) -> String {
         let page = Rectangle::between([0.0, 0.0], [WIDTH, HEIGHT]);
@@ -124,7 +124,7 @@ impl Plot<'_> {
         chart.draw(sheet, time, &[curve], &self.lost());
     }
 
-    /// From when to when, in seconds, the statuses say that the pose is no number.
+    /// The time ranges, in seconds, in which the reported pose is NaN.
     fn lost(&self) -> Vec<[f64; 2]> {
         let is_lost = |it: &TracedStatus| it.floats.iter().any(|it| it.is_nan());
         let runs = self.statuses.chunk_by(|a, b| is_lost(a) == is_lost(b));
@@ -136,7 +136,7 @@ impl Plot<'_> {
         spans.map(|it| [it[0].0, it[1].0]).collect()
     }
 
-    /// What the arm says at each time, of itself and of itself a tick before.
+    /// The reported values at each time and a tick earlier.
     fn over_time(&self, value: impl Fn(&Snapshot, &Snapshot) -> f64) -> Vec<[f64; 2]> {
         let before = self.snapshots.iter().take(1).chain(self.snapshots);
         self.snapshots
@@ -148,7 +148,7 @@ impl Plot<'_> {
 }
 
 impl Snapshot {
-    /// What a controller says of its arm at this time, which is that of its last control tick.
+    /// Takes a snapshot of a controller at the time of its last control tick.
     #[must_use]
     pub fn of(controller: &Controller, at: Duration) -> Self {
         let joints = controller.joints_at(at);
@@ -162,7 +162,7 @@ impl Snapshot {
         }
     }
 
-    /// Whether the arm knows where it is.
+    /// Whether the pose is finite.
     fn is_known(&self) -> bool {
         self.joints_deg
             .iter()
@@ -175,7 +175,7 @@ fn status_s(status: &TracedStatus) -> f64 {
     f64::from(status.tick) * TICK_S
 }
 
-/// Whether the angles changed more in a tick than any motor turns: they were set.
+/// Whether the angles changed more in a tick than a motor can turn, so that they were set.
 fn is_set_anew(it: &Snapshot, before: &Snapshot) -> bool {
     let ways = it.joints_deg.iter().zip(&before.joints_deg);
     ways.map(|(a, b)| (a - b).abs()).any(|way| way > 10.0)
@@ -185,7 +185,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|n| (a[n] - b[n]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The joints: their places in a snapshot, names and colours, which the colour-blind can tell.
+/// The joints: their indices in a snapshot, names and colour-blind safe colours.
 const JOINTS: [(usize, &str, &str); 4] = [
     (0, "base", "#0072b2"),
     (1, "rear arm", "#d55e00"),
@@ -205,7 +205,7 @@ const PANEL: ShapeStyle<'_> = ShapeStyle::area("#fafafa");
 const GRID: ShapeStyle<'_> = ShapeStyle::line("#e5e7eb", 1.0);
 const LASER: &str = "#dc2626";
 const PUMP: &str = "#0284c7";
-/// Where the pose is no number.
+/// The colour of ranges with a NaN pose.
 const LOST: &str = "#fde2e2";
 const TITLE: TextStyle<'_> = TextStyle::new(14.0, INK).bold();
 const HEADING: TextStyle<'_> = TextStyle::new(LETTERS, INK).bold();

@@ -1,4 +1,4 @@
-//! A virtual serial port: any program that speaks serial can open it.
+//! A virtual serial port that any serial program can open.
 
 mod client;
 
@@ -21,7 +21,7 @@ pub use client::PtyClient;
 
 /// A pseudo-terminal: this program holds one end, a client opens the other as its serial port.
 ///
-/// It starts as a plain byte stream: no echo, no line ends, all byte values.
+/// It starts as a raw byte stream: no echo, no line processing.
 #[derive(Debug)]
 pub struct Pty {
     master: OwnedFd,
@@ -30,12 +30,12 @@ pub struct Pty {
 }
 
 impl Pty {
-    /// Makes a virtual serial port, and a symbolic link to it where one is asked for.
+    /// Creates a virtual serial port and, if requested, a symbolic link to it.
     ///
     /// # Errors
     ///
-    /// What the operating system says; a file that is in the way of the link is left alone, unless
-    /// it is a link that leads nowhere.
+    /// Returns the error of the operating system. An existing file is not replaced by the link, unless
+    /// it is a broken link.
     pub fn open(link: Option<&Path>) -> io::Result<Self> {
         // Before the new port is made: it may get the very name that an old link leads to.
         if let Some(link) = link
@@ -61,17 +61,17 @@ impl Pty {
         self.link.as_deref().unwrap_or(&self.path)
     }
 
-    /// The client, if there is one: it has the port open, or left it with bytes still to be read.
+    /// The client: it has the port open, or closed it with bytes still to be read.
     ///
-    /// Nothing tells when a client comes: somebody has to look again and again.
+    /// The system does not report the opening: poll this function.
     ///
     /// # Errors
     ///
-    /// What the operating system says.
+    /// Returns the error of the operating system.
     ///
     /// # Panics
     ///
-    /// Outside of a tokio runtime.
+    /// If called outside of a tokio runtime.
     pub fn client(&self) -> io::Result<Option<PtyClient>> {
         let flags = self.flags()?;
         if flags.contains(PollFlags::HUP) && !flags.contains(PollFlags::IN) {
@@ -87,19 +87,19 @@ impl Pty {
         Ok(Some(PtyClient::new(master)))
     }
 
-    /// Throws away bytes of a client that does not have the arm.
+    /// Discards the bytes of a client that does not have the arm.
     pub(crate) fn ignore_client(&self) {
         let _ = rustix::io::read(&self.master, &mut [0; 4096]);
     }
 
-    /// Gets the port ready for the next client: what the last one has not read is thrown away.
+    /// Resets the port for the next client and discards unread bytes.
     ///
-    /// A client that was killed can leave the port locked for its own use, and nothing unlocks it:
-    /// then another port takes its place, and its new name is returned.
+    /// A killed client can leave the port locked permanently; it is then replaced by a new port, whose
+    /// name is returned.
     ///
     /// # Errors
     ///
-    /// What the operating system says.
+    /// Returns the error of the operating system.
     pub fn renew(&mut self) -> io::Result<Option<&Path>> {
         match client_end(&self.path) {
             Ok(end) => {
@@ -116,7 +116,7 @@ impl Pty {
         }
     }
 
-    /// Lets another port take its place: a client that has it open meets the end of it.
+    /// Replaces the port; a client that has it open reads end of file.
     pub(crate) fn replace(&mut self) -> io::Result<()> {
         let (master, path) = pair()?;
         if let Some(link) = self.link.as_ref().filter(|link| leads(link, &self.path)) {
@@ -152,7 +152,7 @@ impl Drop for Pty {
     }
 }
 
-/// Both ends of a new virtual serial port: the one to hold, and the name of the other.
+/// The master of a new virtual serial port and the name of its slave.
 fn pair() -> io::Result<(OwnedFd, PathBuf)> {
     let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY)?;
     grantpt(&master)?;
@@ -173,7 +173,7 @@ fn client_end(path: &Path) -> io::Result<File> {
         .open(path)
 }
 
-/// No echo, no line ends, all byte values: a client that sets nothing gets a plain byte stream.
+/// Sets raw mode: no echo, no line processing.
 fn make_raw(client_end: &File) -> io::Result<()> {
     let mut settings = tcgetattr(client_end)?;
     settings.make_raw();
@@ -182,7 +182,7 @@ fn make_raw(client_end: &File) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether a symbolic link still leads there: somebody may have put another in its place.
+/// Whether a symbolic link still points to the port; it may have been replaced.
 fn leads(link: &Path, path: &Path) -> bool {
     std::fs::read_link(link).is_ok_and(|target| target == path)
 }

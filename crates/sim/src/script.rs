@@ -1,4 +1,4 @@
-//! Scripts: what is sent to an arm, and when.
+//! Scripts of timed packets.
 
 mod error;
 mod words;
@@ -11,12 +11,12 @@ use dobot_controller::Port;
 pub use self::error::{ScriptError, ScriptProblem};
 use self::words::{LineWords, bytes, packet, start, tilt, voice};
 
-/// What is sent to an arm, and when, as text; `vectors/traces/` holds some.
+/// A script of timed packets in text form; examples are in `vectors/traces/`.
 ///
 /// ```text
 /// # a comment
 /// !end MS                    stop after this time
-/// !pose REAR FORE            what the tilt sensors read at power-up, degrees (default 45 45)
+/// !pose REAR FORE            readings of the tilt sensors at power-up, degrees (default 45 45)
 /// !port usb|bt               which port is in use (default usb)
 /// T f1 f2 ... f10            one packet
 /// raw T HEX... f:FLOAT n*HEX bytes as they are; `f:3.5` is a little-endian float, `40*00` forty
@@ -37,29 +37,29 @@ use self::words::{LineWords, bytes, packet, start, tilt, voice};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
-    /// When the run stops (`!end`). Without it the run stops as
+    /// The end of the run (`!end`). Without it the run stops as
     /// [`simulate`](crate::simulate()) describes.
     pub end: Option<Duration>,
-    /// What the rear arm's tilt sensor reads at power-up, in degrees from the vertical.
+    /// The reading of the rear arm's tilt sensor at power-up, in degrees from the vertical.
     pub rear_deg: f64,
-    /// What the forearm's tilt sensor reads at power-up, in degrees below the horizontal.
+    /// The reading of the forearm's tilt sensor at power-up, in degrees below the horizontal.
     pub fore_deg: f64,
     /// The port in use.
     pub port: Port,
-    /// What is sent, in order.
+    /// The lines in order.
     pub lines: Vec<ScriptLine>,
 }
 
-/// A line of a script: some bytes, and when they start.
+/// A line of a script: bytes and their start.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ScriptLine {
-    /// When the first byte starts.
+    /// The start of the first byte.
     pub start: Start,
     /// The bytes.
     pub bytes: Vec<u8>,
 }
 
-/// When the first byte of a line starts.
+/// The start of the first byte of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
     /// At this time since the first control tick, or right after the bytes still on the line.
@@ -70,12 +70,11 @@ pub enum Start {
 }
 
 impl Script {
-    /// Reads a script.
+    /// Parses a script.
     ///
     /// # Errors
     ///
-    /// [`ScriptError`] for the first bad line: its number, what was found and what is
-    /// allowed.
+    /// Returns a [`ScriptError`] for the first invalid line.
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
         let mut draft = Draft::default();
         for (index, line) in text.lines().enumerate() {
@@ -96,14 +95,14 @@ impl FromStr for Script {
     }
 }
 
-/// A script that is being read.
+/// The state of the parser.
 #[derive(Default)]
 struct Draft {
     end: Option<Duration>,
     pose: Option<(f64, f64)>,
     port: Option<Port>,
     lines: Vec<ScriptLine>,
-    /// The latest time of a line so far.
+    /// The latest time of a line.
     latest: Duration,
 }
 

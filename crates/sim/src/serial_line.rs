@@ -1,4 +1,4 @@
-//! The serial line: bytes take their time.
+//! The serial line with its transmission time.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -7,33 +7,32 @@ use dobot_wire::PACKET_LEN;
 
 /// One direction of a serial line.
 ///
-/// A byte needs its time, one after the other; what is sent faster than that waits, up to 4096
-/// bytes, as many as a serial port of a computer keeps. What is sent beyond that is lost, and
-/// counted.
+/// Each byte takes its transmission time. Up to 4096 bytes are buffered, as by the serial port of a
+/// computer; further bytes are lost and counted.
 #[derive(Clone, Debug)]
 pub struct SerialLine {
     byte_time: Duration,
-    /// When the last byte sent arrives.
+    /// The arrival time of the last byte sent.
     busy_until: Duration,
     bytes: VecDeque<u8>,
     bursts: VecDeque<Burst>,
     lost: u64,
 }
 
-/// The bytes of one `send`, without those that have been received.
+/// The unreceived bytes of one `send`.
 #[derive(Clone, Copy, Debug)]
 struct Burst {
-    /// When the first of them arrives.
+    /// The arrival time of the first.
     arrives: Duration,
     len: usize,
 }
 
 impl SerialLine {
-    /// A line as that of a stock arm: 9600 baud nominal, of which its chip makes 1.04 ms a byte,
-    /// 43.68 ms a packet (note N26).
+    /// The line of a stock arm: nominally 9600 baud, 1.04 ms per byte and 43.68 ms per packet (note
+    /// N26).
     pub const STOCK: Self = Self::new(STOCK_BYTE_TIME);
 
-    /// A line on which a byte takes so long.
+    /// Creates a line with this time per byte.
     #[must_use]
     pub const fn new(byte_time: Duration) -> Self {
         Self {
@@ -45,7 +44,7 @@ impl SerialLine {
         }
     }
 
-    /// Starts sending bytes, behind those still on the line.
+    /// Sends bytes after those still on the line.
     pub fn send(&mut self, now: Duration, bytes: &[u8]) {
         let (bytes, lost) = bytes.split_at(bytes.len().min(CAPACITY - self.bytes.len()));
         self.lost += lost.len() as u64;
@@ -61,14 +60,14 @@ impl SerialLine {
         self.busy_until = begins + self.byte_times(bytes.len());
     }
 
-    /// When the earliest burst of bytes has arrived whole, if one is under way.
+    /// The time at which the earliest burst on the line has arrived completely.
     #[must_use]
     pub fn next_burst(&self) -> Option<Duration> {
         let burst = self.bursts.front()?;
         Some(burst.arrives + self.byte_times(burst.len - 1))
     }
 
-    /// Takes the bytes that have arrived by `now`, and tells when the last of them did.
+    /// Takes the bytes received by `now`, with the time of the last.
     pub fn receive(&mut self, now: Duration, bytes: &mut Vec<u8>) -> Option<Duration> {
         let mut last = None;
         while let Some(&burst) = self.bursts.front()
@@ -86,12 +85,12 @@ impl SerialLine {
         last
     }
 
-    /// When the next byte arrives, if one is under way.
+    /// The arrival time of the next byte on the line.
     pub(crate) fn next_byte(&self) -> Option<Duration> {
         self.bursts.front().map(|it| it.arrives)
     }
 
-    /// Takes the next byte that has arrived by `now`, and tells when.
+    /// Takes the next byte received by `now`, with its time.
     pub(crate) fn pop(&mut self, now: Duration) -> Option<(Duration, u8)> {
         let burst = self.bursts.front_mut()?;
         let arrival = burst.arrives;
@@ -106,14 +105,14 @@ impl SerialLine {
         self.bytes.pop_front().map(|byte| (arrival, byte))
     }
 
-    /// Forgets what is still under way: the sender fell silent.
+    /// Discards the bytes still on the line.
     pub(crate) fn cut(&mut self, now: Duration) {
         self.bytes.clear();
         self.bursts.clear();
         self.busy_until = self.busy_until.min(now);
     }
 
-    /// How long a packet takes.
+    /// The transmission time of a packet.
     pub(crate) fn packet_time(&self) -> Duration {
         self.byte_times(PACKET_LEN)
     }
@@ -122,16 +121,16 @@ impl SerialLine {
         self.byte_time * u32::try_from(count).expect("the line holds less")
     }
 
-    /// How many bytes were lost because too many waited.
+    /// The number of bytes lost because the buffer was full.
     #[must_use]
     pub const fn lost(&self) -> u64 {
         self.lost
     }
 }
 
-/// How long a byte takes on the line of a stock arm (note N26).
+/// The transmission time of a byte on the line of a stock arm (note N26).
 pub(crate) const STOCK_BYTE_TIME: Duration = Duration::from_micros(1040);
-/// What the kernel of a computer keeps for a serial port.
+/// The kernel buffer of a serial port.
 const CAPACITY: usize = 4096;
 
 #[cfg(test)]

@@ -21,58 +21,56 @@ use crate::{Speed, Struck, VirtualArm};
 
 /// A virtual arm that runs in real time, or faster, and serves one client at a time.
 ///
-/// The first client has the arm until it leaves. Another one is turned away on TCP. The virtual serial
-/// port cannot turn a client away: there the line is silent until the arm is free.
+/// The first client has the arm until it disconnects. Further clients are rejected on TCP. The virtual
+/// serial port cannot reject a client: its line is silent until the arm is free.
 ///
-/// Nothing that the arm sent before a client came is kept for it. The virtual serial port keeps
-/// this promise from the moment on that the client before has been seen to leave
-/// ([`ServerEvent::Disconnected`]).
+/// Bytes sent before a client connected are not kept for it; on the virtual serial port this holds once
+/// the previous client's disconnection was detected ([`ServerEvent::Disconnected`]).
 #[derive(Debug)]
 pub struct Server {
     arm: VirtualArm,
     tcp: Option<TcpListener>,
-    /// Whoever comes here is told the state of the world.
+    /// The listener that serves the state of the world.
     world: Option<TcpListener>,
     #[cfg(unix)]
     pty: Option<Pty>,
     speed: Speed,
     client: Option<Client>,
-    /// What the client sent.
+    /// Bytes from the client.
     incoming: Vec<u8>,
-    /// What is to be sent to it.
+    /// Bytes to the client.
     outgoing: Vec<u8>,
-    /// Bytes to the arm that were lost before the client came, or before it was told of some.
+    /// Lost bytes to the arm that were already reported or predate the client.
     told_lost: Option<u64>,
 }
 
-/// What happens while a virtual arm is served.
+/// An event of a served virtual arm.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ServerEvent {
-    /// A client came over TCP.
+    /// A client connected over TCP.
     TcpConnected(SocketAddr),
-    /// A client was turned away, because another one has the arm.
+    /// A client was rejected because another one has the arm.
     TcpRefused(SocketAddr),
     /// A client opened the virtual serial port.
     PtyOpened,
-    /// The virtual serial port has another name now: a client that was killed left the old one
-    /// locked.
+    /// The virtual serial port has a new name because a killed client left the old one locked.
     PtyMoved(PathBuf),
-    /// A client was turned away, because a fault has closed the port.
+    /// A client was rejected because a fault has closed the port.
     PortClosed(SocketAddr),
-    /// The client left.
+    /// The client disconnected.
     Disconnected,
-    /// The client sends faster than the line carries, so that bytes are lost; told once a client.
+    /// Bytes are lost because the client sends faster than the line; reported once per client.
     Overrun,
-    /// The controller refused something.
+    /// The controller refused a packet or command.
     Refused(Refused),
-    /// Something happened in the world around the arm.
+    /// An event in the world around the arm.
     World(Happened),
-    /// A fault struck.
+    /// An event of a fault.
     Struck(Struck),
 }
 
-/// What the server waits for.
+/// A wakeup of the server.
 enum Happening {
     Time,
     Connect((TcpStream, SocketAddr)),
@@ -81,7 +79,7 @@ enum Happening {
 }
 
 impl Server {
-    /// Serves `arm`; it has nowhere to be reached yet.
+    /// Creates a server for `arm` without a listener.
     #[must_use]
     pub const fn new(arm: VirtualArm) -> Self {
         Self {
@@ -98,22 +96,22 @@ impl Server {
         }
     }
 
-    /// Lets clients come over TCP.
+    /// Accepts clients over TCP.
     #[must_use]
     pub fn on_tcp(mut self, listener: TcpListener) -> Self {
         self.tcp = Some(listener);
         self
     }
 
-    /// Tells the state of the world to whoever comes here, as many as come: each gets one JSON
-    /// document, a [`WorldState`](crate::world::WorldState), or `null` where the arm has no world.
+    /// Serves the state of the world: each client of the listener receives one JSON
+    /// document, a [`WorldState`](crate::world::WorldState), or `null` if the arm has no world.
     #[must_use]
     pub fn on_world(mut self, listener: TcpListener) -> Self {
         self.world = Some(listener);
         self
     }
 
-    /// Lets a client open a virtual serial port.
+    /// Accepts a client on a virtual serial port.
     #[cfg(unix)]
     #[must_use]
     pub fn on_pty(mut self, pty: Pty) -> Self {
@@ -121,25 +119,25 @@ impl Server {
         self
     }
 
-    /// Lets time pass at another speed.
+    /// Sets the simulation speed.
     #[must_use]
     pub const fn at_speed(mut self, speed: Speed) -> Self {
         self.speed = speed;
         self
     }
 
-    /// The arm, to look at.
+    /// The arm.
     #[must_use]
     pub const fn arm(&self) -> &VirtualArm {
         &self.arm
     }
 
-    /// Runs the arm and tells what happens; never returns of its own accord. When it is cancelled
-    /// and called again, the arm goes on where it was.
+    /// Runs the arm and reports its events; returns only on an error. After cancellation, another call
+    /// continues.
     ///
     /// # Errors
     ///
-    /// When no more clients can be served.
+    /// Returns an error if no more clients can be served.
     pub async fn run(&mut self, mut tell: impl FnMut(ServerEvent)) -> io::Result<()> {
         let (start, offset) = (Instant::now(), self.arm.now());
         let mut answered = false;
@@ -165,7 +163,7 @@ impl Server {
         }
     }
 
-    /// When somebody has to look at the arm, by its own time.
+    /// The time of the next poll, on the arm's clock.
     fn wakeup(&self) -> Duration {
         let latest = self.arm.now() + LOOK_AT_LEAST;
         if self.client.is_some() {
@@ -178,7 +176,7 @@ impl Server {
         self.arm.poll_fault().min(latest)
     }
 
-    /// At the greatest speed: how long to wait for an answer before time goes on.
+    /// At maximum speed: the time to wait for a response before time continues.
     fn patience(&self, answered: bool) -> Duration {
         match self.client {
             None => LOOK_AT_PTY,
@@ -187,8 +185,8 @@ impl Server {
         }
     }
 
-    /// At the greatest speed: the time that it is for the arm now. It goes on when the client has
-    /// taken all that there was, or when a fault keeps all clients away.
+    /// At maximum speed: the current time of the arm. It advances when the client has received all
+    /// bytes, or when a fault keeps all clients away.
     fn next_moment(&self, happening: &Happening) -> Duration {
         let waits_for_nobody = match self.client {
             Some(_) => self.outgoing.is_empty(),
@@ -258,7 +256,7 @@ impl Server {
         }
     }
 
-    /// Tells the state of the world; the arm goes on while it is written.
+    /// Sends the state of the world; the arm keeps running meanwhile.
     fn show_world(&self, mut stream: TcpStream) -> io::Result<()> {
         let state = self.arm.world().map(World::state);
         let document = serde_json::to_vec(&state).map_err(io::Error::other)?;
@@ -294,7 +292,7 @@ impl Server {
         Ok(())
     }
 
-    /// Passes on what the client sends.
+    /// Forwards bytes from the client.
     fn download(&mut self, tell: &mut impl FnMut(ServerEvent)) {
         self.arm.handle_bytes(self.arm.now(), &self.incoming);
         if self.told_lost.is_some_and(|it| it < self.arm.lost_bytes()) {
@@ -303,8 +301,8 @@ impl Server {
         }
     }
 
-    /// Passes on what arrived from the arm. A client that does not read loses bytes, as on a
-    /// serial line, unless time waits for it; nobody listening loses all.
+    /// Forwards bytes from the arm. A client that does not read loses bytes, as on a serial line,
+    /// unless time waits for it; without a client all are lost.
     fn upload(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         self.arm.poll_bytes(&mut self.outgoing);
         let sent = match &mut self.client {
@@ -324,7 +322,7 @@ impl Server {
         Ok(())
     }
 
-    /// Takes the port away from the client.
+    /// Disconnects the client.
     fn hang_up(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         let left = self.client.take();
         #[cfg(unix)]
@@ -340,7 +338,7 @@ impl Server {
         Ok(())
     }
 
-    /// A virtual serial port does not say that it was opened: somebody has to look.
+    /// Polls the virtual serial port, which does not report its opening.
     #[cfg(unix)]
     fn notice_pty(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         let Some(pty) = &self.pty else {
@@ -361,8 +359,8 @@ impl Server {
     }
 }
 
-/// The next client over TCP. What one meets who left before, or a system that has no more connections
-/// to give at the moment, ends nothing: the next one may come.
+/// Accepts the next client over TCP. Errors of a client that has left, and a temporary lack of
+/// connections, are ignored.
 async fn accept(listener: Option<&TcpListener>) -> (TcpStream, SocketAddr) {
     let Some(listener) = listener else {
         return pending().await;
@@ -387,21 +385,21 @@ async fn read(client: Option<&mut Client>, buffer: &mut Vec<u8>) -> io::Result<u
 pub const DEFAULT_TCP: SocketAddr =
     SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), 5555);
 
-/// Where the world around a virtual arm is told, unless told otherwise.
+/// The default port for the state of the world around a virtual arm.
 pub const DEFAULT_WORLD: SocketAddr =
     SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), 5556);
 
-/// How often a moving arm is recorded: once a control tick. Corners are recorded besides, and what is
-/// drawn is straight between them.
+/// The recording period of a moving arm: one control tick. Corners are recorded as well, with straight
+/// lines in between.
 pub const RECORDING_PERIOD: Duration = Duration::from_millis(20);
 
-/// Without anything to do the arm is still looked at so often.
+/// The poll interval of an idle arm.
 const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
-/// Whoever opens the virtual serial port is noticed so soon.
+/// The poll interval for the opening of the virtual serial port.
 const LOOK_AT_PTY: Duration = Duration::from_millis(50);
-/// At the greatest speed a client has so long to answer a status.
+/// The time for a client to respond to a status at maximum speed.
 const PATIENCE: Duration = Duration::from_millis(1);
-/// How long to wait when the system has no more connections to give.
+/// The delay after a lack of connections.
 const BREATH: Duration = Duration::from_millis(50);
-/// How long one who asked for the world may take to read it.
+/// The timeout for sending the state of the world.
 const TIME_TO_READ: Duration = Duration::from_secs(10);

@@ -14,20 +14,20 @@ use crate::Script;
 use crate::serial_line::STOCK_BYTE_TIME;
 use crate::trace::{Trace, TracedStatus, TracedTick};
 
-/// What came of a script.
+/// The result of a script.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Simulation {
-    /// What the arm uploaded, did and printed.
+    /// The statuses, ticks and printed text.
     pub trace: Trace,
-    /// What the controller refused, the oldest first, and the control tick by which it had.
+    /// The refusals, oldest first, each with its control tick.
     pub refused: Vec<(Duration, Refused)>,
-    /// How many lines of the script were still to be sent, in whole or in part, when it ended.
+    /// The number of script lines not completely sent at the end.
     pub unsent: usize,
-    /// When it ended.
+    /// The end time.
     pub end: Duration,
 }
 
-/// Why a script cannot be run.
+/// The error returned when a script cannot be run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum SimulateError {
@@ -44,10 +44,10 @@ pub enum SimulateError {
 
 /// Runs a script in virtual time: deterministic to the bit, and as fast as the machine calculates.
 ///
-/// Time 0 is the first control tick. Bytes take their time on a line such as a stock arm's
-/// ([`SerialLine::STOCK`](crate::SerialLine::STOCK)); each reaches the controller at its own time, and one that arrives in the
-/// very instant of a control tick is in time for it. A status is received when its last byte has
-/// arrived.
+/// Time 0 is the first control tick. Bytes travel over the line of a stock arm
+/// ([`SerialLine::STOCK`](crate::SerialLine::STOCK)); each reaches the controller at its own time, and
+/// one that arrives exactly at a control tick is in time for it. A status is received when its last
+/// byte has arrived.
 ///
 /// A script without `!end` is run until all lines are sent and the motors have stood still for
 /// a second after that; at most for a minute after the last byte, and for a minute after the
@@ -55,17 +55,17 @@ pub enum SimulateError {
 ///
 /// # Errors
 ///
-/// [`SimulateError`] where the personality does not have the script's port.
+/// Returns a [`SimulateError`] if the personality does not have the script's port.
 pub fn simulate(script: &Script, personality: Personality) -> Result<Simulation, SimulateError> {
     simulate_watched(script, personality, |_, _| {})
 }
 
-/// As [`simulate`], and shows the controller to `watch` after each control tick, with the tick's
-/// time.
+/// Runs a script as [`simulate`] and calls `watch` after each control tick with the controller and
+/// the tick's time.
 ///
 /// # Errors
 ///
-/// Those of [`simulate`].
+/// See [`simulate`].
 pub fn simulate_watched(
     script: &Script,
     personality: Personality,
@@ -81,16 +81,16 @@ pub fn simulate_watched(
     Ok(run.finish())
 }
 
-/// A script under way.
+/// A running script.
 struct ScriptRun<'a> {
     controller: Controller,
     feed: Feed<'a>,
     port: Port,
-    /// When it ends, if the script says so.
+    /// The end time of the script, if given.
     end: Option<Duration>,
-    /// When the last status has arrived.
+    /// The arrival time of the last status.
     line_free: Duration,
-    /// When a motor last moved.
+    /// The time of the last motor motion.
     last_move: Duration,
     next_tick: u32,
     trace: Trace,
@@ -118,7 +118,7 @@ impl<'a> ScriptRun<'a> {
         }
     }
 
-    /// Does the next control tick and tells when it was; `None` at the end.
+    /// Runs the next control tick and returns its time; `None` at the end.
     fn tick(&mut self) -> Option<Duration> {
         let at = TICK * self.next_tick;
         if self.is_over(at) {
@@ -143,8 +143,8 @@ impl<'a> ScriptRun<'a> {
         }
     }
 
-    /// Gives the controller what arrives up to a control tick, that instant included: the
-    /// controller itself takes a byte of that instant for one behind it.
+    /// Passes on the bytes that arrive up to and including a control tick. The controller itself treats
+    /// a byte at that instant as later.
     fn deliver(&mut self, tick: Duration) {
         while let Some((arrival, byte)) = self.feed.next_byte(tick) {
             let arrival = arrival.min(tick.saturating_sub(INSTANT));
@@ -170,7 +170,7 @@ impl<'a> ScriptRun<'a> {
         self.print();
     }
 
-    /// Notes a status, and when it lets a line go.
+    /// Records a status and the time at which it releases a line.
     fn receive(&mut self, at: Duration, bytes: &[u8; PACKET_LEN]) {
         let floats = std::array::from_fn(|index| {
             let at = 1 + 4 * index;
@@ -208,15 +208,15 @@ impl<'a> ScriptRun<'a> {
         }
     }
 }
-/// How long a status is on the line.
+/// The transmission time of a status.
 const PACKET_TIME: Duration = STOCK_BYTE_TIME.saturating_mul(42);
-/// Less than any time on the line.
+/// Shorter than any time on the line.
 const INSTANT: Duration = Duration::from_nanos(1);
 /// On the Bluetooth port, x of the statuses that ask for a command; the others have 1000 more.
 const REQUEST_BELOW_MM: f32 = 500.0;
-/// How long the motors stand still at the end of a script that does not say when it ends.
+/// The rest time of the motors that ends a script without `!end`.
 const STILL: Duration = Duration::from_secs(1);
-/// How long such a script waits for what does not come.
+/// The timeout of such a script.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
-//! How fast time passes for a served arm.
+//! The simulation speed of a served arm.
 
 use std::fmt;
 use std::str::FromStr;
 use std::time::Duration;
 
-/// How fast time passes for a served arm: so many times as fast as a clock, or `max`, as fast as
-/// its client keeps up.
+/// The simulation speed of a served arm: a multiple of real time, or `max`, as fast as the client
+/// keeps up.
 ///
 /// ```
 /// use dobot_sim::Speed;
@@ -18,7 +18,7 @@ use std::time::Duration;
 pub struct Speed(Option<f64>);
 
 impl Speed {
-    /// As fast as a clock.
+    /// Real time.
     pub const REAL: Self = Self(Some(1.0));
 
     /// As fast as the client keeps up: time runs on to the next status, and stands still until the
@@ -30,18 +30,18 @@ impl Speed {
         self.0.is_none()
     }
 
-    /// So many times as fast as a clock; [`Speed::MAX`] is as fast as any.
+    /// The multiple of real time; the largest allowed one for [`Speed::MAX`].
     #[must_use]
     pub fn times(self) -> f64 {
         self.0.unwrap_or(FASTEST)
     }
 
-    /// How long the arm finds what a clock shows.
+    /// Converts real time to the time of the arm.
     pub(crate) fn of_clock(self, time: Duration) -> Duration {
         time.mul_f64(self.times())
     }
 
-    /// How long a clock finds what the arm lives through.
+    /// Converts time of the arm to real time.
     pub(crate) fn of_arm(self, time: Duration) -> Duration {
         time.div_f64(self.times())
     }
@@ -78,11 +78,9 @@ impl fmt::Display for Speed {
     }
 }
 
-/// A text that is no speed.
+/// The error returned when a text is not a speed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "speed is `{found}`; allowed is a number from 0.1 to 1000, as many times as fast as a clock, or max"
-)]
+#[error("speed is `{found}`; allowed is 0.1 to 1000 times real time, or max")]
 pub struct SpeedError {
     /// The whole text.
     pub found: String,

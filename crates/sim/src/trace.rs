@@ -1,4 +1,4 @@
-//! Traces: what an arm uploaded and did, tick by tick, as text that other programs can read.
+//! Traces: the statuses and outputs of an arm, tick by tick, as text for other programs.
 
 mod compare;
 mod number;
@@ -11,18 +11,18 @@ pub use self::compare::{Comparison, Deviation};
 use self::number::{push_float, push_int};
 pub use self::read::TraceError;
 
-/// What an arm uploaded, did and printed.
+/// The statuses, outputs and printed text of an arm.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
     /// The statuses, in order.
     pub statuses: Vec<TracedStatus>,
     /// A row for each control tick, from the first on.
     pub ticks: Vec<TracedTick>,
-    /// What it printed on the port that is not in use.
+    /// The text printed on the unused port.
     pub other_port: Vec<u8>,
 }
 
-/// A status as it was uploaded.
+/// A status as sent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TracedStatus {
     /// The control tick that queued it; tick n happens at 20 n ms.
@@ -31,7 +31,7 @@ pub struct TracedStatus {
     pub floats: [f32; 10],
 }
 
-/// What a control tick set.
+/// The outputs of a control tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TracedTick {
     /// Motor pulses, servos and pins.
@@ -86,7 +86,7 @@ impl TracedStatus {
 }
 
 impl TracedTick {
-    /// The values in the order of [`TICK_FIELDS`], the time left out.
+    /// The values in the order of [`TICK_FIELDS`], without the time.
     const fn values(&self) -> [i64; 11] {
         let it = &self.outputs;
         [

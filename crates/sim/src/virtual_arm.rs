@@ -1,4 +1,4 @@
-//! A controller at the end of a serial line.
+//! A virtual arm: a controller on a serial line.
 
 use std::time::Duration;
 
@@ -9,37 +9,37 @@ use crate::faults::{ArmOrder, FaultState, LineDirection, Tilt};
 use crate::world::{Actuators, Happened, World};
 use crate::{Fault, FaultError, Mechanics, SerialLine, Struck};
 
-/// A controller at the end of a serial line, as an engine: it owns no port and no clock.
+/// A virtual arm: a controller on a serial line, as an engine that owns no port and no clock.
 #[derive(Debug)]
 pub struct VirtualArm {
     controller: Controller,
-    /// When the controller's first tick was or will be; `Duration::MAX` while the power is cut.
+    /// The time of the controller's first tick; `Duration::MAX` while the power is off.
     started: Duration,
     mechanics: Mechanics,
-    /// When the last status left, and the shortest time between two so far.
+    /// The time of the last status, and the shortest interval between two.
     uploaded: Duration,
     spacing: Duration,
-    /// Control ticks that the machine has seen.
+    /// Control ticks applied to the machine.
     ticks: u32,
     to_arm: SerialLine,
     from_arm: SerialLine,
     faults: Option<Box<FaultState>>,
     now: Duration,
-    /// When something last happened: up to then the way is recorded.
+    /// The time of the last event, up to which the path is recorded.
     last_event: Duration,
     recorder: Option<Recorder>,
     world: Option<Box<World>>,
     scratch: Vec<u8>,
 }
 
-/// Where the tool was, as far as the controller knows.
+/// A sample of the commanded tool pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// When, since power-up.
+    /// The time since power-up.
     pub at: Duration,
-    /// Where the tool was.
+    /// The pose of the tool.
     pub position: Position,
-    /// Whether the laser was on, on the way here.
+    /// Whether the laser was on since the previous sample.
     pub laser: bool,
 }
 
@@ -47,12 +47,12 @@ pub struct Sample {
 struct Recorder {
     period: Duration,
     samples: Vec<Sample>,
-    /// The last sample that says the same as the one before: a motion begins there.
+    /// The last sample equal to the one before it, where a motion starts.
     rest: Option<Sample>,
 }
 
 impl VirtualArm {
-    /// Puts a controller at the end of a line.
+    /// Connects a controller to a line.
     #[must_use]
     pub fn new(controller: Controller, line: SerialLine) -> Self {
         Self {
@@ -73,9 +73,8 @@ impl VirtualArm {
         }
     }
 
-    /// Lets things go wrong, from power-up on: call it before any time passes. The controller was
-    /// switched on with `power_up`, and will be again. The same faults with the same seed do the
-    /// same.
+    /// Injects faults from power-up on; call it before any time passes. `power_up` is the configuration
+    /// for every restart of the controller. The same faults with the same seed have the same effect.
     #[must_use]
     pub fn with_faults(mut self, power_up: PowerUp, faults: &[Fault], seed: u64) -> Self {
         let faults = FaultState::new(power_up, faults, seed, &mut self.mechanics);
@@ -84,7 +83,7 @@ impl VirtualArm {
         self
     }
 
-    /// Puts the arm into a world, which from then on feels what its tool does.
+    /// Places the arm in a world, on which its tool acts from now on.
     #[must_use]
     pub fn with_world(mut self, world: World) -> Self {
         self.world = Some(Box::new(world));
@@ -92,25 +91,25 @@ impl VirtualArm {
         self
     }
 
-    /// Puts it into another world, as it stands: what its tool holds or marked is gone.
+    /// Replaces the world and keeps the pose: held objects and marks are lost.
     pub fn set_world(&mut self, world: World) {
         self.world = Some(Box::new(world));
         self.feel(self.now);
     }
 
-    /// Lets other things go wrong from now on, and nothing else any more: times, packets and statuses count from now.
-    /// `power_up` is how the controller was switched on, and will be again. A joint that was lost stays so.
+    /// Replaces all faults; times, packets and statuses count from now. `power_up` is the configuration
+    /// for every restart of the controller. Lost joint positions stay lost.
     ///
     /// # Errors
     ///
-    /// [`FaultError::NotNow`] for `zero=`, which has to be there from power-up; nothing has changed then.
+    /// Returns [`FaultError::NotNow`] for `zero=`, which must be set at power-up, and changes nothing.
     pub fn set_faults(
         &mut self,
         power_up: PowerUp,
         faults: &[Fault],
         seed: u64,
     ) -> Result<(), FaultError> {
-        if let Some(zero) = faults.iter().find(|it| it.is_zero()) {
+        if let Some(zero) = faults.iter().find(|fault| fault.is_zero()) {
             return Err(FaultError::NotNow {
                 fault: zero.to_string(),
             });
@@ -129,19 +128,19 @@ impl VirtualArm {
         Ok(())
     }
 
-    /// The world around it, if it has one.
+    /// The world around the arm.
     #[must_use]
     pub fn world(&self) -> Option<&World> {
         self.world.as_deref()
     }
 
-    /// What happened in the world since the last call.
+    /// Takes the world events since the last call.
     pub fn poll_world(&mut self) -> Option<Happened> {
         self.world.as_mut()?.poll_event()
     }
 
-    /// Records from now on where the tool is: at least once in `period` while it moves, and at
-    /// every corner. While it stands only the first and the last moment are recorded.
+    /// Records the tool pose from now on: at least once per `period` while it moves, and at every
+    /// corner. At rest only the first and the last moment are recorded.
     pub fn record(&mut self, period: Duration) {
         self.recorder = Some(Recorder {
             period,
@@ -150,10 +149,12 @@ impl VirtualArm {
         });
     }
 
-    /// What was recorded.
+    /// The recorded samples.
     #[must_use]
     pub fn samples(&self) -> &[Sample] {
-        self.recorder.as_ref().map_or(&[], |it| &it.samples)
+        self.recorder
+            .as_ref()
+            .map_or(&[], |recorder| &recorder.samples)
     }
 
     /// The controller, whose time counts from its own first tick ([`VirtualArm::controller_time`]).
@@ -162,31 +163,31 @@ impl VirtualArm {
         &self.controller
     }
 
-    /// What the time is for the controller: after a start anew it began again.
+    /// The controller's own time, which starts again at every restart.
     #[must_use]
     pub const fn controller_time(&self, at: Duration) -> Duration {
         at.saturating_sub(self.started)
     }
 
-    /// The machine, and where it really is.
+    /// The machine with its true pose.
     #[must_use]
     pub const fn mechanics(&self) -> &Mechanics {
         &self.mechanics
     }
 
-    /// The time that it has come to.
+    /// The current time of the arm.
     #[must_use]
     pub const fn now(&self) -> Duration {
         self.now
     }
 
-    /// Whether the arm's port is there, to be opened or open.
+    /// Whether the arm's port is present.
     #[must_use]
     pub fn has_port(&self) -> bool {
-        self.faults.as_ref().is_none_or(|it| it.has_port)
+        self.faults.as_ref().is_none_or(|faults| faults.has_port)
     }
 
-    /// Takes that a client opens the port.
+    /// Handles the opening of the port by a client.
     pub fn handle_open(&mut self, now: Duration) {
         self.handle_time(now);
         if let Some(faults) = &mut self.faults {
@@ -195,7 +196,7 @@ impl VirtualArm {
         }
     }
 
-    /// Takes bytes that start travelling to the arm; without a port they are lost.
+    /// Sends bytes to the arm; without a port they are lost.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         self.handle_time(now);
         if self.has_port() {
@@ -207,7 +208,7 @@ impl VirtualArm {
         }
     }
 
-    /// Takes the passing of time.
+    /// Advances to `now`.
     pub fn handle_time(&mut self, now: Duration) {
         loop {
             let event = self.next_event();
@@ -220,7 +221,7 @@ impl VirtualArm {
         self.now = self.now.max(now);
     }
 
-    /// Takes the bytes that have arrived from the arm by now.
+    /// Takes the bytes received from the arm.
     pub fn poll_bytes(&mut self, bytes: &mut Vec<u8>) {
         self.judge(self.now);
         match &mut self.faults {
@@ -236,31 +237,30 @@ impl VirtualArm {
         }
     }
 
-    /// How many bytes to the arm were lost, because too many waited on the line.
+    /// The number of bytes to the arm that were lost because the line buffer was full.
     #[must_use]
     pub const fn lost_bytes(&self) -> u64 {
         self.to_arm.lost()
     }
 
-    /// What the controller refused since the last call.
+    /// Takes the refusals since the last call.
     pub fn poll_refused(&mut self) -> Option<Refused> {
         self.controller.poll_refused()
     }
 
-    /// Which fault struck since the last call; only the last few are kept.
+    /// Takes the next fault event; only the last few are kept.
     pub fn poll_struck(&mut self) -> Option<Struck> {
         self.faults.as_mut()?.schedule.poll_struck()
     }
 
-    /// When something next happens.
+    /// The time of the next event.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         let event = self.next_event();
-        self.next_bytes().map_or(event, |it| it.min(event))
+        self.next_bytes().map_or(event, |bytes| bytes.min(event))
     }
 
-    /// When the host next has bytes to pass on, as far as can be told now; until then nothing is
-    /// to be done. The arm may be looked at later than that without harm.
+    /// The earliest time at which the host has bytes to pass on. Polling later than that is harmless.
     #[must_use]
     pub fn poll_delivery(&self) -> Duration {
         let bytes = self.next_bytes().unwrap_or_else(|| {
@@ -270,14 +270,14 @@ impl VirtualArm {
         bytes.min(self.poll_fault())
     }
 
-    /// When a fault next begins or ends at a time.
+    /// The next time at which a timed fault begins or ends.
     #[must_use]
     pub fn poll_fault(&self) -> Duration {
         let next = |it: &FaultState| it.schedule.poll_wakeup();
         self.faults.as_deref().map_or(Duration::MAX, next)
     }
 
-    /// When the bytes that are on their way from the arm have arrived.
+    /// The arrival time of the bytes from the arm that are on the line.
     fn next_bytes(&self) -> Option<Duration> {
         let burst = self.from_arm.next_burst();
         let late = self.faults.as_ref().and_then(|faults| {
@@ -287,13 +287,13 @@ impl VirtualArm {
         burst.into_iter().chain(late).min()
     }
 
-    /// When the controller or a fault next does something.
+    /// The time of the next event of the controller or a fault.
     fn next_event(&self) -> Duration {
         self.next_tick().min(self.poll_fault())
     }
 
-    /// When the controller next wants the time: while bytes travel to it at each tick, so that it
-    /// gets each byte before the first tick after it.
+    /// The next time needed by the controller: every tick while bytes are on the line, so that it gets
+    /// each byte before the following tick.
     fn next_tick(&self) -> Duration {
         let wakeup = self.controller.poll_wakeup();
         let until_then = if self.is_spoken_to() {
@@ -309,12 +309,11 @@ impl VirtualArm {
         self.to_arm.next_burst().is_some() || self.faults.as_deref().is_some_and(late)
     }
 
-    /// Gives the controller the bytes that arrive before `time`: one that arrives in the very
-    /// instant of a control tick is too late for it. One that arrives before the first tick meets
-    /// a deaf controller.
+    /// Passes the bytes that arrive before `time` to the controller. A byte that arrives exactly at a
+    /// control tick is too late for it. Bytes before the first tick are ignored.
     ///
-    /// At the beginning of a tick a controller may be busy, so that it matters when each byte
-    /// comes; for the rest of the tick only that it comes before the next.
+    /// A controller may be busy at the start of a tick, so the time of each byte matters; for the rest
+    /// of the tick it only matters that it arrives before the next.
     fn deliver(&mut self, time: Duration) {
         let before = time.saturating_sub(Duration::from_nanos(1));
         self.judge(before);
@@ -344,7 +343,7 @@ impl VirtualArm {
         }
     }
 
-    /// Lets the faults judge the bytes that have arrived, before one of them begins or ends.
+    /// Applies the faults to the received bytes before a fault begins or ends.
     fn judge(&mut self, by: Duration) {
         if let Some(faults) = &mut self.faults {
             let lines = [&mut self.to_arm, &mut self.from_arm];
@@ -356,7 +355,7 @@ impl VirtualArm {
         if let Some(recorder) = &mut self.recorder
             && event >= self.started
         {
-            let [from, to] = [self.last_event, event].map(|it| it.saturating_sub(self.started));
+            let [from, to] = [self.last_event, event].map(|time| time.saturating_sub(self.started));
             recorder.sample(&self.controller, self.started, from, to);
         }
         self.go_through_world(event);
@@ -390,8 +389,8 @@ impl VirtualArm {
         }
     }
 
-    /// Lets the world feel the way since the last event: the machine stands still from a tick
-    /// after that at the latest.
+    /// Applies the motion since the last event to the world; the machine is at rest at most a tick
+    /// later.
     fn go_through_world(&mut self, to: Duration) {
         let tick_over = self.last_event + TICK;
         if tick_over < to {
@@ -400,7 +399,7 @@ impl VirtualArm {
         self.feel(to);
     }
 
-    /// Tells the world where the arm really is, and what acted at its tool since it was told last.
+    /// Updates the world with the true pose and the actuators since the last update.
     fn feel(&mut self, at: Duration) {
         if let Some(world) = &mut self.world {
             let outputs = self.controller.outputs();
@@ -413,7 +412,7 @@ impl VirtualArm {
         }
     }
 
-    /// Drives the machine with what the control tick sent.
+    /// Drives the machine with the outputs of the control tick.
     fn drive(&mut self, at: Duration) {
         let outputs = self.controller.outputs();
         let pulses = match &mut self.faults {
@@ -423,7 +422,7 @@ impl VirtualArm {
         self.mechanics.handle_tick(at, pulses, outputs.head_servo);
     }
 
-    /// Does what the faults of this moment want.
+    /// Applies the due faults.
     fn strike(&mut self, at: Duration) {
         while let Some(faults) = &mut self.faults
             && let Some(order) = faults.handle_time(at, &self.controller)
@@ -439,7 +438,7 @@ impl VirtualArm {
         }
     }
 
-    /// Stops in the middle of whatever it does; a controller takes over that knows nothing.
+    /// Restarts the controller immediately, with no memory.
     fn stop(&mut self, at: Duration, tilt: Tilt, started: Duration) {
         self.mechanics.halt(at);
         self.from_arm.cut(at);
@@ -452,7 +451,7 @@ impl VirtualArm {
 }
 
 impl Recorder {
-    /// Samples the controller between two of its events, the later one included.
+    /// Samples the controller between two of its events, including the later one.
     fn sample(&mut self, controller: &Controller, started: Duration, from: Duration, to: Duration) {
         let mut at = from + self.period;
         while at < to {
@@ -481,8 +480,8 @@ impl Recorder {
     }
 }
 
-/// After that much of a tick no controller calculates any more (note N39).
+/// The longest calculation time in a tick (note N39).
 const BUSY: Duration = Duration::from_millis(8);
-/// From a reset or the return of the power to the first control tick: 1.3 s of its loader, which
-/// waits for a new program, and 0.7 s of its own.
+/// The time from a reset or power-up to the first control tick: 1.3 s of the boot loader, which waits
+/// for a new program, and 0.7 s of the firmware.
 const START: Duration = Duration::from_secs(2);

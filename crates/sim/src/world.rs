@@ -1,12 +1,12 @@
 //! The world around an arm: what its tool touches, marks, lifts and runs into.
 //!
-//! [`World`] is an engine without a clock: it is told where the joints truly are and what acts at
-//! the tool, and keeps what comes of it. Its physics is simple and the same every time:
+//! [`World`] is an engine without a clock. It receives the true joint angles and the actuators of the
+//! tool, and updates its state. Its physics is simple and deterministic:
 //!
-//! - Nothing has inertia, and nothing slides, tips over or rolls: what is let go falls straight down
-//!   to the highest upper face below it, and stays there however little of it is supported.
-//! - What stands on an object that is lifted is lifted with it.
-//! - What is run into stays where it is; that is told as an event.
+//! - Nothing has inertia, and nothing slides, tips over or rolls: a released object falls straight down
+//!   to the highest upper face below it, and stays there even if hardly supported.
+//! - Objects on top of a lifted object are lifted with it.
+//! - An object hit by the tool stays in place; the collision is reported as an event.
 //! - Pen and laser mark the plane of the table, and of the paper on it, not the objects.
 //!
 //! ```
@@ -66,19 +66,19 @@ pub use dobot_geometry::Point;
 #[derive(Clone, Debug)]
 pub struct World {
     scene: Scene,
-    /// Where the arm was last, and when; nothing before it was told first.
+    /// The last state of the arm with its time; `None` before the first.
     arm: Option<ArmMoment>,
     grip: Grip,
-    /// The object that was last found too heavy or not under the cup, until the tool is elsewhere.
+    /// The object last found too heavy or not covered by the cup, until the tool moves away.
     refused: Option<usize>,
-    /// How far apart the fingers were when they began to close.
+    /// The opening of the fingers when they began to close.
     closing_from_mm: f64,
-    /// How far apart the fingers are at least: as far as what they hold is wide.
+    /// The minimum opening of the fingers: the width of the held object.
     held_mm: f64,
     ink: Ink,
     burns: Burns,
     contacts: Contacts,
-    /// Pen or laser mark the table beside the paper.
+    /// Whether pen or laser mark the table beside the paper.
     off_paper: bool,
     lost: bool,
     untold: VecDeque<Happened>,
@@ -86,10 +86,10 @@ pub struct World {
     event_count: u64,
 }
 
-/// What acts at the tool.
+/// The actuators of the tool.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Actuators {
-    /// Whether the pump runs.
+    /// Whether the pump is on.
     pub pump: bool,
     /// Whether the laser is on.
     pub laser: bool,
@@ -98,7 +98,7 @@ pub struct Actuators {
 }
 
 impl World {
-    /// The world of a scene, before the arm is switched on.
+    /// Creates the world of a scene, before power-up of the arm.
     #[must_use]
     pub fn new(scene: Scene) -> Self {
         Self {
@@ -119,11 +119,11 @@ impl World {
         }
     }
 
-    /// Takes where the joints truly are at a time, and what acted at the tool on the way there.
+    /// Handles the true joint angles at a time and the actuators since the last call.
     ///
-    /// Between two calls the joints turn evenly: a call every 20 ms, the control tick, makes that
-    /// exact enough. Time does not go back. Angles that are not numbers are told as
-    /// [`Event::Lost`] and leave the arm where it was.
+    /// Joints are interpolated linearly between two calls; one call per 20 ms control tick is accurate
+    /// enough. Time must not decrease. NaN angles are reported as [`Event::Lost`] and leave the arm
+    /// in place.
     pub fn handle_arm(&mut self, at: Duration, joints: &Joints, actuators: Actuators) {
         let to = ArmMoment {
             at,
@@ -133,7 +133,7 @@ impl World {
         };
         let lost = !to.is_somewhere();
         if lost && !self.lost {
-            self.tell(at, Event::Lost);
+            self.report(at, Event::Lost);
         }
         self.lost = lost;
         if lost {
@@ -154,13 +154,12 @@ impl World {
         self.arm = Some(to);
     }
 
-    /// What happened since the last call, in its order; of the events that are not asked for, the last 100 are
-    /// kept.
+    /// Takes the events since the last call in order; at most the last 100 are kept.
     pub fn poll_event(&mut self) -> Option<Happened> {
         self.untold.pop_front()
     }
 
-    /// All that can be known of it.
+    /// The complete state.
     #[must_use]
     pub fn state(&self) -> WorldState {
         let name = |object: usize| self.scene.objects[object].name.clone();
@@ -169,8 +168,10 @@ impl World {
             _ => 0.0,
         };
         WorldState {
-            time_s: self.arm.map_or(0.0, |it| seconds(it.at)),
-            arm: self.arm.map(|it| it.state(&self.scene.tool, self.held_mm)),
+            time_s: self.arm.map_or(0.0, |arm| seconds(arm.at)),
+            arm: self
+                .arm
+                .map(|arm| arm.state(&self.scene.tool, self.held_mm)),
             tool: self.scene.tool,
             table_z_mm: self.scene.table_z_mm,
             paper: self.scene.paper,
@@ -184,13 +185,13 @@ impl World {
         }
     }
 
-    /// Its picture, as the text of an SVG file.
+    /// Returns a picture as the text of an SVG file.
     #[must_use]
     pub fn picture(&self) -> String {
         self.state().picture()
     }
 
-    /// Goes a short way, on which everything changes evenly.
+    /// Handles a short linear step.
     fn advance(&mut self, from: &ArmMoment, to: &ArmMoment) {
         self.grip.carry(&mut self.scene.objects, &to.tip);
         match self.scene.tool.action {
@@ -233,22 +234,22 @@ impl World {
                 at_mm: rounded_place(hole.at_mm),
                 time_s: rounded(hole.time_s),
             };
-            self.tell(to.at, event);
+            self.report(to.at, event);
         }
         self.mark(to.at, to.tip.at);
     }
 
-    /// Something is marked; where there is paper it should be that.
+    /// Reports marks beside the paper, if there is paper.
     fn mark(&mut self, now: Duration, at: Point) {
         let off_paper = self.scene.paper.is_some_and(|paper| !paper.contains(at));
         if off_paper && !self.off_paper {
             let at_mm = rounded_place(at);
-            self.tell(now, Event::OffPaper { at_mm });
+            self.report(now, Event::OffPaper { at_mm });
         }
         self.off_paper = off_paper;
     }
 
-    /// The suction cup holds what its whole face covers while the pump runs.
+    /// Handles the suction cup: it holds an object that its whole face covers while the pump is on.
     fn suck(&mut self, now: &ArmMoment, radius_mm: f64) {
         if !now.actuators.pump {
             self.release(now);
@@ -269,13 +270,13 @@ impl World {
             self.refused = Some(object);
             let object = self.scene.objects[object].name.clone();
             let by_mm = rounded(by_mm);
-            self.tell(now.at, Event::DrawsAir { object, by_mm });
+            self.report(now.at, Event::DrawsAir { object, by_mm });
             return;
         }
         self.take(object, now);
     }
 
-    /// The highest object that the cup touches with some part, and how far inside its middle is.
+    /// The highest object that the cup touches, and the distance of its centre from the edge.
     fn under_the_cup(&self, tip: &Tip, radius_mm: f64) -> Option<(usize, f64)> {
         let give_mm = self.scene.tool.give_mm;
         let objects = self.scene.objects.iter().enumerate();
@@ -290,10 +291,10 @@ impl World {
         })
     }
 
-    /// The fingers hold what they close on, and let go where they open.
+    /// Handles the gripper: the fingers hold what they close on and release it when they open.
     fn grasp(&mut self, from: &ArmMoment, to: &ArmMoment) {
         let tool = self.scene.tool;
-        let [from_mm, to_mm] = [from, to].map(|it| tool.opening_mm(it.actuators.gripper_deg));
+        let [from_mm, to_mm] = [from, to].map(|arm| tool.opening_mm(arm.actuators.gripper_deg));
         if to_mm > from_mm {
             self.refused = None;
             self.release(to);
@@ -314,15 +315,14 @@ impl World {
         }
     }
 
-    /// The highest object that stood between the fingers before they closed and is as wide now as
-    /// they are apart.
+    /// The highest object between the closing fingers whose width matches their opening.
     fn between_the_fingers(&self, tip: &Tip, [now_mm, before_mm]: [f64; 2]) -> Option<usize> {
         let across = direction(tip.turn_deg + 90.0);
         let middle = tip.at.to_vec2().dot(across);
         let objects = self.scene.objects.iter().enumerate();
         let caught = objects.filter(|(_, it)| {
             let footprint = it.footprint();
-            let [right, left] = footprint.extent(across).map(|it| it - middle);
+            let [right, left] = footprint.extent(across).map(|edge| edge - middle);
             let beside = (it.bottom_mm..it.top_mm()).contains(&(tip.height_mm.max(0.0)));
             let between = right.abs().max(left.abs()) <= before_mm / 2.0 + SEALS_MM;
             beside && between && left - right >= now_mm && footprint.margin_mm(tip.at) > 0.0
@@ -337,14 +337,14 @@ impl World {
             .grip
             .take(object, &self.scene.objects, &now.tip, lifts_g);
         self.refused = self.grip.is_empty().then_some(object);
-        self.tell(now.at, event);
+        self.report(now.at, event);
     }
 
     fn release(&mut self, now: &ArmMoment) {
         self.refused = None;
         self.held_mm = 0.0;
         if let Some(event) = self.grip.release(&mut self.scene.objects) {
-            self.tell(now.at, event);
+            self.report(now.at, event);
         }
     }
 
@@ -364,11 +364,11 @@ impl World {
         };
         self.contacts.look(&scenery, |event| events.push(event));
         for event in events {
-            self.tell(now.at, event);
+            self.report(now.at, event);
         }
     }
 
-    fn tell(&mut self, at: Duration, event: Event) {
+    fn report(&mut self, at: Duration, event: Event) {
         let happened = Happened {
             at_s: seconds(at),
             event,
@@ -387,9 +387,9 @@ fn seconds(time: Duration) -> f64 {
     rounded(time.as_secs_f64())
 }
 
-/// For how long a laser may stand before that is told.
+/// The time for which a laser may stand before it is reported.
 const DANGEROUS_S: f64 = 0.5;
-/// How far a cup may stand over an edge, or a finger be off, and still hold: nothing but rounding.
+/// The tolerance of cup and fingers for rounding.
 const SEALS_MM: f64 = 0.05;
-/// How many events are kept.
+/// The number of events kept.
 const KEPT_EVENTS: usize = 100;

@@ -21,7 +21,7 @@ impl PlaybackAdjustment {
     /// Float 1 of this command.
     pub const STATE: f32 = 10.0;
 
-    /// Reads the command; the dialect knows which of floats 3 and 4 is the speed (note N3).
+    /// Reads the command; the dialect defines which of floats 3 and 4 is the speed (note N3).
     ///
     /// # Errors
     ///

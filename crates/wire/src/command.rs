@@ -1,4 +1,4 @@
-//! Everything that a client can say.
+//! The commands of a client.
 
 use crate::table::whole_number;
 use crate::{
@@ -6,7 +6,7 @@ use crate::{
     MovingMode, Packet, ParseError, PlaybackAdjustment, Voice, WriteVector,
 };
 
-/// Everything that a client can say (Table 2.2).
+/// A command from a client (Table 2.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -41,7 +41,7 @@ impl Command {
     ///
     /// # Errors
     ///
-    /// [`ParseError`] says where, what was found, what is allowed, and who says so.
+    /// Returns a [`ParseError`] with the field, the value found, the allowed values and the source.
     pub fn parse(packet: &Packet, dialect: &Dialect) -> Result<Self, ParseError> {
         match packet {
             Packet::Frame(frame) => Self::parse_frame(frame, dialect),
@@ -69,7 +69,7 @@ impl Command {
         }
     }
 
-    /// The field whose packet or meaning depends on the dialect for this very command, in words
+    /// The field whose packet or meaning depends on the dialect for this command, as text
     /// for an error; `None` where all dialects agree (note N1).
     #[must_use]
     pub fn dialect_dependent(&self) -> Option<&'static str> {

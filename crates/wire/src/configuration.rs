@@ -60,7 +60,7 @@ pub enum Configuration {
         /// The forearm's angle in degrees below the horizontal.
         fore_deg: f32,
     },
-    /// What is mounted (mode 4).
+    /// The end effector (mode 4).
     EndEffector {
         /// The tool.
         #[cfg_attr(feature = "schema", schemars(with = "Tool"))]
@@ -103,7 +103,7 @@ impl Configuration {
         }
     }
 
-    /// What it says of speeds, in modes 0 and 1: speed and acceleration of base, rear arm and forearm
+    /// The speeds of modes 0 and 1: speed and acceleration of base, rear arm and forearm
     /// in degrees/s and degrees/s2, the same of the servo, and along a line in mm/s and mm/s2.
     #[must_use]
     pub const fn speeds(&self) -> Option<[f32; 6]> {
@@ -187,7 +187,7 @@ impl Dialect {
 
 /// The tool for which the arm is configured (state 9, mode 4; Table 3.9).
 ///
-/// The protocol knows three; any other tool becomes the one that [`Tool::end_effector`] says.
+/// The protocol defines three; any other tool is encoded as its [`Tool::end_effector`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(from = "Tool", into = "Tool"))]

@@ -23,7 +23,7 @@ pub struct Decoder<D> {
 }
 
 impl Decoder<Statuses> {
-    /// A decoder of what the controller sends.
+    /// Creates a decoder for packets from the controller.
     ///
     /// `plausible` judges frames whose floats are all in range (note N22). X, Y and Z that equal the
     /// forward kinematics of the angles are the checksum that the protocol does not have.
@@ -34,7 +34,7 @@ impl Decoder<Statuses> {
 }
 
 impl Decoder<Commands> {
-    /// A decoder of what clients send.
+    /// Creates a decoder for packets from clients.
     #[must_use]
     pub const fn commands() -> Self {
         Self::new(Commands)
@@ -56,7 +56,7 @@ impl<D> Decoder<D> {
         }
     }
 
-    /// What happened so far.
+    /// The counters.
     #[must_use]
     pub const fn counts(&self) -> Counts {
         self.counts
@@ -72,7 +72,7 @@ impl<D> Decoder<D> {
 }
 
 impl<D: Direction> Decoder<D> {
-    /// Gives up what waits for the rest of its packet: its sender has been silent for so long that the
+    /// Discards an incomplete packet: its sender has been silent for so long that the
     /// rest will not come. Bytes that come later belong to others; they might complete it to what
     /// looks like a packet.
     pub fn give_up_waiting(&mut self) {
@@ -232,7 +232,7 @@ impl<D: Direction> Drop for Packets<'_, '_, D> {
     }
 }
 
-/// What a decoder counts.
+/// The counters of a decoder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

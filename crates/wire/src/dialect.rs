@@ -4,9 +4,9 @@ use core::fmt;
 use core::str::FromStr;
 use core::time::Duration;
 
-/// What the published document and the stock firmware read differently (note N1).
+/// The differences between the published document and the stock firmware (note N1).
 ///
-/// This is the only place that knows about versions: everything else asks for one of these choices.
+/// Only this type distinguishes versions; all other code reads one of its fields.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(
     clippy::struct_excessive_bools,
@@ -36,12 +36,12 @@ pub struct Dialect {
     /// State 9, mode 1: float 9 is the pause of targets that have none, instead of nothing
     /// (note N10).
     pub uses_default_pause: bool,
-    /// The pause behind a MOVJ or MOVL begins anew as long as nothing follows (note N47).
+    /// The pause after a MOVJ or MOVL starts again as long as nothing follows (note N47).
     pub repeats_pause: bool,
     /// A straight line to where the arm stands makes it lose its pose, instead of doing nothing
     /// (note N34).
     pub loses_pose_on_the_spot: bool,
-    /// How high a JUMP lifts until it is told otherwise, in millimetres (note N11).
+    /// The default lift of a JUMP, in millimetres (note N11).
     pub default_jump_height_mm: f32,
     /// A JUMP lifts by its height at either end, and all joints go together on each of its three
     /// ways, instead of across above the higher end (notes N11 and N45).
@@ -54,7 +54,7 @@ pub struct Dialect {
     pub has_rapid_laser_mode: bool,
     /// State 10: float 5 scales all jogs, instead of nothing (note N15).
     pub scales_jogs: bool,
-    /// Voice is heard on the port that is served; otherwise it is not, and would be lost (note N50).
+    /// Voice is received on the served port; otherwise it is lost (note N50).
     pub hears_voice: bool,
     /// Ticks of motion and pause are counted in 16 bits: none may last longer than 655 s (note N51).
     pub counts_ticks_in_16_bits: bool,
@@ -97,7 +97,7 @@ impl Dialect {
         status_period_ms: 80,
     };
 
-    /// What stock arms do (firmware 1.1).
+    /// Stock arms (firmware 1.1).
     pub const FIRMWARE_1_1: Self = Self {
         name: "firmware-1.1",
         codes_movj_before_movl: true,
@@ -181,7 +181,7 @@ impl schemars::JsonSchema for Dialect {
         schemars::json_schema!({
             "description": "What the packets mean: as the published document says, or as stock arms do (firmware 1.1).",
             "type": "string",
-            "enum": Self::ALL.map(|it| it.name),
+            "enum": Self::ALL.map(|dialect| dialect.name),
         })
     }
 }

@@ -1,16 +1,16 @@
-//! The two directions of the line: what a decoder trusts in each.
+//! The two directions of the line and their plausibility checks.
 
 use crate::{Frame, HEADER, PACKET_LEN, Packet, VOICE_HEADER, Voice};
 
 /// A direction of the line: [`Statuses`] or [`Commands`].
 pub trait Direction: sealed::Sealed {
-    /// What travels in this direction.
+    /// The type of packets in this direction.
     type Item;
 
     /// Whether a packet can begin with this byte.
     fn begins(byte: u8) -> bool;
 
-    /// Whether to trust a window; `locked` says that the packet before ended where this one begins.
+    /// Whether to trust a window; `locked` means that the previous packet ended where this one starts.
     fn trusts(&self, window: &[u8; PACKET_LEN], locked: bool) -> bool;
 
     /// Reads a trusted window.

@@ -2,7 +2,7 @@
 
 /// Why a packet is not the command or the status that it claims to be.
 ///
-/// The text says where, what was found, what is allowed, and who says so.
+/// The text states the field, the value found, the allowed values and the source.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ParseError {
@@ -20,18 +20,18 @@ pub enum ParseError {
     #[error("float 1 (state) is 5; note N17 wants voice commands as text between B5 and 5B")]
     VoiceAsFloats,
 
-    /// A float lies outside what its table allows.
+    /// A float is outside the range of its table.
     #[error("float {float} ({name}) is {found}; {table} allows {allowed}")]
     OutOfRange {
         /// The number of the float, counted from 1 as in the tables.
         float: usize,
         /// The name of the float in its table.
         name: &'static str,
-        /// What it holds.
+        /// The value found.
         found: f32,
-        /// What it may hold.
+        /// The allowed values.
         allowed: &'static str,
-        /// The table or note that says so.
+        /// The table or note that defines them.
         table: &'static str,
     },
 
@@ -47,7 +47,7 @@ pub enum ParseError {
     VoiceByte {
         /// The number of the byte, counted from 1.
         byte: usize,
-        /// What it holds.
+        /// The value found.
         found: u8,
     },
 }

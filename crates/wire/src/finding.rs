@@ -1,4 +1,4 @@
-//! What a detection found out.
+//! The result of a dialect detection.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -6,7 +6,7 @@ use core::fmt;
 
 use crate::Dialect;
 
-/// Which dialect an arm speaks, and what shows it.
+/// The dialect of an arm, with the evidence.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -17,14 +17,14 @@ pub struct Finding {
     pub evidence: Vec<Evidence>,
 }
 
-/// What an arm did where the dialects disagree.
+/// The behavior of an arm where the dialects differ.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Evidence {
-    /// What was asked, with the note that says why.
+    /// The question, with its note.
     pub question: String,
-    /// What the statuses told.
+    /// The observation in the statuses.
     pub saw: String,
     /// The dialect of an arm that does so.
     pub means: Dialect,

@@ -1,4 +1,4 @@
-//! What the two jogs share: their fields and codes (Tables 3.5 and 2.5).
+//! Shared parts of the two jogs: fields and codes (Tables 3.5 and 2.5).
 
 use crate::table::{Table, whole_number};
 use crate::{Frame, ParseError};

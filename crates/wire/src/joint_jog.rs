@@ -4,14 +4,14 @@ use crate::{Dialect, Frame, ParseError, jog};
 
 /// Moves one joint while a button is held (state 2; Tables 3.5 and 2.5).
 ///
-/// The arm keeps moving until the next jog packet says otherwise: there is no dead-man in it
+/// The arm keeps moving until the next jog packet: there is no dead-man in it
 /// (note N13).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct JointJog {
-    /// What the button moves or switches.
+    /// The axis or switch of the button.
     pub axis: JointJogAxis,
     /// The speed in percent of the largest: 1 to 100, and 0 too for a release or a switch.
     pub speed_percent: f32,
@@ -65,7 +65,7 @@ impl JointJog {
     }
 }
 
-/// What a button of joint jog moves or switches (Table 2.5; note N14).
+/// The axis or switch of a joint jog button (Table 2.5; note N14).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -3,10 +3,10 @@
 use crate::{Frame, ParseError};
 
 /// A value that no table allows, and that a stock arm takes all the same: it checks nothing (note N34), and
-/// only some of what it is told makes it hang or lose its pose (note N51).
+/// only some packets make it hang or lose its pose (note N51).
 ///
-/// Programs that were written against such an arm rely on it. This is the one list of what they may send,
-/// for whoever has to serve them or to tell what they do.
+/// Programs written for such an arm rely on it. This list of accepted values serves such programs and
+/// explains their packets.
 ///
 /// ```
 /// use dobot_wire::{Command, Dialect, Frame, Leniency};
@@ -29,22 +29,22 @@ pub struct Leniency {
     names: &'static [&'static str],
     /// Whether it holds for the value that was found.
     when: fn(&Frame, f32) -> bool,
-    /// What a stock arm does with such a value, as the end of a sentence about it.
+    /// The effect of such a value on a stock arm, as the end of a sentence.
     pub effect: &'static str,
-    /// What is allowed and comes nearest to that.
+    /// The nearest allowed value.
     pub instead: Instead,
     /// Whether an arm that is sent that does the same, or less: then it may be sent for the other.
     pub is_harmless: bool,
 }
 
-/// What may stand for a value that is not allowed.
+/// The replacement of a value that is not allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Instead {
     /// This one.
     Value(f32),
     /// The nearest in this range.
     Nearest(f32, f32),
-    /// What is in force already.
+    /// The current value.
     InForce,
     /// Pump and gripper as they are: floats 7 and 9 of a target.
     Tool,
@@ -70,7 +70,7 @@ impl Leniency {
         found.is_finite().then(|| ALL.iter().find(holds)).flatten()
     }
 
-    /// The frame with what may stand for the value that is not allowed; `in_force` holds what is in force,
+    /// The frame with the replacement for the invalid value; `in_force` holds the current values,
     /// each at the float that sets it.
     #[must_use]
     pub fn stand_in(&self, frame: &Frame, error: &ParseError, in_force: &Frame) -> Frame {
@@ -258,7 +258,7 @@ mod tests {
         floats.fold(Frame::ZERO, |frame, (n, value)| frame.with(n, *value))
     }
 
-    /// What becomes of a packet, one float after the other, until it is allowed.
+    /// Replaces the floats of a packet one by one until it is allowed.
     fn stand_in(floats: &[f32], in_force: &Frame) -> Option<(Frame, bool)> {
         let mut sent = frame(floats);
         let mut is_harmless = true;

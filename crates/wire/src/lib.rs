@@ -1,7 +1,7 @@
 //! The packets of the original Dobot Arm: bytes, frames, commands and statuses.
 //!
 //! Every packet is 42 bytes long. A [`Frame`] holds any ten floats; a [`Command`] or a [`Status`]
-//! only what makes sense. A [`Dialect`] says how to read the fields on which the published document
+//! only what makes sense. A [`Dialect`] defines how to read the fields on which the published document
 //! and the stock firmware disagree. A [`Decoder`] finds the packets in a stream of bytes.
 //!
 //! Numbers are the packet's own `f32`, with the unit in the name of the field. Tables and figures
@@ -19,7 +19,7 @@
 //! let packets: Vec<Packet> = decoder.feed(&bytes).collect();
 //! assert_eq!(Command::parse(&packets[0], &Dialect::SPECIFICATION), Ok(command));
 //!
-//! // What makes no sense is refused, with the table that says so.
+//! // An invalid value is refused with its table.
 //! let Packet::Frame(frame) = packets[0] else { unreachable!() };
 //! let error = MoveTo::parse(&frame.with(8, 3.0), &Dialect::SPECIFICATION).unwrap_err();
 //! assert_eq!(

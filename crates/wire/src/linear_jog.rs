@@ -4,14 +4,14 @@ use crate::{Dialect, Frame, ParseError, jog};
 
 /// Moves the end effector along one axis while a button is held (state 7; Tables 3.5 and 2.5).
 ///
-/// The arm keeps moving until the next jog packet says otherwise: there is no dead-man in it
+/// The arm keeps moving until the next jog packet: there is no dead-man in it
 /// (note N13).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct LinearJog {
-    /// What the button moves or switches.
+    /// The axis or switch of the button.
     pub axis: LinearJogAxis,
     /// The speed in percent of the largest: 1 to 100, and 0 too for a release or a switch.
     pub speed_percent: f32,
@@ -48,7 +48,7 @@ impl LinearJog {
     }
 }
 
-/// What a button of linear jog moves or switches (Table 2.5; note N14).
+/// The axis or switch of a linear jog button (Table 2.5; note N14).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

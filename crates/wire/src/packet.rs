@@ -2,7 +2,7 @@
 
 use crate::{Frame, PACKET_LEN, Voice};
 
-/// What travels from client to controller: a frame, or a voice command (note N17).
+/// A packet from client to controller: a frame or a voice command (note N17).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Packet {
     /// Ten floats between `A5` and `5A`.

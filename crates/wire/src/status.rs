@@ -1,4 +1,4 @@
-//! The status: the only thing that the controller ever says.
+//! The status: the only message of the controller.
 
 use crate::table::Table;
 use crate::{Frame, ParseError};

@@ -1,8 +1,8 @@
-//! What a voice command orders.
+//! The order of a voice command.
 
 use crate::Voice;
 
-/// What a voice command orders (note N17).
+/// The order of a voice command (note N17).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum VoiceOrder {
     /// A straight line from here, in millimetres.
@@ -64,7 +64,7 @@ impl VoiceOrder {
         ("release", Self::Release),
     ];
 
-    /// The same so many times as far; `None` for a move by nothing.
+    /// Multiplies the distance; `None` for a distance of 0.
     #[must_use]
     pub fn times(self, number: u16) -> Option<Self> {
         let Self::Move { x_mm, y_mm, z_mm } = self else {
@@ -92,7 +92,7 @@ impl VoiceOrder {
     }
 }
 
-/// The number so far and the next word of it.
+/// Adds the next word to a number.
 fn add_number(sum: u16, word: &str) -> u16 {
     if word.eq_ignore_ascii_case("hundred") {
         return sum.max(1).saturating_mul(100);

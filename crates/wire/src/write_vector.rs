@@ -33,7 +33,7 @@ impl WriteVector {
     /// Float 1 of this command.
     pub const STATE: f32 = 4.0;
 
-    /// Goes so far with the pen, from rest to rest.
+    /// Moves the pen by this vector, from rest to rest.
     ///
     /// ```
     /// # use dobot_wire::{WriteMode, WriteVector};

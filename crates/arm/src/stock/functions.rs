@@ -266,7 +266,7 @@ mod tests {
         })
     }
 
-    /// The same once more, in whole numbers and with every digit by itself.
+    /// A second implementation in integers, digit by digit.
     mod exact {
         use super::super::{ARC_COSINE, ARC_TANGENT, QUARTER, SINE};
 

@@ -44,7 +44,7 @@ pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.pass(300).await?;
     rig.send(jog(2.0, 0.0, 0.0)).await?;
     if !rig.stands().await? {
-        rig.halt().await?;
+        rig.stop_jog().await?;
         rig.settled().await?;
         return Ok(Outcome::Differs("the arm went on after the release".into()));
     }
@@ -130,7 +130,7 @@ async fn hold(rig: &mut Rig, axis: JogButtons, button: f32, ms: u64) -> Result<S
     rig.pass(ms).await?;
     rig.send(jog(axis.state, 0.0, 0.0)).await?;
     if !rig.stands().await? {
-        rig.halt().await?;
+        rig.stop_jog().await?;
     }
     rig.settled().await
 }

@@ -64,7 +64,7 @@ pub(crate) async fn other_settings(rig: &mut Rig) -> Result<Outcome, CheckError>
     rig.send(servo_ramp(FAST)).await?;
     rig.expect_later(RUN_DOWN_MS);
     if !rig.stands().await? {
-        rig.halt().await?;
+        rig.stop_jog().await?;
     }
     let stopped = rig.settled().await?;
     let braked = braked_deg(&rig.seen[mark..]);
@@ -98,7 +98,7 @@ async fn press(
     rig.expect_later(RUN_DOWN_MS);
     let stands = rig.stands().await?;
     if !stands {
-        rig.halt().await?;
+        rig.stop_jog().await?;
     }
     let there = rig.settled().await?;
     Ok(stands.then_some(there))

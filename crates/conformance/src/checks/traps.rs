@@ -4,7 +4,7 @@ use dobot_wire::Frame;
 
 use crate::outcome::Outcome;
 use crate::packet::{STOCK_WRITING_MM_S2, vector, writing};
-use crate::rig::{CheckError, Rig, tells_no_pose};
+use crate::rig::{CheckError, Rig, has_nan_pose};
 
 /// A write vector without length: refused, or the end of the pose.
 pub(crate) async fn no_length(rig: &mut Rig) -> Result<Outcome, CheckError> {
@@ -12,7 +12,7 @@ pub(crate) async fn no_length(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.react().await?;
     let (bytes, statuses) = (rig.raw.len(), rig.seen.len());
     rig.pass(500).await?;
-    let lost = tells_no_pose(&rig.raw[bytes..]);
+    let lost = has_nan_pose(&rig.raw[bytes..]);
     let went_on = rig.seen.len() > statuses;
     Ok(Outcome::vote(
         went_on && !lost,

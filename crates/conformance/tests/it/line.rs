@@ -52,7 +52,9 @@ async fn a_line_too_slow_is_told_and_nothing_is_moved() {
         assert!(took.abs_diff(ms(told)) <= ms(25), "{took:?}");
         let outcome = report.outcome("move-point").expect("it is one");
         assert!(
-            outcome.found().starts_with("the line is too slow ("),
+            outcome
+                .found()
+                .starts_with("the round-trip time of the line is "),
             "{outcome}"
         );
         assert!(outcome.found().contains("at most 600 ms"), "{outcome}");

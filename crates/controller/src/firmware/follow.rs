@@ -195,8 +195,8 @@ impl History {
         self.count.into()
     }
 
-    /// Averages the previous samples with the new one, which counts twice: in degrees of the base, mm
-    /// of reach and mm of height.
+    /// Sums each previous sample plus the new one, and the new one once more, over the count: in
+    /// degrees of the base, mm of reach and mm of height.
     fn mouse_average(&mut self, sample: [f32; 3]) -> [f32; 3] {
         let mut sums = sample;
         for old in &self.samples[..self.len()] {

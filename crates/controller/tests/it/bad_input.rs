@@ -88,7 +88,7 @@ fn noise_between_packets_costs_none_of_them() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// Any floats, mostly of the kinds that make sense to someone, at any time.
+    /// Any floats, mostly plausible ones, at any time.
     #[test]
     fn whatever_is_sent_no_status_is_nan_or_beyond_a_limit(
         frames in proptest::collection::vec((any_frame(), 0_u64..1500), 1..12),
@@ -119,14 +119,14 @@ proptest! {
         cuts in proptest::collection::vec(1_usize..42, 1..8),
         slices in proptest::collection::vec(1_u64..90, 1..8),
     ) {
-        let whole = told(personality, &frames, &[42], &[1000]);
-        let cut = told(personality, &frames, &cuts, &slices);
+        let whole = statuses(personality, &frames, &[42], &[1000]);
+        let cut = statuses(personality, &frames, &cuts, &slices);
         prop_assert_eq!(whole, cut);
     }
 }
 
-/// Every status, when the bytes come in such pieces and the time in such steps.
-fn told(
+/// Every status for bytes in these chunks and time in these steps.
+fn statuses(
     personality: Personality,
     frames: &[([f32; 10], u64)],
     cuts: &[usize],
@@ -134,7 +134,7 @@ fn told(
 ) -> Vec<Upload> {
     let mut controller = Controller::power_up(PowerUp::new(personality));
     let mut statuses = Vec::new();
-    // While the twin calculates it lets bytes pile up.
+    // The twin buffers bytes while it calculates.
     let mut now = Duration::from_millis(10);
     let mut slices = slices_ms.iter().cycle();
     let mut cuts = cuts.iter().cycle();
@@ -202,6 +202,6 @@ fn a_status_is_a_status_even_after_the_wildest_vector() {
         ..WriteVector::by(f32::MAX, f32::MAX, f32::MAX, f32::MIN_POSITIVE)
     };
     let lab = Lab::power_up().send(vector).wait_ms(1000);
-    let told: Status = lab.statuses.last().expect("it still tells").1;
-    assert!(told.x_mm.is_finite());
+    let status: Status = lab.statuses.last().expect("statuses continue").1;
+    assert!(status.x_mm.is_finite());
 }

@@ -1,4 +1,4 @@
-//! A lab notebook: what is sent when, and what the arm then tells.
+//! A scenario: commands at given times and the reported statuses.
 
 use std::time::Duration;
 
@@ -6,11 +6,11 @@ use dobot_arm::{Joints, Position};
 use dobot_controller::{Controller, PowerUp, Refused};
 use dobot_wire::{Command, Dialect, Frame, Packet, Status};
 
-/// A controller on simulated time, and all that it told.
+/// A controller on simulated time and all its statuses.
 pub(crate) struct Lab {
     pub(crate) controller: Controller,
     now: Duration,
-    /// Times in milliseconds and what was told then.
+    /// The statuses with their times in milliseconds.
     pub(crate) statuses: Vec<(u64, Status)>,
 }
 
@@ -100,7 +100,7 @@ impl Lab {
         self
     }
 
-    /// What was refused, as texts.
+    /// The refusals as texts.
     pub(crate) fn refusals(&mut self) -> Vec<String> {
         std::iter::from_fn(|| self.controller.poll_refused())
             .map(|it: Refused| it.to_string())

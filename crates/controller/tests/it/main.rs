@@ -1,4 +1,4 @@
-//! Scenarios on simulated time: each reads like a page of a lab notebook.
+//! Scenarios on simulated time: a list of steps and expectations.
 
 mod bad_input;
 mod jogging;

@@ -1,4 +1,4 @@
-//! States 1, 3, 5, 6, 8, 9 and 10: going somewhere.
+//! States 1, 3, 5, 6, 8, 9 and 10: motion to a target.
 
 use dobot_arm::Tool;
 use dobot_wire::{
@@ -101,8 +101,8 @@ fn the_tool_is_set_after_the_move_and_the_pause_comes_after_that() {
         .send(movl(263.0, 40.0, -17.0))
         .wait_ms(1000);
     assert!(lab.controller.suction());
-    let told = lab.statuses.last().expect("a status").1;
-    assert_eq!((told.suction, told.gripper_deg), (true, 30.0));
+    let status = lab.statuses.last().expect("a status").1;
+    assert_eq!((status.suction, status.gripper_deg), (true, 30.0));
     let lab = lab
         .expect_at(263.0, 0.0, -17.0)
         .wait_ms(600)

@@ -7,7 +7,7 @@ use crate::lab::Lab;
 use crate::moving::movl;
 
 #[test]
-fn tells_its_state_every_80_ms_from_60_ms_after_power_up() {
+fn reports_its_state_every_80_ms_from_60_ms_after_power_up() {
     let lab = Lab::power_up().wait_ms(300);
     let times: Vec<u64> = lab.statuses.iter().map(|it| it.0).collect();
     assert_eq!(times, [60, 140, 220, 300]);
@@ -83,7 +83,7 @@ fn refuses_a_seventh_command_in_the_queue() {
 }
 
 #[test]
-fn who_comes_late_for_the_statuses_loses_the_oldest_and_it_is_counted() {
+fn unfetched_statuses_are_lost_oldest_first_and_counted() {
     let mut lab = Lab::power_up();
     lab.controller
         .handle_time(std::time::Duration::from_secs(8));

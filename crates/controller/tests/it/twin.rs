@@ -1,11 +1,11 @@
-//! The twin of the stock controller, where no recording shows what it does.
+//! Behavior of the stock controller's twin that no recording covers.
 
 use std::time::Duration;
 
 use dobot_controller::{Controller, Hang, Personality, Port, PowerUp, Refused};
 use dobot_wire::{Frame, Packet, Voice};
 
-/// A twin on simulated time, and the last status that it told.
+/// A twin on simulated time, and its last status.
 struct Twin {
     controller: Controller,
     now: Duration,
@@ -28,7 +28,7 @@ impl Twin {
         .wait_ms(100)
     }
 
-    /// Sends a packet over the line, byte by byte, and nothing for 8 ms behind it.
+    /// Sends a packet over the line, byte by byte, followed by a gap of 8 ms.
     fn send(self, floats: &[f32]) -> Self {
         self.send_packet(frame(floats)).wait_ms(8)
     }
@@ -207,8 +207,8 @@ fn the_first_gesture_counts_half() {
     assert!((18.0..=20.01).contains(&y_mm), "{y_mm}");
 }
 
-/// How many packets are lost because the next one followed before anybody looked, with a gap behind
-/// each. The text on the other port counts them.
+/// The number of packets lost because the next one followed before the buffer was searched, with a
+/// gap after each, as counted by the text on the other port.
 fn lost_of_200(case: &Meanwhile, gap_us: u64) -> u32 {
     let idle = Twin::power_up(Port::Usb);
     let mut twin = case.begin.iter().fold(idle, |twin, it| twin.send(it));
@@ -227,7 +227,7 @@ fn lost_of_200(case: &Meanwhile, gap_us: u64) -> u32 {
 /// Packets while a command is executed.
 struct Meanwhile {
     name: &'static str,
-    /// What begins it, for longer than 200 packets take.
+    /// The packet that starts it; it lasts longer than 200 packets.
     begin: Vec<Vec<f32>>,
     packet: Vec<f32>,
 }
@@ -270,7 +270,7 @@ fn packets_without_a_gap_are_lost_by_what_a_tick_calculates() {
             "idle" => 0..=0,
             "MOVJ" => 10..=22,
             "MOVL" | "linear jog" | "writing" => 24..=36,
-            // Nobody counted; the longest tick is no longer than 7 ms.
+            // No measurement; the longest tick is no longer than 7 ms.
             _ => 0..=60,
         };
         assert!(expected.contains(&lost), "{}: {lost} of 200", case.name);

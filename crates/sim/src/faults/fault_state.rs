@@ -1,4 +1,4 @@
-//! The state of the faults of a virtual arm, and the start of another controller.
+//! The state of the faults of a virtual arm, and the restart of its controller.
 
 use std::time::Duration;
 
@@ -8,21 +8,21 @@ use super::schedule::Counted;
 use super::{ArmOrder, Fault, FaultSchedule, Tilt};
 use crate::Mechanics;
 
-/// The faults of a virtual arm, and what it takes to start its controller anew.
+/// The faults of a virtual arm and the data to restart its controller.
 #[derive(Debug)]
 pub(crate) struct FaultState {
     pub(crate) schedule: FaultSchedule,
     power_up: PowerUp,
-    /// How much further each joint stands than the controller believes at power-up.
+    /// The offset of each joint from the controller's estimate at power-up.
     zeros_deg: [f64; 4],
-    /// What was counted by the controllers before this one.
+    /// The counters of the previous controllers.
     before: Counted,
-    /// Whether the port is there to be opened.
+    /// Whether the port is present.
     pub(crate) has_port: bool,
 }
 
 impl FaultState {
-    /// Fits the machine with faults, which a controller switched on so knows nothing of.
+    /// Applies the faults to the machine, unknown to the controller.
     pub(crate) fn new(
         power_up: PowerUp,
         faults: &[Fault],
@@ -38,7 +38,7 @@ impl FaultState {
         }
     }
 
-    /// No faults yet.
+    /// Creates a state without faults.
     pub(crate) fn none(power_up: PowerUp) -> Self {
         Self {
             schedule: FaultSchedule::new(&[], 0),
@@ -49,12 +49,12 @@ impl FaultState {
         }
     }
 
-    /// Ends what acts now; what is to happen to the arm by that comes with the time.
+    /// Ends all active faults; the resulting actions follow with the time.
     pub(crate) fn end_all(&mut self, now: Duration) {
         self.schedule.end_all(now);
     }
 
-    /// Puts other faults in place of those that are over, counted from now.
+    /// Replaces the ended faults; the new ones count from now.
     pub(crate) fn replace(
         &mut self,
         now: Duration,
@@ -65,12 +65,12 @@ impl FaultState {
         let counted = self.counted(controller);
         let faults: Vec<Fault> = faults
             .iter()
-            .map(|it| it.counted_from(now, counted))
+            .map(|fault| fault.counted_from(now, counted))
             .collect();
         self.schedule.replace(&faults, seed);
     }
 
-    /// Takes the passing of time; says what is to happen to the arm, if something is.
+    /// Advances to `now` and returns an action on the arm, if one is due.
     pub(crate) fn handle_time(
         &mut self,
         now: Duration,
@@ -80,7 +80,7 @@ impl FaultState {
         self.schedule.poll_order()
     }
 
-    /// The controller that starts in place of another, from what the tilt sensors read.
+    /// Restarts the controller from the readings of the tilt sensors.
     pub(crate) fn start_anew(
         &mut self,
         at: Duration,

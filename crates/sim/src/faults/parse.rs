@@ -1,4 +1,4 @@
-//! From a text to a fault.
+//! Parsing of faults.
 
 use std::str::FromStr;
 
@@ -15,7 +15,7 @@ impl FromStr for Fault {
             None => (text, None),
         };
         let (name, value) = what.split_once('=').unwrap_or((what, ""));
-        let Some(form) = FORMS.iter().find(|it| it.name == name) else {
+        let Some(form) = FORMS.iter().find(|form| form.name == name) else {
             return Err(FaultError::UnknownKind {
                 fault: text.to_owned(),
                 kind: name.to_owned(),
@@ -39,53 +39,51 @@ impl FromStr for Fault {
     }
 }
 
-/// Why a text is not a fault.
+/// The error returned when a text is not a fault.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FaultError {
-    /// There is no such kind.
+    /// The kind is unknown.
     #[error(
         "fault `{fault}` is of the kind `{kind}`; allowed are drop, flip, duplicate, delay, withhold, close, reset, power, lose, backlash and zero, as in drop=1% or reset@12s"
     )]
     UnknownKind {
         /// The whole text.
         fault: String,
-        /// What stands in front of `=` or `@`.
+        /// The text before `=` or `@`.
         kind: String,
     },
-    /// What stands behind `=` is not for this kind.
+    /// The value after `=` does not fit the kind.
     #[error("fault `{fault}` has the value `{found}`; {kind} allows {allowed}")]
     BadValue {
         /// The whole text.
         fault: String,
-        /// What stands behind `=`.
+        /// The text after `=`.
         found: String,
         /// The kind.
         kind: &'static str,
-        /// What may stand there.
+        /// The allowed form.
         allowed: &'static str,
     },
-    /// It cannot come while the arm is switched on.
-    #[error(
-        "fault `{fault}` has to be there when the arm is switched on: `dobot arm --fault {fault}`"
-    )]
+    /// The fault must be set before power-up.
+    #[error("fault `{fault}` must be set when the arm is switched on: `dobot arm --fault {fault}`")]
     NotNow {
         /// The whole text.
         fault: String,
     },
-    /// What stands behind `@` is not for this kind.
-    #[error("fault `{fault}` does not say when as it should; {kind} allows {allowed}")]
+    /// The time after `@` does not fit the kind.
+    #[error("fault `{fault}` has an invalid time; {kind} allows {allowed}")]
     BadTime {
         /// The whole text.
         fault: String,
         /// The kind.
         kind: &'static str,
-        /// What may stand there.
+        /// The allowed form.
         allowed: &'static str,
     },
 }
 
-/// How one kind of fault is written.
+/// The syntax of a kind of fault.
 struct Form {
     name: &'static str,
     parse: fn(&str) -> Option<FaultKind>,
@@ -93,7 +91,7 @@ struct Form {
     times: Times,
 }
 
-/// Which times a kind may have.
+/// The times allowed for a kind.
 #[derive(Clone, Copy)]
 enum Times {
     Any,
@@ -123,7 +121,7 @@ impl Times {
             Self::Moment => {
                 "a moment, @12s, @packet5, @status100 or @open (units ms, s, min and h, up to 1000 h)"
             }
-            Self::None => "no @: it is so from power-up on",
+            Self::None => "no @; it applies from power-up on",
         }
     }
 }
@@ -140,7 +138,8 @@ fn bytes(damage: Damage, value: &str) -> Option<FaultKind> {
 
 fn delay(value: &str) -> Option<FaultKind> {
     let (longest, way) = split_way(value)?;
-    let longest = time(longest).filter(|it| !it.is_zero() && it.as_secs() <= LONGEST_DELAY_S)?;
+    let longest =
+        time(longest).filter(|delay| !delay.is_zero() && delay.as_secs() <= LONGEST_DELAY_S)?;
     Some(FaultKind::Delay { longest, way })
 }
 
@@ -193,7 +192,7 @@ fn parse_amount(text: &str) -> Option<Amount> {
         let percent = unsigned(percent).filter(|&it| it > 0.0 && it <= 100.0)?;
         return Some(Amount::Percent(percent));
     }
-    let plain = text.bytes().all(|it| it.is_ascii_digit());
+    let plain = text.bytes().all(|byte| byte.is_ascii_digit());
     let count = text.parse().ok().filter(|&it| plain && it > 0)?;
     Some(Amount::Count(count))
 }
@@ -209,7 +208,7 @@ fn joint_angle(text: &str) -> Option<(Joint, f64)> {
 }
 
 fn parse_joint(text: &str) -> Option<Joint> {
-    Joint::ALL.into_iter().find(|it| it.name() == text)
+    Joint::ALL.into_iter().find(|joint| joint.name() == text)
 }
 
 const fn form(
@@ -228,36 +227,36 @@ const fn form(
 
 /// All kinds of faults.
 const FORMS: [Form; 11] = [
-    form("drop", |it| bytes(Damage::Drop, it), BYTES, Times::Any),
-    form("flip", |it| bytes(Damage::Flip, it), BYTES, Times::Any),
+    form("drop", |text| bytes(Damage::Drop, text), BYTES, Times::Any),
+    form("flip", |text| bytes(Damage::Flip, text), BYTES, Times::Any),
     form(
         "duplicate",
-        |it| bytes(Damage::Duplicate, it),
+        |text| bytes(Damage::Duplicate, text),
         BYTES,
         Times::Any,
     ),
     form("delay", delay, DELAY, Times::Any),
     form(
         "withhold",
-        |it| nothing(FaultKind::Withhold, it),
+        |text| nothing(FaultKind::Withhold, text),
         WITHHOLD,
         Times::Any,
     ),
     form(
         "close",
-        |it| nothing(FaultKind::Close, it),
+        |text| nothing(FaultKind::Close, text),
         CLOSE,
         Times::Window,
     ),
     form(
         "reset",
-        |it| tilt(it).map(FaultKind::Reset),
+        |text| tilt(text).map(FaultKind::Reset),
         TILT,
         Times::Moment,
     ),
     form(
         "power",
-        |it| tilt(it).map(FaultKind::Power),
+        |text| tilt(text).map(FaultKind::Power),
         TILT,
         Times::Window,
     ),
@@ -274,7 +273,7 @@ const LOSE: &str = "base, rear or fore with a share of its pulses above 0 and up
 const BACKLASH: &str =
     "base, rear, fore or servo with degrees from 0 to 10, as in backlash=base:0.3";
 const ZERO: &str = "base, rear, fore or servo with degrees from -90 to 90, as in zero=fore:2";
-const TILT: &str = "nothing, or what rear and fore read too much, from -90 to 90 degrees, as in reset=rear:1.5,fore:-0.8@open";
+const TILT: &str = "nothing, or the reading errors of rear and fore from -90 to 90 degrees, as in reset=rear:1.5,fore:-0.8@open";
 const LONGEST_DELAY_S: u64 = 60;
 const MOST_BACKLASH_DEG: f64 = 10.0;
 const MOST_DEG: f64 = 90.0;

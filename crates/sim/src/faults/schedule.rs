@@ -1,4 +1,4 @@
-//! The engine of the faults: which of them act now, and on what.
+//! The fault engine: active faults and their targets.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -11,25 +11,25 @@ use crate::{Joint, Mechanics, SerialLine};
 
 /// All faults of a virtual arm, as an engine.
 ///
-/// Bytes and pulses are judged one by one in the order in which they arrive, at the time at which
-/// they do, so that it does not matter how time is sliced or how bytes are chunked.
+/// Bytes and pulses are processed one by one at their time of arrival, so time steps and chunk sizes
+/// do not matter.
 #[derive(Debug)]
 pub(crate) struct FaultSchedule {
     entries: Vec<ScheduledFault>,
-    /// Bytes that were judged and wait to be fetched, in either direction.
+    /// Processed bytes to be fetched, in either direction.
     judged: [VecDeque<(Duration, u8)>; 2],
     orders: VecDeque<ArmOrder>,
     struck: VecDeque<Struck>,
 }
 
-/// Where bytes travel.
+/// The direction of bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineDirection {
     ToArm,
     FromArm,
 }
 
-/// What is to happen to the arm as a whole.
+/// An action on the whole arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ArmOrder {
     ClosePort,
@@ -39,19 +39,19 @@ pub(crate) enum ArmOrder {
     PowerOn,
 }
 
-/// What the controller has counted over all its lives.
+/// The counters of all controllers since the first power-up.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Counted {
     pub(crate) packets: u64,
     pub(crate) statuses: u64,
 }
 
-/// One fault and how far it is.
+/// A fault and its progress.
 #[derive(Debug)]
 struct ScheduledFault {
     fault: Fault,
     phase: Phase,
-    /// Bytes, in either direction, or pulses that are still to be hit.
+    /// The remaining number of bytes, in either direction, or pulses to hit.
     left: [u32; 2],
     hits: u64,
     random: [Random; 2],
@@ -66,7 +66,7 @@ enum Phase {
 }
 
 impl FaultSchedule {
-    /// Prepares faults; the same ones with the same seed do the same.
+    /// Prepares faults; the same faults with the same seed have the same effect.
     pub(crate) fn new(faults: &[Fault], seed: u64) -> Self {
         let entry = |(number, &fault)| ScheduledFault::new(fault, seed, number);
         Self {
@@ -77,7 +77,7 @@ impl FaultSchedule {
         }
     }
 
-    /// Ends what acts now.
+    /// Ends all active faults.
     pub(crate) fn end_all(&mut self, now: Duration) {
         for number in 0..self.entries.len() {
             if self.entries[number].acts() {
@@ -86,12 +86,12 @@ impl FaultSchedule {
         }
     }
 
-    /// Puts other faults in place of these; bytes that were judged stay so.
+    /// Replaces the faults; processed bytes are kept.
     pub(crate) fn replace(&mut self, faults: &[Fault], seed: u64) {
         self.entries = Self::new(faults, seed).entries;
     }
 
-    /// Makes the joints as slack as the faults say, and the others stiff.
+    /// Sets the backlash of the joints; 0 for joints without a fault.
     pub(crate) fn fit_backlash(&self, machine: &mut Mechanics) {
         let joints = [Joint::Base, Joint::Rear, Joint::Fore, Joint::Servo];
         for joint in joints {
@@ -104,8 +104,8 @@ impl FaultSchedule {
         }
     }
 
-    /// Makes the joints slack and puts them askew, and says by how much each stands further than is
-    /// believed.
+    /// Applies backlash and zero errors to the joints and returns the offset of each from the
+    /// controller's estimate.
     pub(crate) fn fit(&self, machine: &mut Mechanics) -> [f64; 4] {
         self.fit_backlash(machine);
         let mut zeros_deg = [0.0; 4];
@@ -118,7 +118,7 @@ impl FaultSchedule {
         zeros_deg
     }
 
-    /// Takes the passing of time, and what has been counted by then.
+    /// Advances to `now` with the current counters.
     pub(crate) fn handle_time(&mut self, now: Duration, counted: Counted) {
         let reached = |moment| match moment {
             FaultMoment::Time(at) => at <= now,
@@ -140,7 +140,7 @@ impl FaultSchedule {
         }
     }
 
-    /// Takes that a client opens the port.
+    /// Handles the opening of the port by a client.
     pub(crate) fn handle_open(&mut self, now: Duration) {
         for number in 0..self.entries.len() {
             if self.entries[number].fault.when.begin == FaultMoment::Open {
@@ -149,7 +149,7 @@ impl FaultSchedule {
         }
     }
 
-    /// When a fault next begins or ends at a time.
+    /// The next time at which a timed fault begins or ends.
     pub(crate) fn poll_wakeup(&self) -> Duration {
         let next = self
             .entries
@@ -159,12 +159,12 @@ impl FaultSchedule {
         next.unwrap_or(Duration::MAX)
     }
 
-    /// What is to happen to the arm.
+    /// Takes the next action on the arm.
     pub(crate) fn poll_order(&mut self) -> Option<ArmOrder> {
         self.orders.pop_front()
     }
 
-    /// What happened; only the last few are kept.
+    /// Takes the next fault event; only the last few are kept.
     pub(crate) fn poll_struck(&mut self) -> Option<Struck> {
         self.struck.pop_front()
     }
@@ -175,13 +175,13 @@ impl FaultSchedule {
         self.entries.iter().any(withholds)
     }
 
-    /// Judges the bytes that have arrived by then at the ends of both lines, in the order in which
-    /// they did. Those from the arm that find no port are lost.
+    /// Processes the bytes received at the ends of both lines in order of arrival. Bytes from the arm
+    /// are lost without a port.
     pub(crate) fn judge(&mut self, lines: [&mut SerialLine; 2], by: Duration, has_port: bool) {
         let [to_arm, from_arm] = lines;
         loop {
             let next = [to_arm.next_byte(), from_arm.next_byte()];
-            let [to, from] = next.map(|it| it.unwrap_or(Duration::MAX));
+            let [to, from] = next.map(|time| time.unwrap_or(Duration::MAX));
             let (direction, line) = if to <= from {
                 (LineDirection::ToArm, &mut *to_arm)
             } else {
@@ -203,7 +203,7 @@ impl FaultSchedule {
             let entry = &mut self.entries[number];
             let before = entry.hits;
             delay += entry.judge(direction, &mut bytes);
-            self.tell_hits(number, before, arrival);
+            self.report_hits(number, before, arrival);
         }
         let judged = &mut self.judged[direction as usize];
         let last = judged.back().map_or(Duration::ZERO, |&(at, _)| at);
@@ -211,7 +211,7 @@ impl FaultSchedule {
         judged.extend(bytes.iter().map(|&byte| (at, byte)));
     }
 
-    /// Takes the next byte that has come through by then, and tells when it did.
+    /// Takes the next processed byte with its time.
     pub(crate) fn pop(&mut self, direction: LineDirection, by: Duration) -> Option<(Duration, u8)> {
         let judged = &mut self.judged[direction as usize];
         judged.front().filter(|it| it.0 <= by)?;
@@ -223,14 +223,14 @@ impl FaultSchedule {
         !self.judged[direction as usize].is_empty()
     }
 
-    /// When a byte comes through that is late.
+    /// The time of the next delayed byte.
     pub(crate) fn next_late(&self, direction: LineDirection, now: Duration) -> Option<Duration> {
         let judged = &self.judged[direction as usize];
         let next = judged.partition_point(|&(at, _)| at <= now);
         judged.get(next).map(|&(at, _)| at)
     }
 
-    /// Which of the pulses for base, rear and fore the motors really make.
+    /// The pulses for base, rear and fore that the motors really make.
     pub(crate) fn make(&mut self, pulses: [i32; 3], at: Duration) -> [i32; 3] {
         let mut made = pulses;
         for number in 0..self.entries.len() {
@@ -241,7 +241,7 @@ impl FaultSchedule {
                 let before = entry.hits;
                 let pulses = &mut made[joint as usize];
                 *pulses = pulses.signum() * entry.make(pulses.abs(), amount);
-                self.tell_hits(number, before, at);
+                self.report_hits(number, before, at);
             }
         }
         made
@@ -261,7 +261,7 @@ impl FaultSchedule {
                 entry.phase = Phase::Over;
                 self.orders.push_back(ArmOrder::Reset(tilt));
             }
-            // What it hits is told when it does.
+            // Hits are reported separately.
             FaultKind::Bytes { .. }
             | FaultKind::Lose { .. }
             | FaultKind::Backlash { .. }
@@ -270,7 +270,7 @@ impl FaultSchedule {
             }
             FaultKind::Delay { .. } | FaultKind::Withhold => {}
         }
-        self.tell(number, now, FaultEffect::Began);
+        self.report(number, now, FaultEffect::Began);
     }
 
     fn end(&mut self, number: usize, now: Duration) {
@@ -282,18 +282,18 @@ impl FaultSchedule {
             FaultKind::Power(_) => self.orders.push_back(ArmOrder::PowerOn),
             _ => {}
         }
-        self.tell(number, now, FaultEffect::Over(hits));
+        self.report(number, now, FaultEffect::Over(hits));
     }
 
-    /// Tells the 1st, 10th, 100th ... hit.
-    fn tell_hits(&mut self, number: usize, before: u64, at: Duration) {
+    /// Reports the 1st, 10th, 100th ... hit.
+    fn report_hits(&mut self, number: usize, before: u64, at: Duration) {
         let hits = self.entries[number].hits;
         if hits > before && before.checked_ilog10() != hits.checked_ilog10() {
-            self.tell(number, at, FaultEffect::Hit(10_u64.pow(hits.ilog10())));
+            self.report(number, at, FaultEffect::Hit(10_u64.pow(hits.ilog10())));
         }
     }
 
-    fn tell(&mut self, number: usize, at: Duration, what: FaultEffect) {
+    fn report(&mut self, number: usize, at: Duration, what: FaultEffect) {
         if self.struck.len() == STRUCK_LEN {
             self.struck.pop_front();
         }
@@ -316,7 +316,7 @@ impl ScheduledFault {
             phase: Phase::Waiting,
             left: [left; 2],
             hits: 0,
-            random: [2 * number, 2 * number + 1].map(|it| Random::sequence(seed, it)),
+            random: [2 * number, 2 * number + 1].map(|stream| Random::sequence(seed, stream)),
             delay: [Duration::ZERO; 2],
         }
     }
@@ -338,7 +338,7 @@ impl ScheduledFault {
         }
     }
 
-    /// Does to bytes what it does, and says how late they are.
+    /// Applies the fault to bytes and returns their delay.
     fn judge(&mut self, direction: LineDirection, bytes: &mut Vec<u8>) -> Duration {
         if !self.acts() {
             return Duration::ZERO;
@@ -372,7 +372,7 @@ impl ScheduledFault {
         }
     }
 
-    /// Now and then the delay becomes another.
+    /// Changes the delay occasionally.
     fn late(&mut self, direction: usize, longest: Duration) -> Duration {
         let random = &mut self.random[direction];
         if random.chance(DELAY_CHANGES_PERCENT) {
@@ -381,7 +381,7 @@ impl ScheduledFault {
         self.delay[direction]
     }
 
-    /// How many of so many pulses are made.
+    /// The number of pulses that remain.
     fn make(&mut self, pulses: i32, amount: Amount) -> i32 {
         let lost = (0..pulses).filter(|_| self.hits(0, amount)).count();
         pulses - i32::try_from(lost).expect("not more than there were")
@@ -404,5 +404,5 @@ impl ScheduledFault {
 
 /// The delay changes about once a packet.
 const DELAY_CHANGES_PERCENT: f64 = 2.5;
-/// As many as are told between two looks at them, for sure.
+/// More than are reported between two polls.
 const STRUCK_LEN: usize = 64;

@@ -1,30 +1,30 @@
-//! The news of a fault: it began, it hit, it is over.
+//! Fault events: start, hits and end.
 
 use std::fmt;
 use std::time::Duration;
 
 use super::Fault;
 
-/// A fault that struck a virtual arm, and when.
+/// A fault event of a virtual arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Struck {
-    /// When, since the first power-up.
+    /// The time since the first power-up.
     pub at: Duration,
     /// The fault.
     pub fault: Fault,
-    /// What it did.
+    /// The effect.
     pub what: FaultEffect,
 }
 
-/// What a fault did.
+/// The effect of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FaultEffect {
-    /// It began, or happened in a moment.
+    /// It began, or acted once.
     Began,
-    /// It has hit that many bytes or pulses by now; told at 1, 10, 100 and so on.
+    /// The number of bytes or pulses hit; reported at 1, 10, 100 and so on.
     Hit(u64),
-    /// It is over; it has hit that many bytes or pulses.
+    /// It ended, with this number of bytes or pulses hit.
     Over(u64),
 }
 

@@ -1,44 +1,44 @@
-//! When a fault begins and ends.
+//! The time window of a fault.
 
 use std::fmt;
 use std::time::Duration;
 
-/// From when to when a fault acts.
+/// The time window of a fault.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FaultTime {
     pub(crate) begin: FaultMoment,
     pub(crate) end: Option<FaultEnd>,
 }
 
-/// A moment in the life of a virtual arm.
+/// The start of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FaultMoment {
-    /// So long after the first power-up.
+    /// A time after the first power-up.
     Time(Duration),
-    /// When that many packets have been received whole.
+    /// A number of complete packets received.
     Packet(u64),
-    /// When that many statuses have been sent.
+    /// A number of statuses sent.
     Status(u64),
     /// Each time a client opens the port.
     Open,
 }
 
-/// When a fault ends.
+/// The end of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FaultEnd {
     At(FaultMoment),
-    /// So long after it began.
+    /// A time after its start.
     After(Duration),
 }
 
 impl FaultTime {
-    /// From power-up on, for ever.
+    /// From power-up on, without end.
     pub(crate) const ALWAYS: Self = Self {
         begin: FaultMoment::Time(Duration::ZERO),
         end: None,
     };
 
-    /// Reads what stands behind `@`.
+    /// Parses the text after `@`.
     pub(crate) fn parse(text: &str) -> Option<Self> {
         let Some((begin, end)) = text.split_once("..") else {
             return Some(Self {
@@ -58,7 +58,7 @@ impl FaultTime {
         self.begin == FaultMoment::Open || self.end == Some(FaultEnd::At(FaultMoment::Open))
     }
 
-    /// The same, where times, packets and statuses count from these on.
+    /// Shifts the window, so that times, packets and statuses count from the given ones.
     pub(crate) fn counted_from(&self, now: Duration, packets: u64, statuses: u64) -> Self {
         let later = |moment| match moment {
             FaultMoment::Time(at) => FaultMoment::Time(now + at),
@@ -134,7 +134,7 @@ impl FaultEnd {
     }
 }
 
-/// A time as it is read: `50ms`, `12.5s`.
+/// Formats a time as it is parsed: `50ms`, `12.5s`.
 pub(crate) struct Time(pub(crate) Duration);
 
 impl fmt::Display for Time {
@@ -148,7 +148,7 @@ impl fmt::Display for Time {
     }
 }
 
-/// Reads a time, to the microsecond.
+/// Parses a time, to the microsecond.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -162,21 +162,23 @@ pub(crate) fn time(text: &str) -> Option<Duration> {
     (us <= LONGEST_US).then(|| Duration::from_micros(us as u64))
 }
 
-/// Reads a plain decimal number: no sign, no exponent, no infinity.
+/// Parses a plain decimal number: no sign, no exponent, no infinity.
 pub(crate) fn unsigned(text: &str) -> Option<f64> {
-    let plain = text.bytes().all(|it| it.is_ascii_digit() || it == b'.');
+    let plain = text
+        .bytes()
+        .all(|byte| byte.is_ascii_digit() || byte == b'.');
     text.parse().ok().filter(|it: &f64| plain && it.is_finite())
 }
 
 /// The first is 1.
 fn ordinal(text: &str) -> Option<u64> {
-    let plain = text.bytes().all(|it| it.is_ascii_digit());
+    let plain = text.bytes().all(|byte| byte.is_ascii_digit());
     text.parse().ok().filter(|&it| plain && it > 0)
 }
 
-/// A unit that is the end of another one comes behind it.
+/// A unit that is a suffix of another follows it.
 const TIME_UNITS: [(&str, f64); 4] = [("ms", 1e3), ("s", 1e6), ("min", 60e6), ("h", 3600e6)];
-/// A thousand hours: floats still tell every microsecond apart.
+/// 1000 hours, in which floats still resolve a microsecond.
 const LONGEST_US: f64 = 3600e9;
 
 #[cfg(test)]

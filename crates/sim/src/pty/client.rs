@@ -20,7 +20,7 @@ impl PtyClient {
         Self { master }
     }
 
-    /// Writes what fits, and says how much that is.
+    /// Writes as many bytes as fit and returns their number.
     pub(crate) fn try_write(&self, bytes: &[u8]) -> usize {
         rustix::io::write(self.master.get_ref(), bytes).unwrap_or(0)
     }
@@ -77,7 +77,7 @@ impl AsyncWrite for PtyClient {
         Poll::Ready(Ok(()))
     }
 
-    /// The client's end knows no half of a connection.
+    /// The port cannot be half closed.
     fn poll_shutdown(self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<io::Result<()>> {
         Poll::Ready(Ok(()))
     }

@@ -3,17 +3,17 @@
 use dobot_wire::ParseError;
 use thiserror::Error;
 
-/// Which line of a script is wrong, and what is wrong with it.
+/// The error returned when a script is invalid.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("line {line}: {problem}")]
 pub struct ScriptError {
     /// The line's number; the first is 1.
     pub line: usize,
-    /// What is wrong with it.
+    /// The problem.
     pub problem: ScriptProblem,
 }
 
-/// What is wrong with a line of a script.
+/// A problem with a line of a script.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ScriptProblem {
@@ -25,14 +25,14 @@ pub enum ScriptProblem {
     /// The directive is unknown.
     #[error("the directive is `{0}`; allowed are `!end MS`, `!pose REAR FORE` and `!port usb|bt`")]
     Directive(String),
-    /// This directive stands for the second time.
-    #[error("`{0}` stands here for the second time; allowed is once")]
+    /// The directive is repeated.
+    #[error("`{0}` is repeated; it is allowed once")]
     Twice(&'static str),
-    /// This has to be there and is missing.
-    #[error("the line ends where {0} is due")]
+    /// A word is missing.
+    #[error("the line ends before {0}")]
     Missing(&'static str),
     /// There are too many words; this is the first of them.
-    #[error("behind the line's end stands `{0}`; allowed is nothing more")]
+    #[error("unexpected `{0}` at the end of the line; nothing more is allowed")]
     TooMuch(String),
     /// A word is not a time.
     #[error("the time is `{0}`; allowed are 0 to {LONGEST_MS} milliseconds, or `credit`")]
@@ -40,9 +40,9 @@ pub enum ScriptProblem {
     /// The end of the run is not a time.
     #[error("the end is `{0}`; allowed are 0 to {LONGEST_MS} milliseconds")]
     End(String),
-    /// A line is to be sent before one that stands above it.
+    /// A line has an earlier time than one above it.
     #[error(
-        "the time is {found_ms} ms; lines are sent in order, and after one at {latest_ms} ms that time or a later one is allowed"
+        "the time is {found_ms} ms, but a line above starts at {latest_ms} ms; lines must be in order"
     )]
     Backwards {
         /// The time in milliseconds.
@@ -56,7 +56,7 @@ pub enum ScriptProblem {
     /// A word is not a port.
     #[error("the port is `{0}`; allowed are `usb` and `bt`")]
     Port(String),
-    /// A packet has so many floats instead of ten.
+    /// A packet does not have ten floats.
     #[error("the packet has {0} floats; allowed are 10")]
     FloatCount(usize),
     /// A word of a packet is not a number.
@@ -67,22 +67,22 @@ pub enum ScriptProblem {
         /// The word.
         found: String,
     },
-    /// A word of a `raw` line does not stand for bytes.
+    /// A word of a `raw` line is not bytes.
     #[error(
-        "word {word} of the bytes is `{found}`; allowed are two hex digits a byte, `f:FLOAT` with a number that fits four bytes, and `N*HEX` with up to {MOST_BYTES} bytes a line"
+        "word {word} of the bytes is `{found}`; allowed are two hex digits per byte, `f:FLOAT` with a number that fits four bytes, and `N*HEX` with up to {MOST_BYTES} bytes per line"
     )]
     Bytes {
-        /// Its number; the first behind the time is 1.
+        /// Its number; the first after the time is 1.
         word: usize,
         /// The word.
         found: String,
     },
-    /// A text fits no voice packet.
+    /// A text does not fit a voice packet.
     #[error("{0}")]
     Voice(ParseError),
 }
 
-/// A day.
+/// One day.
 pub(super) const LONGEST_MS: u32 = 86_400_000;
-/// A minute of the line's time, and more than any buffer holds.
+/// One minute on the line; more than any buffer holds.
 pub(super) const MOST_BYTES: usize = 65_536;

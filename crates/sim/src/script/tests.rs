@@ -10,7 +10,7 @@ fn problem(line: &str) -> String {
 }
 
 #[track_caller]
-fn says(line: &str, parts: &[&str]) {
+fn expect_problem(line: &str, parts: &[&str]) {
     let problem = problem(line);
     for part in parts {
         assert!(
@@ -27,7 +27,7 @@ fn only_line(text: &str) -> ScriptLine {
 }
 
 #[test]
-fn a_script_says_when_it_ends_how_the_arm_stands_and_which_port_is_in_use() {
+fn directives_set_the_end_the_pose_and_the_port() {
     let script = Script::parse("# words\n!end 1500\n\n!pose 60 -30.5\r\n  !port bt \n").unwrap();
     assert_eq!(script.end, Some(Duration::from_millis(1500)));
     assert_eq!((script.rear_deg, script.fore_deg), (60.0, -30.5));
@@ -76,19 +76,19 @@ fn a_voice_line_is_a_packet_of_text() {
 
 #[test]
 fn a_line_that_is_none_is_told_with_what_is_allowed() {
-    says(
+    expect_problem(
         "jump 3",
         &["begins with `jump`", "`credit`, `raw`, `voice`"],
     );
-    says("!stop 3", &["`!stop`", "`!end MS`"]);
-    says("!end", &["ends where a time"]);
-    says("!end soon", &["`soon`", "0 to 86400000"]);
-    says("!end -1", &["`-1`"]);
-    says("!end 5 6", &["`6`", "nothing more"]);
-    says("!pose 45", &["ends where a tilt sensor's angle"]);
-    says("!pose 45 nan", &["`nan`", "-180 to 180"]);
-    says("!pose 181 0", &["`181`"]);
-    says("!port usb3", &["`usb3`", "`usb` and `bt`"]);
+    expect_problem("!stop 3", &["`!stop`", "`!end MS`"]);
+    expect_problem("!end", &["ends before a time"]);
+    expect_problem("!end soon", &["`soon`", "0 to 86400000"]);
+    expect_problem("!end -1", &["`-1`"]);
+    expect_problem("!end 5 6", &["`6`", "nothing more"]);
+    expect_problem("!pose 45", &["ends before a tilt sensor's angle"]);
+    expect_problem("!pose 45 nan", &["`nan`", "-180 to 180"]);
+    expect_problem("!pose 181 0", &["`181`"]);
+    expect_problem("!port usb3", &["`usb3`", "`usb` and `bt`"]);
 }
 
 #[test]
@@ -97,16 +97,16 @@ fn times_that_cannot_be_are_refused() {
         let text = problem(&format!("{time} 0 0 0 0 0 0 0 0 0 0"));
         assert!(text.contains(time), "{text}");
     }
-    says("raw -1 00", &["`-1`", "`credit`"]);
-    says("voice", &["ends where a time"]);
+    expect_problem("raw -1 00", &["`-1`", "`credit`"]);
+    expect_problem("voice", &["ends before a time"]);
 }
 
 #[test]
 fn a_packet_has_ten_floats_that_fit() {
-    says("5 1 2 3", &["3 floats", "10"]);
-    says("credit 1 2 3 4 5 6 7 8 9 10 11 12", &["12 floats"]);
-    says("5 1 2 x 4 5 6 7 8 9 10", &["float 3", "`x`"]);
-    says(
+    expect_problem("5 1 2 3", &["3 floats", "10"]);
+    expect_problem("credit 1 2 3 4 5 6 7 8 9 10 11 12", &["12 floats"]);
+    expect_problem("5 1 2 x 4 5 6 7 8 9 10", &["float 3", "`x`"]);
+    expect_problem(
         "5 1 2 1e40 4 5 6 7 8 9 10",
         &["float 3", "`1e40`", "four bytes"],
     );
@@ -117,20 +117,20 @@ fn bytes_are_hex_floats_and_repeats() {
     for word in [
         "0", "0g", "f:", "f:x", "f:1e40", "*00", "0*00", "2*", "70000*00", "+2*00", "é",
     ] {
-        says(
+        expect_problem(
             &format!("raw 5 00 {word}"),
             &["word 2", word, "two hex digits"],
         );
     }
-    says("raw 5", &["ends where a byte"]);
-    says("raw 5 40000*00 40000*00", &["word 2"]);
+    expect_problem("raw 5", &["ends before a byte"]);
+    expect_problem("raw 5 40000*00 40000*00", &["word 2"]);
 }
 
 #[test]
 fn a_text_is_up_to_40_printable_bytes() {
-    says("voice 5", &["ends where a text"]);
-    says(&format!("voice 5 {}", "x".repeat(41)), &["41"]);
-    says("voice 5 à gauche", &["byte 1"]);
+    expect_problem("voice 5", &["ends before a text"]);
+    expect_problem(&format!("voice 5 {}", "x".repeat(41)), &["41"]);
+    expect_problem("voice 5 à gauche", &["byte 1"]);
     assert_eq!(
         only_line(&format!("voice 5 {}", "x".repeat(40)))
             .bytes
@@ -140,11 +140,11 @@ fn a_text_is_up_to_40_printable_bytes() {
 }
 
 #[test]
-fn a_directive_stands_once_and_time_does_not_go_back() {
+fn a_directive_is_allowed_once_and_time_does_not_decrease() {
     let twice = Script::parse("!end 5\n!end 5").unwrap_err();
     assert_eq!(
         twice.to_string(),
-        "line 2: `!end` stands here for the second time; allowed is once"
+        "line 2: `!end` is repeated; it is allowed once"
     );
     let back = Script::parse("raw 200 00\nraw credit 00\nraw 199.5 00").unwrap_err();
     assert_eq!(back.line, 3);

@@ -9,7 +9,7 @@ use dobot_wire::{Frame, Voice};
 use super::Start;
 use super::error::{LONGEST_MS, MOST_BYTES, ScriptProblem};
 
-/// The words of a line, one after the other.
+/// The words of a line in order.
 pub(super) struct LineWords<'a> {
     rest: &'a str,
 }
@@ -28,7 +28,7 @@ impl<'a> LineWords<'a> {
         (!word.is_empty()).then_some(word)
     }
 
-    /// All that is left, as it stands.
+    /// The rest of the line.
     pub(super) const fn rest(&self) -> &'a str {
         self.rest
     }
@@ -123,7 +123,7 @@ pub(super) fn voice(text: &str) -> Result<Vec<u8>, ScriptProblem> {
     Ok(voice.to_bytes().to_vec())
 }
 
-/// Adds what a word of a `raw` line stands for; `None` where it stands for nothing.
+/// Appends the bytes of a word of a `raw` line; `None` if it is invalid.
 fn append(word: &str, bytes: &mut Vec<u8>) -> Option<()> {
     if let Some(number) = word.strip_prefix("f:") {
         bytes.extend(float(number)?.to_le_bytes());
@@ -151,7 +151,7 @@ fn hex(word: &str) -> Option<Vec<u8>> {
     bytes.filter(|it| !it.is_empty())
 }
 
-/// A number that fits four bytes, `nan` or `inf`; one that is too great is not taken.
+/// A number that fits four bytes, `nan` or `inf`; larger ones are refused.
 fn float(word: &str) -> Option<f32> {
     let float: f32 = word.parse().ok()?;
     let says_so = || word.contains(['i', 'I']);

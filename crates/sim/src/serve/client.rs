@@ -17,7 +17,7 @@ pub(super) enum Client {
 }
 
 impl Client {
-    /// Waits for bytes; none means that it has left. Safe to cancel.
+    /// Waits for bytes; none means that it has disconnected. Cancellation safe.
     pub(super) async fn read(&mut self, buffer: &mut Vec<u8>) -> io::Result<usize> {
         buffer.reserve(READ_LEN);
         match self {
@@ -27,7 +27,7 @@ impl Client {
         }
     }
 
-    /// Writes what fits, and says how much that is.
+    /// Writes as many bytes as fit and returns their number.
     pub(super) fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
             Self::Tcp(stream) => stream.try_write(bytes),

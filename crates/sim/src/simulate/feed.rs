@@ -9,15 +9,15 @@ use crate::{ScriptLine, Start};
 /// The bytes of a script, each at its time.
 #[derive(Debug)]
 pub(super) struct Feed<'a> {
-    /// The lines that have not begun.
+    /// The lines not started.
     lines: &'a [ScriptLine],
-    /// What is left of the line under way.
+    /// The rest of the current line.
     bytes: &'a [u8],
-    /// When the last line was let go; its bytes may have begun later.
+    /// The release time of the last line; its bytes may have started later.
     let_go: Duration,
-    /// When the last byte has arrived.
+    /// The arrival time of the last byte.
     line_free: Duration,
-    /// When the statuses have arrived that a line may wait for.
+    /// The arrival times of statuses that a line may wait for.
     credits: VecDeque<Duration>,
 }
 
@@ -32,12 +32,12 @@ impl<'a> Feed<'a> {
         }
     }
 
-    /// Notes that a status arrives at that time, which may lie ahead.
+    /// Records the arrival of a status, which may be in the future.
     pub(super) fn credit(&mut self, at: Duration) {
         self.credits.push_back(at);
     }
 
-    /// The next byte and when it arrives, if it does by then.
+    /// Takes the next byte and its arrival time, if it arrives by then.
     pub(super) fn next_byte(&mut self, until: Duration) -> Option<(Duration, u8)> {
         if self.bytes.is_empty() {
             self.begin_next(until)?;
@@ -52,7 +52,7 @@ impl<'a> Feed<'a> {
         Some((arrival, byte))
     }
 
-    /// How many lines are not sent whole.
+    /// The number of lines not completely sent.
     pub(super) const fn unsent(&self) -> usize {
         self.lines.len() + if self.bytes.is_empty() { 0 } else { 1 }
     }
@@ -63,11 +63,11 @@ impl<'a> Feed<'a> {
             && self
                 .lines
                 .first()
-                .is_some_and(|it| it.start == Start::Credit)
+                .is_some_and(|line| line.start == Start::Credit)
             && self.credits.back().is_none_or(|&at| at <= self.let_go)
     }
 
-    /// When the last byte has arrived.
+    /// The arrival time of the last byte.
     pub(super) const fn line_free(&self) -> Duration {
         self.line_free
     }
@@ -88,7 +88,7 @@ impl<'a> Feed<'a> {
         Some(())
     }
 
-    /// When the first status arrives after the last line was let go.
+    /// The arrival time of the first status after the last line was released.
     fn next_credit(&mut self) -> Option<Duration> {
         while self.credits.front().is_some_and(|&at| at <= self.let_go) {
             self.credits.pop_front();

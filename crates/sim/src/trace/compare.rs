@@ -1,43 +1,43 @@
-//! Two traces side by side.
+//! Comparison of two traces.
 
 use std::cmp::Ordering;
 
 use super::{STATUS_FIELDS, TICK_FIELDS, TICK_MS, Trace, TracedStatus, TracedTick};
 
-/// How far a trace is from the one that is expected.
+/// The deviation of a trace from the expected one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// How many statuses both have, at the same times.
+    /// The number of statuses at the same times in both.
     pub statuses: usize,
-    /// Times of statuses that were expected and are not there, in milliseconds.
+    /// Times of missing statuses, in milliseconds.
     pub missing_ms: Vec<i64>,
-    /// Times of statuses that are there and were not expected, in milliseconds.
+    /// Times of unexpected statuses, in milliseconds.
     pub extra_ms: Vec<i64>,
     /// The largest deviation of each float of the statuses.
     pub floats: [Deviation; 10],
     /// The largest deviation of each value of the ticks: pulses, their sums, servos and pins.
     pub outputs: [Deviation; 11],
-    /// Whether there are as many ticks as expected.
+    /// Whether the number of ticks is as expected.
     pub same_ticks: bool,
-    /// Whether the same was printed on the other port.
+    /// Whether the text printed on the other port is as expected.
     pub same_text: bool,
 }
 
-/// A field of a trace beside what was expected there.
+/// A field of a trace with its expected value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The field's name in the trace.
     pub field: &'static str,
-    /// When, in milliseconds.
+    /// The time in milliseconds.
     pub t_ms: i64,
-    /// What was expected.
+    /// The expected value.
     pub expected: f64,
-    /// What was found.
+    /// The actual value.
     pub found: f64,
 }
 
 impl Trace {
-    /// Measures how far this is from the trace that is expected.
+    /// Compares this trace with the expected one.
     #[must_use]
     pub fn compare(&self, expected: &Self) -> Comparison {
         let mut comparison = Comparison {
@@ -76,7 +76,7 @@ impl Deviation {
         }
     }
 
-    /// How far off it is; infinitely if only one of them is NaN.
+    /// The deviation; infinite if only one of the values is NaN.
     #[must_use]
     pub fn size(&self) -> f64 {
         if self.expected == self.found || self.expected.is_nan() && self.found.is_nan() {
@@ -106,8 +106,8 @@ fn pairs<'a>(expected: &'a Trace, found: &'a Trace) -> impl Iterator<Item = Pair
             (Some(a), Some(b)) => a.tick.cmp(&b.tick),
         };
         match order {
-            Ordering::Less => expected.next().map(|it| Pair::Missing(it.t_ms())),
-            Ordering::Greater => found.next().map(|it| Pair::Extra(it.t_ms())),
+            Ordering::Less => expected.next().map(|status| Pair::Missing(status.t_ms())),
+            Ordering::Greater => found.next().map(|status| Pair::Extra(status.t_ms())),
             Ordering::Equal => Some(Pair::Both(floats(expected.next()?, found.next()?))),
         }
     })

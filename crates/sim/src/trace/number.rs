@@ -26,7 +26,7 @@ pub(super) fn push_float(text: &mut Vec<u8>, value: f32) {
 }
 
 /// Appends a positive float by its nine digits; zeros at the end are left out, and where the first
-/// digit counts a power of ten below -4 or above 8, that is told.
+/// digit counts a power of ten below -4 or above 8, an exponent is added.
 fn push_decimal(text: &mut Vec<u8>, value: f32) {
     let scientific = format!("{value:.8e}");
     let parts = scientific.split_once('e');
@@ -50,7 +50,7 @@ fn push_decimal(text: &mut Vec<u8>, value: f32) {
     }
 }
 
-/// Appends digits with a point behind so many of them.
+/// Appends digits with a decimal point after a number of them.
 fn push_parts(text: &mut Vec<u8>, digits: &[u8], point: usize, len: usize) {
     text.extend_from_slice(&digits[..point]);
     if len > point {

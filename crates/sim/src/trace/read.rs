@@ -1,11 +1,11 @@
-//! Traces from text.
+//! Parsing of traces.
 
 use dobot_controller::Outputs;
 use thiserror::Error;
 
 use super::{STATUS_FIELDS, TICK_FIELDS, TICK_MS, Trace, TracedStatus, TracedTick};
 
-/// Why a text is not a trace.
+/// The error returned when a text is not a trace.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum TraceError {
@@ -22,31 +22,31 @@ pub enum TraceError {
     Count {
         /// The line's number; the first is 1.
         line: usize,
-        /// How many.
+        /// The number of fields.
         found: usize,
-        /// How many there should be.
+        /// The allowed number.
         allowed: usize,
     },
-    /// A field holds no such number.
+    /// A field does not hold a valid number.
     #[error("line {line}, field {field} is `{found}`; allowed is {allowed}")]
     Field {
         /// The line's number; the first is 1.
         line: usize,
         /// The field's name.
         field: &'static str,
-        /// What it holds.
+        /// The text of the field.
         found: String,
-        /// What it should hold.
+        /// The allowed text.
         allowed: &'static str,
     },
 }
 
 impl Trace {
-    /// Reads a trace: its statuses and its ticks as CSV, and what was printed on the other port.
+    /// Parses a trace: its statuses and ticks as CSV, and the text printed on the other port.
     ///
     /// # Errors
     ///
-    /// [`TraceError`] for the first line that is not a line of a trace.
+    /// Returns a [`TraceError`] for the first invalid line.
     pub fn parse(statuses: &str, ticks: &str, other_port: &[u8]) -> Result<Self, TraceError> {
         Ok(Self {
             statuses: rows(statuses, STATUS_FIELDS, status)?,

@@ -1,4 +1,4 @@
-//! What happens in a world.
+//! The events of a world.
 
 use std::fmt;
 
@@ -6,85 +6,84 @@ use dobot_geometry::Point;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Something that happened, and when.
+/// An event with its time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Happened {
-    /// When, in seconds since power-up.
+    /// The time in seconds since power-up.
     pub at_s: f64,
-    /// What.
+    /// The event.
     #[serde(flatten)]
     pub event: Event,
 }
 
-/// What may happen in a world.
+/// An event in a world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "event", rename_all = "snake_case")]
 #[schemars(rename = "WorldEvent")]
 #[non_exhaustive]
 pub enum Event {
-    /// The tool has an object in its grip, and whatever stands on that.
+    /// The tool has picked up an object and everything on it.
     PickedUp {
         /// The object.
         object: String,
-        /// How many others stand on it.
+        /// The number of objects on it.
         with: usize,
     },
-    /// The tool has hold of an object that is too heavy.
+    /// The tool cannot lift an object that is too heavy.
     TooHeavy {
         /// The object.
         object: String,
-        /// What it weighs, with all that stands on it.
+        /// The mass including all objects on it.
         mass_g: f64,
-        /// What the tool lifts.
+        /// The load limit of the tool.
         lifts_g: f64,
     },
-    /// The suction cup sits on the edge of an object and draws air.
+    /// The suction cup overlaps the edge of an object and draws air.
     DrawsAir {
         /// The object.
         object: String,
-        /// How far the cup stands out.
+        /// The overhang of the cup.
         by_mm: f64,
     },
-    /// The tool let an object go.
+    /// The tool released an object.
     Dropped {
         /// The object.
         object: String,
-        /// What it came to rest on.
+        /// The object or surface it landed on.
         onto: String,
-        /// How far it fell.
+        /// The height of its fall.
         fell_mm: f64,
     },
-    /// Something is pressed into something else, farther than the tool gives. Told again when it is
-    /// pressed in twice as deep.
+    /// A collision deeper than the compliance of the tool. Reported again at twice the depth.
     Collided {
-        /// The tool, or the object that it holds.
+        /// The tool or the held object.
         what: String,
-        /// What is in the way.
+        /// The obstacle.
         with: String,
-        /// How deep.
+        /// The depth.
         depth_mm: f64,
-        /// Where.
+        /// The position.
         #[serde(with = "super::place::pair")]
         #[schemars(with = "[f64; 2]")]
         at_mm: Point,
     },
-    /// The laser burns on the spot: that sets paper on fire.
+    /// The laser burns in place, which sets paper on fire.
     BurnsOnTheSpot {
-        /// Where.
+        /// The position.
         #[serde(with = "super::place::pair")]
         #[schemars(with = "[f64; 2]")]
         at_mm: Point,
-        /// For how long it has by now.
+        /// The duration until now.
         time_s: f64,
     },
     /// The pen or the laser has left the paper and marks the table.
     OffPaper {
-        /// Where.
+        /// The position.
         #[serde(with = "super::place::pair")]
         #[schemars(with = "[f64; 2]")]
         at_mm: Point,
     },
-    /// A joint angle is not a number, or farther than ten turns: the arm stays where it was.
+    /// A joint angle is not a number, or more than ten turns: the arm stays in place.
     Lost,
 }
 
@@ -136,14 +135,14 @@ impl fmt::Display for Event {
             ),
             Self::BurnsOnTheSpot { at_mm, time_s } => write!(
                 f,
-                "danger: the laser burns on the spot at {}, for {time_s:.1} s by now",
+                "danger: the laser burns in place at {}, for {time_s:.1} s",
                 place(at_mm)
             ),
             Self::OffPaper { at_mm } => {
                 write!(f, "off the paper at {}: it marks the table", place(at_mm))
             }
             Self::Lost => {
-                f.write_str("nobody knows where the arm is: its joint angles are no numbers")
+                f.write_str("the position of the arm is unknown: its joint angles are NaN")
             }
         }
     }

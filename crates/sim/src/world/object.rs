@@ -1,4 +1,4 @@
-//! Things that stand on the table.
+//! Objects on the table.
 
 use dobot_geometry::Point;
 use schemars::JsonSchema;
@@ -7,25 +7,25 @@ use serde::{Deserialize, Serialize};
 use super::footprint::Footprint;
 use super::place::{rounded, rounded_place};
 
-/// A thing on the table, or in the grip of the tool.
+/// An object on the table or held by the tool.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "WorldObject")]
 pub struct Object {
-    /// What it is called; no other object is.
+    /// The unique name.
     pub name: String,
-    /// Its shape and size.
+    /// The shape and size.
     pub shape: Shape,
-    /// What it weighs, in grams.
+    /// The mass in grams.
     pub mass_g: f64,
-    /// Its colour, as `#rrggbb`.
+    /// The colour, as `#rrggbb`.
     pub color: String,
-    /// Where its middle is.
+    /// The centre.
     #[serde(with = "super::place::pair")]
     #[schemars(with = "[f64; 2]")]
     pub at_mm: Point,
-    /// How it is turned about the vertical, counter-clockwise.
+    /// The rotation about the vertical, counter-clockwise.
     pub turn_deg: f64,
-    /// How high its underside is above the table.
+    /// The height of its underside above the table.
     pub bottom_mm: f64,
 }
 
@@ -40,15 +40,15 @@ pub enum Shape {
     },
     /// A cylinder.
     Cylinder {
-        /// How wide it is.
+        /// The diameter.
         diameter_mm: f64,
-        /// How tall it is.
+        /// The height.
         height_mm: f64,
     },
 }
 
 impl Object {
-    /// How high its upper face is above the table.
+    /// The height of its upper face above the table.
     #[must_use]
     pub fn top_mm(&self) -> f64 {
         self.bottom_mm + self.height_mm()
@@ -75,14 +75,13 @@ impl Object {
         }
     }
 
-    /// How deep two objects are in each other, measured upwards; `None` where one is not above or
-    /// below the other at all.
+    /// The vertical overlap of two objects; `None` if their outlines do not overlap.
     pub(crate) fn overlap_mm(&self, other: &Self) -> Option<f64> {
         let depth = (self.top_mm() - other.bottom_mm).min(other.top_mm() - self.bottom_mm);
         (depth > -TOUCHING_MM && self.footprint().overlaps(&other.footprint())).then_some(depth)
     }
 
-    /// Whether it stands on another one.
+    /// Whether it stands on the other object.
     pub(crate) fn stands_on(&self, other: &Self) -> bool {
         (self.bottom_mm - other.top_mm()).abs() < TOUCHING_MM
             && self.footprint().overlaps(&other.footprint())
@@ -98,5 +97,5 @@ impl Object {
     }
 }
 
-/// Nearer than that is no gap.
+/// The largest distance that counts as contact.
 pub(crate) const TOUCHING_MM: f64 = 0.01;

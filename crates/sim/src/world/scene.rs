@@ -1,4 +1,4 @@
-//! Scene files: what stands where before the arm is switched on.
+//! Scene files: the objects around the arm at power-up.
 
 mod check;
 mod file;
@@ -10,7 +10,7 @@ use thiserror::Error;
 
 use super::{Object, Tool};
 
-/// What is around an arm: its tool, the paper and the objects.
+/// The surroundings of an arm: its tool, the paper and the objects.
 ///
 /// ```
 /// use dobot_sim::world::Scene;
@@ -36,12 +36,11 @@ use super::{Object, Tool};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// What is mounted at the end of the arm.
+    /// The mounted tool.
     pub tool: Tool,
-    /// The height of the table in the base frame; pictures show how long the tool is by it, and
-    /// nothing else depends on it.
+    /// The height of the table in the base frame; only used for the length of the tool in pictures.
     pub table_z_mm: f64,
-    /// The paper on the table, if there is any.
+    /// The paper on the table.
     pub paper: Option<Paper>,
     /// The objects, in the order of the file.
     pub objects: Vec<Object>,
@@ -60,90 +59,91 @@ pub struct Paper {
     pub to_mm: Point,
 }
 
-/// Why a text is not a scene. Lines count from 1.
+/// The error returned when a text is not a scene. Lines count from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SceneError {
-    /// It is not TOML, or has other keys or kinds of values than a scene has.
+    /// The text is not TOML, or has unknown keys or value types.
     #[error("line {line}: {reason}")]
     Syntax {
-        /// Where.
+        /// The line.
         line: usize,
-        /// What the reader of TOML says.
+        /// The message of the TOML parser.
         reason: String,
     },
-    /// There has to be one tool.
+    /// There is not exactly one tool.
     #[error("line {line}: {found}; one of [pen], [laser], [suction-cup] and [gripper] is needed")]
     Tools {
-        /// Where.
+        /// The line.
         line: usize,
-        /// What there is instead.
+        /// The tools found.
         found: String,
     },
-    /// A value that cannot be.
+    /// A value is invalid.
     #[error("line {line}: {what} is {found}; {allowed}")]
     Value {
-        /// Where.
+        /// The line.
         line: usize,
-        /// Which value of what.
+        /// The name of the value.
         what: String,
-        /// What was found.
+        /// The value found.
         found: String,
-        /// What is allowed.
+        /// The allowed values.
         allowed: String,
     },
-    /// A name is given to two objects.
-    #[error("line {line}: the name `{name}` is that of line {first_line}, too; names are unique")]
+    /// Two objects have the same name.
+    #[error(
+        "line {line}: the name `{name}` is already used in line {first_line}; names must be unique"
+    )]
     NameTwice {
-        /// Where the second one is.
+        /// The line of the second object.
         line: usize,
         /// The name.
         name: String,
-        /// Where the first one is.
+        /// The line of the first object.
         first_line: usize,
     },
-    /// Two objects are in each other.
+    /// Two objects overlap.
     #[error(
-        "line {line}: `{name}` is in the same place as `{other}` of line {other_line}; objects may touch but not overlap"
+        "line {line}: `{name}` overlaps `{other}` of line {other_line}; objects may touch but not overlap"
     )]
     Overlap {
-        /// Where the later one is.
+        /// The line of the later object.
         line: usize,
-        /// The later one.
+        /// The later object.
         name: String,
-        /// The earlier one.
+        /// The earlier object.
         other: String,
-        /// Where the earlier one is.
+        /// The line of the earlier object.
         other_line: usize,
     },
-    /// An object stands on something that does not hold it.
+    /// An object stands on something that cannot support it.
     #[error("line {line}: `{name}` cannot stand on `{on}`: {reason}")]
     Support {
-        /// Where.
+        /// The line.
         line: usize,
         /// The object.
         name: String,
-        /// What it is to stand on.
+        /// The supporting object.
         on: String,
-        /// Why it cannot.
+        /// The reason.
         reason: &'static str,
     },
 }
 
 impl Scene {
-    /// Reads a scene.
+    /// Parses a scene.
     ///
     /// # Errors
     ///
-    /// [`SceneError`] where the text is not TOML, has keys that scenes do not have, or describes
-    /// something that cannot be.
+    /// Returns a [`SceneError`] if the text is not TOML, has unknown keys or invalid values.
     pub fn parse(text: &str) -> Result<Self, SceneError> {
         check::scene(&file::read(text)?, text)
     }
 }
 
 impl Paper {
-    /// Whether a place is on it.
+    /// Whether a point is on the paper.
     #[must_use]
     pub fn contains(&self, at: Point) -> bool {
         let inside = |from: f64, at: f64, to: f64| (from..=to).contains(&at);

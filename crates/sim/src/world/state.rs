@@ -1,42 +1,41 @@
-//! The state of a world: all that can be known of it.
+//! The complete state of a world.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Burn, Happened, Hole, Object, Paper, Stroke, Tool};
 
-/// All that can be known of a world at a moment, to be kept, sent and drawn. Lengths are told to a
+/// The complete state of a world at a moment, to be stored, sent and drawn. Lengths are rounded to a
 /// thousandth of a millimetre.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct WorldState {
     /// The time, in seconds since power-up.
     pub time_s: f64,
-    /// Where the arm really is; nothing where it has not been told yet.
+    /// The true state of the arm; `None` before the first update.
     pub arm: Option<ArmState>,
-    /// What is mounted at its end.
+    /// The mounted tool.
     pub tool: Tool,
     /// The height of the table in the base frame.
     pub table_z_mm: f64,
     /// The paper.
     pub paper: Option<Paper>,
-    /// The objects, those in the grip where they are now.
+    /// The objects at their current positions.
     pub objects: Vec<Object>,
-    /// The names of the objects that move with the tool: the one in its grip first, then those
-    /// that stand on it.
+    /// The names of the objects that move with the tool: the gripped one first, then those on it.
     pub held: Vec<String>,
     /// The ink, in the order in which it was drawn.
     pub strokes: Vec<Stroke>,
-    /// What the laser burned on its way.
+    /// The lines burned by the laser.
     pub burns: Vec<Burn>,
-    /// What the laser burned where it stood.
+    /// The holes burned by the standing laser.
     pub holes: Vec<Hole>,
-    /// How many events there were.
+    /// The total number of events.
     pub event_count: u64,
-    /// The last of them, at most 100, the oldest first.
+    /// The last events, at most 100, oldest first.
     pub events: Vec<Happened>,
 }
 
-/// Where an arm really is and what acts at its tool.
+/// The true pose of an arm and its actuators.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "TrueArm")]
 pub struct ArmState {
@@ -54,16 +53,16 @@ pub struct ArmState {
     pub y_mm: f64,
     /// The height of the wrist in the base frame.
     pub z_mm: f64,
-    /// How the tool is turned in the base frame.
+    /// The rotation of the tool in the base frame.
     pub rotation_deg: f64,
     /// The height of the tip above the table.
     pub tip_mm: f64,
-    /// Whether the pump runs.
+    /// Whether the pump is on.
     pub pump: bool,
     /// Whether the laser is on.
     pub laser: bool,
     /// The angle of the gripper's servo.
     pub gripper_deg: f64,
-    /// How far the fingers of a gripper are apart; 0 with another tool.
+    /// The opening of a gripper's fingers; 0 with another tool.
     pub opening_mm: f64,
 }

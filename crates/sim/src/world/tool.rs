@@ -5,52 +5,50 @@ use serde::{Deserialize, Serialize};
 
 /// The tool of a scene.
 ///
-/// Heights are measured where a person measures them: the arm is lowered until the tip touches the
-/// table, and the z that the arm tells then is `down_z_mm`. From there the height of the tip above
-/// the table is z less `down_z_mm`, wherever the wrist and the table really are.
+/// Heights are measured at the table: lower the arm until the tip touches the table; the z that the
+/// arm then reports is `down_z_mm`. The height of the tip above the table is z less `down_z_mm`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "WorldTool")]
 pub struct Tool {
     /// Z of the wrist when the tip touches the table, in the base frame.
     pub down_z_mm: f64,
-    /// How far the tip may be pressed into something before that counts as a collision: a pen has
-    /// a spring, a cup is soft.
+    /// The compliance of the tip before a collision is reported: a pen has a spring, a cup is soft.
     pub give_mm: f64,
-    /// Which tool it is, and how it acts on the scene.
+    /// The kind of tool.
     #[serde(rename = "kind")]
     pub action: ToolAction,
 }
 
-/// How a tool acts on the scene.
+/// The kind of a tool and its effect on the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum ToolAction {
     /// A pen.
     Pen {
-        /// How wide its line is.
+        /// The line width.
         width_mm: f64,
     },
     /// A laser.
     Laser {
-        /// From its tip down to its focus.
+        /// The distance from its tip down to its focus.
         focus_mm: f64,
-        /// How far above and below the focus it still burns.
+        /// The range above and below the focus in which it burns.
         depth_mm: f64,
-        /// Its power, in watts; the protocol knows on and off only.
+        /// Its power, in watts; the protocol has on and off only.
         power_w: f64,
     },
     /// A suction cup.
     SuctionCup {
-        /// How wide it is: it holds only what it covers as a whole.
+        /// The diameter; it holds only objects that it covers completely.
         diameter_mm: f64,
         /// The heaviest load, in grams.
         lifts_g: f64,
     },
     /// A gripper, whose fingers move towards each other across the tool's direction.
     Gripper {
-        /// Between the fingers with the servo at 0 degrees.
+        /// The opening with the servo at 0 degrees.
         open_mm: f64,
-        /// Between the fingers with the servo at 90 degrees.
+        /// The opening with the servo at 90 degrees.
         closed_mm: f64,
         /// The heaviest load, in grams.
         lifts_g: f64,
@@ -58,7 +56,7 @@ pub enum ToolAction {
 }
 
 impl Tool {
-    /// Which of the arm's tools it is.
+    /// The corresponding tool of the arm.
     #[must_use]
     pub const fn tool(&self) -> dobot_arm::Tool {
         match self.action {
@@ -69,8 +67,8 @@ impl Tool {
         }
     }
 
-    /// How far the fingers are apart with the servo at an angle, linear from 0 to 90 degrees and
-    /// no farther: there they stand against their stops. 0 where there are none.
+    /// The opening of the fingers at a servo angle, linear from 0 to 90 degrees and clamped there by
+    /// the stops; 0 for other tools.
     #[must_use]
     pub fn opening_mm(&self, gripper_deg: f64) -> f64 {
         match self.action {
@@ -81,7 +79,7 @@ impl Tool {
         }
     }
 
-    /// The heaviest load; nothing where it holds nothing.
+    /// The heaviest load; `None` for tools that hold nothing.
     pub(crate) const fn lifts_g(&self) -> f64 {
         match self.action {
             ToolAction::SuctionCup { lifts_g, .. } | ToolAction::Gripper { lifts_g, .. } => lifts_g,

@@ -113,12 +113,12 @@ const BAD_SECOND: &[(&str, usize, &[&str])] = &[
     (
         "name = \"a\"\nsize_mm = [9, 9, 9]\nat_mm = [150, 0]",
         6,
-        &["the name `a` is that of line 2"],
+        &["the name `a` is already used in line 2"],
     ),
     (
         "size_mm = [20, 20, 20]\nat_mm = [219, 0]",
         6,
-        &["`box 2` is in the same place as `a` of line 2"],
+        &["`box 2` overlaps `a` of line 2"],
     ),
     (
         "size_mm = [9, 9, 9]\nat_mm = [200, 0]\non = \"b\"",

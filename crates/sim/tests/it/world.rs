@@ -410,7 +410,7 @@ fn a_standing_laser_burns_a_hole_and_is_told_as_dangerous() {
         .wait_ms(480)
         .tells(&[])
         .wait_ms(10_000)
-        .tells(&["danger: the laser burns on the spot at x 200.0 y 0.0, for 0.5 s by now"]);
+        .tells(&["danger: the laser burns in place at x 200.0 y 0.0, for 0.5 s"]);
     let holes = lab.state().holes;
     assert_eq!(holes.len(), 1, "{holes:?}");
     near(holes[0].time_s, 10.48, 1e-3);
