@@ -179,7 +179,7 @@ impl Suite {
     fn forbidden(&self, check: &Check) -> Option<String> {
         let options = self.rig.options;
         let why = match check.id {
-            "laser" if !options.laser => "the laser burns; use `--laser` to try it",
+            "laser" if !options.laser => "the laser burns; use `--with-laser` to try it",
             "limit-jog" if !options.traps => {
                 "a stock arm ignores the first limit; use `--traps` to try it on a virtual arm"
             }
