@@ -7,7 +7,7 @@ use super::{CertificateTrust, StationSearch, fingerprint};
 /// Which station, as the options of a program say it.
 #[derive(Clone, Default, clap::Args)]
 pub struct StationOptions {
-    /// Address of the station, for example <http://127.0.0.1:8642>
+    /// Address of the station, for example `http://127.0.0.1:8642`
     ///
     /// Default: the environment variable `DOBOT_STATION`, otherwise the station that runs on this
     /// machine: that of this user's data folder, or the one at port 8642.
