@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 
 use clap::error::{ContextKind, ContextValue};
-use clap::{Command, CommandFactory, FromArgMatches};
+use clap::{Arg, Command, CommandFactory, FromArgMatches};
 
 use crate::Cli;
 use crate::failure::{ErrorFormat, print_error};
@@ -28,6 +28,7 @@ pub(crate) fn command() -> Command {
 fn with_short_help(command: Command) -> Command {
     let command = command
         .allow_negative_numbers(true)
+        .mut_args(within_heading)
         .mut_subcommands(with_short_help);
     let Some(long) = command.get_after_help().map(ToString::to_string) else {
         return command;
@@ -39,6 +40,39 @@ fn with_short_help(command: Command) -> Command {
         None => command,
     }
 }
+
+/// Removes the heading of a flattened group from the options after the group.
+fn within_heading(arg: Arg) -> Arg {
+    let ids: &[&str] = match arg.get_help_heading() {
+        Some("Connection") => &CONNECTION,
+        Some("Fleet") => &FLEET,
+        _ => return arg,
+    };
+    if ids.contains(&arg.get_id().as_str()) {
+        arg
+    } else {
+        arg.help_heading(None::<&str>)
+    }
+}
+
+const CONNECTION: [&str; 8] = [
+    "to",
+    "dialect",
+    "policy",
+    "pose_confirmed",
+    "station",
+    "token",
+    "fingerprint",
+    "ca",
+];
+const FLEET: [&str; 6] = [
+    "fleet",
+    "connect",
+    "group",
+    "offers",
+    "takes_work",
+    "virtual_arms",
+];
 
 /// Parses a command line.
 pub(crate) fn parse(

@@ -7,7 +7,7 @@ use super::{CertificateTrust, StationSearch, fingerprint};
 /// The station that a program's options select.
 #[derive(Clone, Default, clap::Args)]
 pub struct StationOptions {
-    /// Address of the station, for example <http://127.0.0.1:8642>
+    /// Address of the station, for example `http://127.0.0.1:8642`
     ///
     /// If absent, the environment variable `DOBOT_STATION` is used, then the station running on
     /// this machine: the one with this user's data folder, or the one at port 8642.

@@ -109,7 +109,7 @@ mod tests {
         let od = "0000000 a5 00\n0000004 ff 41\n0000006\n";
         let hex = "000010 a5 00\n000020 ff 41\n";
         for (text, expected) in [
-            (od, "line 2: offset 0x4; 0x2 follows"),
+            (od, "line 2: offset is 0x4; expected 0x2"),
             (hex, "line 2: offset "),
         ] {
             let error = bytes(text).expect_err(text);
@@ -123,21 +123,21 @@ mod tests {
         for (text, expected) in [
             (
                 "hello",
-                "line 1: `hello` is not hex digits; allowed are 0 to 9 and a to f, two for each byte",
+                "line 1: `hello` is not hex digits; expected 0 to 9 and a to f, two for each byte",
             ),
             ("a5 00\nff zz", "line 2: `zz`"),
-            ("a5 0", "there are 3 hex digits; a byte takes two"),
+            ("a5 0", "found 3 hex digits; expected two for each byte"),
             ("a5:0:ff0", "line 1: `ff0`"),
             (
                 "[165, 300]",
-                "`300` is not a byte; allowed are 0 to 255 and 0x00 to 0xff",
+                "`300` is not a byte; expected 0 to 255 or 0x00 to 0xff",
             ),
             (r"b'\xa5\xz0'", "line 1: `\\xz0` "),
             ("b'\\xa5", "line 1: the bytes literal has no end"),
             ("x = 1\ny = b'\u{e9}'", "line 2: `\u{e9}`"),
             (
                 "00000000: a500 ff41  ..\n00000010: a500  ..",
-                "line 2: offset 0x10; 0x4 follows from the lines before",
+                "line 2: offset is 0x10; expected 0x4 after the lines before",
             ),
             ("00000000: a5zz  ..\n", "line 1: `a5zz`"),
         ] {
