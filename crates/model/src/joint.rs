@@ -1,4 +1,4 @@
-//! What turns about what.
+//! The joints of the arm.
 
 use dobot_arm::{Degrees, Limits, Span};
 

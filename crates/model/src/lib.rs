@@ -2,8 +2,8 @@
 //!
 //! The model has the arm's links with both of its parallelograms and the crank that turns the forearm, and a tool. Its
 //! lengths, limits and speeds are those of `dobot-arm` and `dobot-motion`, without the roundings of a stock arm. Its
-//! frame `base` is the base frame (`docs/kinematics.md`), and its frame `tool` is at the pose that the arm tells, at the
-//! height of the wrist. `docs/models.md` tells what each format holds.
+//! frame `base` is the base frame (`docs/kinematics.md`), and its frame `tool` is at the reported pose, at the
+//! height of the wrist. `docs/models.md` describes each format.
 //!
 //! ```
 //! use dobot_arm::{Millimeters, Tool};

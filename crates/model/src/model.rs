@@ -29,7 +29,7 @@ pub struct Model {
     pub(crate) pins: [Pin; 3],
 }
 
-/// What moves as one.
+/// A rigid body.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub(crate) name: &'static str,
@@ -237,7 +237,7 @@ mod tests {
                 let tip = place(&model, "tip", ORIGIN, &joints);
                 let below = expected.position - Position::new(0.0, 0.0, 50.0);
                 prop_assert!(tip.distance(below).0 < 1e-9, "{tip:?}, expected {below:?}");
-                // A point ahead of the tool's axis tells which way the tool is turned.
+                // A point ahead of the tool's axis shows the rotation of the tool.
                 let ahead = place(&model, "tool", [1.0, 0.0, 0.0], &joints) - found;
                 let turned = Position::polar(Millimeters(1.0), expected.rotation, Millimeters(0.0));
                 prop_assert!(ahead.distance(turned).0 < 1e-9, "{ahead:?}, expected {turned:?}");

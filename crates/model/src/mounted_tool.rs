@@ -1,8 +1,8 @@
-//! What is mounted at the end of the arm.
+//! The tool mounted at the end of the arm.
 
 use dobot_arm::{Millimeters, Tool};
 
-/// What is mounted at the end of the arm, and how long it is.
+/// The tool mounted at the end of the arm, with its length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MountedTool {
     kind: Tool,
@@ -41,7 +41,7 @@ impl MountedTool {
         }
     }
 
-    /// What it is.
+    /// The kind of tool.
     #[must_use]
     pub const fn kind(self) -> Tool {
         self.kind

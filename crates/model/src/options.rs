@@ -1,4 +1,4 @@
-//! The options by which a program is told what is mounted.
+//! The options for the mounted tool.
 
 use std::iter;
 
@@ -7,7 +7,7 @@ use dobot_arm::{Millimeters, Tool};
 
 use crate::mounted_tool::{BadLength, MountedTool};
 
-/// What is mounted, as the options of a program say it.
+/// The mounted tool, as command line options.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct ToolOptions {
     /// Mounted tool
@@ -31,7 +31,7 @@ pub enum ToolOptionsError {
 }
 
 impl ToolOptionsError {
-    /// What to do about it.
+    /// A hint for the user.
     #[must_use]
     pub const fn hint(&self) -> Option<&'static str> {
         match self {
@@ -42,7 +42,7 @@ impl ToolOptionsError {
 }
 
 impl ToolOptions {
-    /// The tool, if one is mounted; where no length is told, it is as usual for that tool, in mm.
+    /// The mounted tool; its default length is that of the kind of tool, in mm.
     ///
     /// # Errors
     ///

@@ -1,4 +1,5 @@
-//! What each part of the arm looks like: the same parts as on the page (`page/files/stage/arm.js`), of boxes and cylinders.
+//! The shapes of the parts of the arm, of boxes and cylinders, as on the page
+//! (`page/files/stage/arm.js`).
 //!
 //! The frame of a part is at the joint that carries it. At 0 degrees the rear arm and the rods beside it stand along Z, and
 //! the forearm and the rod beside it lie along X.
@@ -161,7 +162,7 @@ pub(crate) fn wrist(servo_mm: Option<f64>) -> Vec<Shape> {
 pub(crate) fn tool(tool: MountedTool) -> Vec<Shape> {
     let tip = -tool.length().0;
     let horn = post(10.0, [-HORN_MM, -8.0], Metal);
-    // What stands between the horn and what is at the tip, where there is room for it.
+    // The part between the horn and the tip, if there is room for it.
     let down_to = |end: f64, radius: f64, colour| {
         (end < -HORN_MM).then(|| post(radius, [end, -HORN_MM], colour))
     };

@@ -20,7 +20,7 @@ pub(crate) enum Solid {
     Post { radius_mm: f64, long_mm: f64 },
 }
 
-/// What a part looks like.
+/// The shape of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Colour {
     Metal,

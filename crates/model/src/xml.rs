@@ -1,4 +1,4 @@
-//! What both XML formats write alike: metres and radians.
+//! Shared parts of both XML formats: metres and radians.
 
 use std::fmt::Write;
 
@@ -46,7 +46,7 @@ pub(crate) fn radians(span: &Span<Degrees>) -> [f64; 2] {
     [span.min, span.max].map(|it| it.0.to_radians())
 }
 
-/// What both begin with.
+/// The common header.
 pub(crate) const TITLE: &str =
     " The original Dobot Arm (V1.0, 2016): metres, radians; written by `dobot model` ";
 

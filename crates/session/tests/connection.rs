@@ -32,7 +32,7 @@ async fn a_command_leaves_with_the_first_status() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_peer_that_closes_in_the_middle_of_a_status_is_told() {
+async fn a_peer_that_closes_in_the_middle_of_a_status_is_reported() {
     let (ours, mut theirs) = duplex(1024);
     let mut arm = Connection::over_stream(ours, None);
     let bytes = STATUS.emit().to_bytes();
@@ -62,7 +62,7 @@ async fn a_peer_that_closes_without_having_read_everything_has_closed_too() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_peer_that_sends_noise_is_told_from_a_silent_one() {
+async fn a_peer_that_sends_noise_is_distinguished_from_a_silent_one() {
     let (ours, mut theirs) = duplex(1024);
     let mut arm = Connection::over_stream(ours, None);
     theirs.write_all(&[0x55; 500]).await.expect("it is open");
@@ -122,7 +122,7 @@ async fn a_port_that_does_not_exist_is_named_with_a_hint() {
 
 #[cfg(unix)]
 #[tokio::test]
-async fn a_file_that_is_no_port_is_told() {
+async fn a_file_that_is_no_port_is_reported() {
     let address: Address = "serial:/dev/null".parse().expect("it is one");
     let error = Connection::open(&address, None)
         .await
@@ -131,7 +131,7 @@ async fn a_file_that_is_no_port_is_told() {
 }
 
 #[tokio::test]
-async fn a_tcp_port_where_nobody_listens_is_told() {
+async fn a_tcp_port_where_nobody_listens_is_reported() {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let port = listener.local_addr().expect("it is bound").port();
     drop(listener);

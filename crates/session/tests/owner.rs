@@ -38,7 +38,14 @@ fn a_dialect_that_is_learned_later_counts_from_then_on() {
         session.send(line(220.0)),
         Err(SendError::Undecided { .. })
     ));
-    let height = |session: &Session| session.model().expect("it told").settings.jump_height.0;
+    let height = |session: &Session| {
+        session
+            .model()
+            .expect("a status arrived")
+            .settings
+            .jump_height
+            .0
+    };
     assert_eq!(height(&session), 20.0);
     session.set_dialect(Dialect::FIRMWARE_1_1);
     assert_eq!(height(&session), 10.0);
@@ -90,7 +97,7 @@ fn what_waits_is_forgotten_by_its_names() {
 }
 
 #[test]
-fn a_full_queue_is_told_from_an_idle_link() {
+fn a_full_queue_is_distinguished_from_an_idle_link() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION)).with_ahead(Duration::MAX);
     let mut now = PERIOD;
     tell(&mut session, now);
@@ -138,7 +145,7 @@ fn an_urgent_packet_that_left_beside_the_session_is_believed() {
     assert!(matches!(packet, Packet::Frame(_)));
     assert_eq!(packets(&mut session), 0, "the caller sends it");
     session.note_urgent(&laser);
-    assert!(session.model().expect("it told").laser);
+    assert!(session.model().expect("a status arrived").laser);
 }
 
 #[test]
@@ -152,7 +159,7 @@ fn an_urgent_packet_that_moves_nothing_is_over_soon() {
         tell(&mut session, PERIOD * n);
     }
     assert!(!session.is_moving());
-    assert!(session.model().expect("it told").knows_place());
+    assert!(session.model().expect("a status arrived").knows_place());
 }
 
 fn burn(y_mm: f32) -> WriteVector {

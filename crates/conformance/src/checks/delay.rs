@@ -1,4 +1,4 @@
-//! How long the line takes: measured before anything moves, because all waits count on it.
+//! The latency of the line, measured before any motion because all timeouts depend on it.
 
 use std::time::Duration;
 
@@ -14,16 +14,16 @@ use crate::packet::jog;
 use crate::rig::{ANSWER, BYTE, CheckError, Rig};
 use crate::timed_status::TimedStatus;
 
-/// Something that shows in the status at once, moves nothing and can be taken back.
+/// A reversible change without motion that shows in the status immediately.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum VisibleChange {
     /// The end effector: X and Y change by 5.5 mm.
     Tool,
-    /// The pump, for a controller that takes no end effector.
+    /// The pump, for a controller that does not accept an end effector.
     Pump,
 }
 
-/// Changes something that shows, and takes it back, a few times; how soon does it show?
+/// Applies and reverts a visible change a few times and measures its delay.
 pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let start = rig.start.ok_or(CheckError::Homeless)?;
     if let Some(why) = hindrance(&start) {
@@ -68,7 +68,7 @@ pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, CheckError> {
     })
 }
 
-/// Sends one sign, and waits for the first status that shows it.
+/// Sends one change and waits for the first status that shows it.
 async fn answer(
     rig: &mut Rig,
     sign: VisibleChange,
@@ -111,7 +111,7 @@ impl VisibleChange {
     }
 }
 
-/// By how much statuses came earlier or later than every 80 ms (note N20).
+/// The deviation of statuses from a period of 80 ms (note N20).
 fn jitter(seen: &[TimedStatus]) -> Duration {
     let Some(first) = seen.first() else {
         return Duration::ZERO;

@@ -1,4 +1,4 @@
-//! Flow control: one run with a queue that is full, looked at from four sides.
+//! Flow control: one run with a queue that is full, evaluated in four ways.
 
 use std::time::Duration;
 
@@ -12,7 +12,7 @@ use crate::outcome::Outcome;
 use crate::packet::vector;
 use crate::rig::{CheckError, Rig};
 
-/// Sends a slow vector and eight more behind it; are statuses withheld?
+/// Sends a slow vector and eight more, and checks that statuses are withheld.
 pub(crate) async fn silence(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let mark = rig.seen.len();
@@ -35,7 +35,7 @@ pub(crate) async fn silence(rig: &mut Rig) -> Result<Outcome, CheckError> {
     ))
 }
 
-/// Where the arm is when statuses come again.
+/// The position of the arm when statuses resume.
 pub(crate) fn again(rig: &Rig) -> Outcome {
     let Some(flow) = &rig.flow else {
         return untried();
@@ -51,12 +51,12 @@ pub(crate) fn again(rig: &Rig) -> Outcome {
         off < NEAR_MM && matches!(step, 3 | 4),
         match step {
             0 => "while the first command runs".to_owned(),
-            _ => format!("with command {step} of those that waited, {off:.2} mm off its way"),
+            _ => format!("with command {step} of those that waited, {off:.2} mm off its path"),
         },
     )
 }
 
-/// Which of the eight were done.
+/// The executed commands of the eight.
 pub(crate) fn six(rig: &Rig) -> Outcome {
     let Some(flow) = &rig.flow else {
         return untried();
@@ -64,9 +64,14 @@ pub(crate) fn six(rig: &Rig) -> Outcome {
     match flow.done() {
         Some(done) => Outcome::of(
             done == [0, 1, 2, 3, 4, 5],
-            format!("of eight behind the running one, {} were done", list(&done)),
+            format!(
+                "of eight after the running one, {} were executed",
+                list(&done)
+            ),
         ),
-        None => Outcome::Differs("the arm rests where no choice of the eight leads".into()),
+        None => Outcome::Differs(
+            "the arm stopped at a point that no subset of the eight leads to".into(),
+        ),
     }
 }
 
@@ -76,7 +81,7 @@ pub(crate) fn order(rig: &Rig) -> Outcome {
         return untried();
     };
     let Some(done) = flow.done() else {
-        return Outcome::NotTried("what was done is not known".into());
+        return Outcome::NotTried("the executed commands are unknown".into());
     };
     let corners = flow.corners(&done);
     let places = flow.seen.iter().map(|it| nearest(&corners, &it.status));
@@ -84,7 +89,7 @@ pub(crate) fn order(rig: &Rig) -> Outcome {
     let worst = offs.into_iter().fold(0.0, f64::max);
     Outcome::of(
         worst < NEAR_MM && steps.is_sorted(),
-        format!("statuses are up to {worst:.3} mm off the way"),
+        format!("statuses are up to {worst:.3} mm off the path"),
     )
 }
 

@@ -1,4 +1,4 @@
-//! Bytes and packets: what the controller makes of damaged ones.
+//! Handling of damaged bytes and packets.
 //!
 //! The packets set the end effector: that shows in X and Y at once, and nothing moves.
 
@@ -110,7 +110,7 @@ async fn lost_until_obeyed(rig: &mut Rig) -> Result<Option<u32>, CheckError> {
     Ok(None)
 }
 
-/// Bytes that begin no packet and belong to none.
+/// Bytes that belong to no packet.
 const NOISE: [u8; 13] = [0, 255, 13, 10, 90, 1, 2, 3, 0x5B, 77, 0, 0, 200];
 const TRIES: u32 = 4;
 

@@ -1,4 +1,4 @@
-//! A hand that leads the arm: gesture, mouse and voice (states 8, 1 and 5).
+//! Hand guidance: gesture, mouse and voice (states 8, 1 and 5).
 
 use dobot_wire::{Frame, Status, Voice};
 
@@ -15,7 +15,7 @@ pub(crate) async fn gesture(rig: &mut Rig) -> Result<Outcome, CheckError> {
         Some(_) if rig.options.fresh => scaled(goal),
         Some(_) => {
             return Ok(Outcome::NotTried(
-                "a stock arm mixes in old hand positions: where it would go is not known".into(),
+                "a stock arm mixes in old hand positions: where it would move is unknown".into(),
             ));
         }
         None => return Ok(undecided()),
@@ -30,11 +30,11 @@ pub(crate) async fn gesture(rig: &mut Rig) -> Result<Outcome, CheckError> {
         specification && off < NEAR_MM,
         // A stock arm stops up to a fifth short of the way.
         !specification && off < distance(&home, &there).max(5.0) * 0.35,
-        format!("{off:.2} mm off the place that the hand shows"),
+        format!("{off:.2} mm off the position of the hand"),
     ))
 }
 
-/// The hand position with which a stock arm, switched on just now, goes to a place.
+/// The hand position that moves a stock arm to a position right after power-up.
 fn scaled([x, y, z]: [f32; 3]) -> [f32; 3] {
     [(x - 230.0) * 4.0, y * 2.0, (z + 30.0) * 2.0 + 200.0]
 }
@@ -70,29 +70,31 @@ pub(crate) async fn mouse(rig: &mut Rig) -> Result<Outcome, CheckError> {
         off(&there, moved(&home, [x, y, z])) < NEAR_MM,
         swings && by(rise, 0.4 * f64::from(z)),
         format!(
-            "4, 3, 5 lead by {:.2}, {:.2}, {rise:.2} mm: {reach:.2} mm of reach, {swing:.2} degrees of the base",
+            "4, 3, 5 move by {:.2}, {:.2}, {rise:.2} mm: {reach:.2} mm of reach, {swing:.2} degrees of the base",
             there.x_mm - home.x_mm,
             there.y_mm - home.y_mm,
         ),
     ))
 }
 
-/// A spoken order, which a stock arm hears on its Bluetooth port only.
+/// A voice command, which a stock arm receives on its Bluetooth port only.
 pub(crate) async fn voice(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let Ok(order) = Voice::new("up five") else {
-        return Ok(Outcome::NotTried("the order does not fit a packet".into()));
+        return Ok(Outcome::NotTried(
+            "the voice command does not fit a packet".into(),
+        ));
     };
     rig.send_raw(&order.to_bytes()).await?;
     let there: Status = rig.settled().await?;
     let heard = off(&there, moved(&home, [0.0, 0.0, 5.0])) < NEAR_MM;
     Ok(if heard {
-        Outcome::Holds("\"up five\" leads 5 mm up".into())
+        Outcome::Holds("\"up five\" moves 5 mm up".into())
     } else if distance(&home, &there) < NEAR_MM {
-        Outcome::Firmware11("it hears nothing, as a stock arm on USB".into())
+        Outcome::Firmware11("it ignores voice, as a stock arm on USB".into())
     } else {
         Outcome::Differs(format!(
-            "\"up five\" leads {:.2} mm up, {:.2} mm in all",
+            "\"up five\" moves {:.2} mm up, {:.2} mm in all",
             there.z_mm - home.z_mm,
             distance(&home, &there)
         ))
@@ -100,7 +102,7 @@ pub(crate) async fn voice(rig: &mut Rig) -> Result<Outcome, CheckError> {
 }
 
 fn undecided() -> Outcome {
-    Outcome::NotTried("the dialect is mixed: where it would go is not known".into())
+    Outcome::NotTried("the dialect is mixed: where it would move is unknown".into())
 }
 
 const NEAR_MM: f64 = 0.05;

@@ -7,13 +7,13 @@ use crate::outcome::Outcome;
 use crate::packet::jog;
 use crate::rig::{CheckError, Rig};
 
-/// A pair of buttons, and what they move.
+/// A pair of buttons and their axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct JogButtons {
     state: f32,
-    /// The button that moves it forward; the next one moves it back.
+    /// The forward button; the next one is backward.
     plus: f32,
-    /// Which of the numbers changes.
+    /// The index of the value that changes.
     index: usize,
     /// The share of the largest speed.
     percent: f32,
@@ -37,7 +37,7 @@ pub(crate) const LINE_GRIPPER: JogButtons = JogButtons {
     ..GRIPPER
 };
 
-/// Whether the arm stands still after a release, and stays so.
+/// Whether the arm stops after a release and stays at rest.
 pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let before = rig.settled().await?;
     rig.send(jog(2.0, 1.0, 20.0)).await?;
@@ -46,7 +46,9 @@ pub(crate) async fn release(rig: &mut Rig) -> Result<Outcome, CheckError> {
     if !rig.stands().await? {
         rig.stop_jog().await?;
         rig.settled().await?;
-        return Ok(Outcome::Differs("the arm went on after the release".into()));
+        return Ok(Outcome::Differs(
+            "the arm kept moving after the release".into(),
+        ));
     }
     let after = rig.settled().await?;
     let moved = after.base_deg - before.base_deg;
@@ -98,8 +100,8 @@ pub(crate) async fn pump(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let (on, off) = (with.suction, !without.suction);
     let found = match (on, off) {
         (true, true) => "on, then off",
-        (false, _) => "it does not go on",
-        (_, false) => "it does not go off",
+        (false, _) => "it does not switch on",
+        (_, false) => "it does not switch off",
     };
     Ok(Outcome::of(on && off, found))
 }
@@ -113,9 +115,9 @@ pub(crate) async fn laser(rig: &mut Rig) -> Result<Outcome, CheckError> {
     Ok(Outcome::of(
         before == after,
         if before == after {
-            "on for a moment; a status does not tell: look for the spot"
+            "on for a moment; not part of the status: look for the spot"
         } else {
-            "the status changes, which does not tell of a laser"
+            "the status changes, although the laser is not part of it"
         },
     ))
 }
@@ -135,7 +137,7 @@ async fn hold(rig: &mut Rig, axis: JogButtons, button: f32, ms: u64) -> Result<S
     rig.settled().await
 }
 
-/// What a jog of this kind may move: joints, or coordinates; and the gripper.
+/// The values that a jog of this kind may change: joints or coordinates, and the gripper.
 fn numbers(axis: JogButtons, it: &Status) -> [f32; 5] {
     if axis.state == JOINTS {
         [
@@ -150,7 +152,7 @@ fn numbers(axis: JogButtons, it: &Status) -> [f32; 5] {
     }
 }
 
-/// How far the numbers move that should not.
+/// The largest change of the values that should not change.
 fn strays(axis: JogButtons, from: [f32; 5], to: [f32; 5]) -> f32 {
     let pairs = from.into_iter().zip(to).enumerate();
     let others = pairs.filter(|(index, _)| *index != axis.index);
@@ -159,7 +161,7 @@ fn strays(axis: JogButtons, from: [f32; 5], to: [f32; 5]) -> f32 {
         .fold(0.0, f32::max)
 }
 
-/// A joint at 20 %, unless something else is said.
+/// A joint jog at 20 % by default.
 const fn joint(plus: f32, index: usize) -> JogButtons {
     JogButtons {
         state: JOINTS,
@@ -182,9 +184,9 @@ const fn along(plus: f32, index: usize) -> JogButtons {
 const JOINTS: f32 = 2.0;
 const LINES: f32 = 7.0;
 const HOLD_MS: u64 = 300;
-/// So long that at least three steps between statuses are at full speed, and within 10 mm.
+/// Long enough for three status periods at full speed, within 10 mm.
 const LONGER_MS: u64 = 420;
-/// A press that moves less does nothing.
+/// The smallest motion of an effective press.
 const LEAST: f32 = 0.3;
-/// What rounding may move.
+/// The tolerance for rounding.
 const STRAY: f32 = 0.05;

@@ -12,7 +12,7 @@ pub(crate) async fn lifts(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let goal = moved(&home, [0.0, 6.0, 0.0]);
     let (there, seen) = rig.carry_out(point(goal, 0.0, &home)).await?;
-    let heights = seen.iter().map(|it| it.status.z_mm - home.z_mm);
+    let heights = seen.iter().map(|timed| timed.status.z_mm - home.z_mm);
     let height = heights.fold(0.0, f32::max);
     let off = off(&there, goal);
     Ok(Outcome::of(
@@ -34,7 +34,7 @@ pub(crate) async fn across(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let places = seen.iter().filter_map(|it| Across::of(&home, it));
     let places: Vec<_> = places.collect();
     let Some((first, last)) = places.first().zip(places.last()) else {
-        return Ok(Outcome::Differs("no status tells of a way across".into()));
+        return Ok(Outcome::Differs("no status shows the traverse".into()));
     };
     let arrived = off(&there, goal) < NEAR_MM;
     let few = places.len() < FEW;

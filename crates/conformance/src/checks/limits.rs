@@ -1,4 +1,4 @@
-//! Limits, as far as they can be tried without harm.
+//! Limits, if they can be tried safely.
 
 use crate::outcome::Outcome;
 use crate::packet::{jog as button, point};
@@ -10,7 +10,7 @@ pub(crate) async fn far(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     let Some(mode) = rig.joint_mode else {
         return Ok(Outcome::NotTried(
-            "only a move by joints is safe, and which mode that is is not known".into(),
+            "only a joint move is safe, and the joint mode is unknown".into(),
         ));
     };
     let beyond = [home.x_mm * 3.0, home.y_mm * 3.0, home.z_mm];

@@ -1,4 +1,4 @@
-//! The line, before anything is sent.
+//! Checks of the line before anything is sent.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use crate::outcome::Outcome;
 use crate::rig::{CheckError, Rig, disagreement, joints, lenient, tool_of, turned};
 use crate::timed_status::TimedStatus;
 
-/// Listens, and tells what does not belong to statuses.
+/// Receives and counts bytes that do not belong to statuses.
 pub(crate) async fn form(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let began = rig.now();
     while rig.seen.is_empty() && rig.now() < began + FIRST_STATUS {
@@ -20,7 +20,7 @@ pub(crate) async fn form(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.pass(LISTEN_MS).await?;
     let (bytes, count) = (rig.raw.len(), rig.seen.len());
     if bytes == 0 {
-        return Ok(Outcome::Differs("nothing comes".into()));
+        return Ok(Outcome::Differs("nothing was received".into()));
     }
     let lenient = lenient(&rig.raw).len();
     // Whoever joins a stream in the middle skips the rest of one packet.
@@ -36,11 +36,11 @@ pub(crate) async fn form(rig: &mut Rig) -> Result<Outcome, CheckError> {
 /// The mean time between two statuses.
 pub(crate) fn period(rig: &Rig) -> Outcome {
     let (Some(first), Some(last)) = (rig.seen.first(), rig.seen.last()) else {
-        return Outcome::NotTried("no status came that can be trusted".into());
+        return Outcome::NotTried("no trustworthy status was received".into());
     };
     let steps = u32::try_from(rig.seen.len() - 1).unwrap_or(u32::MAX);
     if steps < FEW {
-        return Outcome::Differs(format!("only {} statuses came", steps + 1));
+        return Outcome::Differs(format!("only {} statuses were received", steps + 1));
     }
     let total = last.at.saturating_sub(first.at);
     let mut spans: Vec<f64> = rig
@@ -62,7 +62,7 @@ pub(crate) fn period(rig: &Rig) -> Outcome {
     let missing = due - f64::from(steps);
     if is_period(middle) && missing > 0.0 && is_period(ms(total) / due) {
         return Outcome::Unsteady(format!(
-            "{missing:.0} of {due:.0} did not come, the others every {middle:.1} ms: lost on the line?"
+            "{missing:.0} of {due:.0} are missing, the others every {middle:.1} ms: lost on the line?"
         ));
     }
     Outcome::Differs(found)
@@ -75,17 +75,17 @@ pub(crate) fn pose(rig: &Rig) -> Outcome {
         .map(disagreement)
         .fold(0.0_f64, f64::max);
     if rig.seen.is_empty() && worst == 0.0 {
-        return Outcome::NotTried("no status came".into());
+        return Outcome::NotTried("no status was received".into());
     }
     let found = format!("off by up to {worst:.4} mm or degrees; 0.01 is allowed");
     Outcome::of(worst <= AGREED, found)
 }
 
-/// Whether the arm stands still, where it may stand and where the checks have room.
+/// Whether the arm is at rest, within its limits and with room for the checks.
 pub(crate) fn start(rig: &mut Rig) -> Outcome {
     let (Some(first), Some(TimedStatus { status, .. })) = (rig.seen.first(), rig.seen.last())
     else {
-        return Outcome::NotTried("no status came that can be trusted".into());
+        return Outcome::NotTried("no trustworthy status was received".into());
     };
     let turned = turned(&first.status, status);
     if turned > 0.01 {
@@ -106,7 +106,7 @@ pub(crate) fn start(rig: &mut Rig) -> Outcome {
     ))
 }
 
-/// Why the arm must not be moved from where it stands, if so.
+/// The reason not to move the arm from its position.
 pub(crate) fn hindrance(start: &Status) -> Option<Hindrance> {
     if start.suction {
         return Some(Hindrance::Pump);
@@ -114,8 +114,8 @@ pub(crate) fn hindrance(start: &Status) -> Option<Hindrance> {
     cramped(start).map(Hindrance::Cramped)
 }
 
-/// Why the arm has too little room where it stands, if it has: the checks move by up to 10 mm and
-/// 5 degrees, and jump up to 9 mm higher.
+/// The reason why the arm has too little room: the checks move by up to 10 mm and 5 degrees, and jump
+/// up to 9 mm higher.
 fn cramped(start: &Status) -> Option<String> {
     let tool = tool_of(start);
     let Joints {
@@ -142,12 +142,14 @@ fn cramped(start: &Status) -> Option<String> {
                 ..it
             });
             let checked = joints.and_then(|it| Limits::STOCK.check_at(&it, position));
-            checked.err().map(|it| format!("too near to a limit: {it}"))
+            checked
+                .err()
+                .map(|error| format!("too near to a limit: {error}"))
         })
     })
 }
 
-/// The corners of the room that the checks need.
+/// The corners of the space needed by the checks.
 fn corners(start: &Status) -> impl Iterator<Item = Position> {
     let at = dobot_session::position(start);
     let sides = [-ROOM_MM, ROOM_MM];
@@ -162,15 +164,15 @@ fn ms(span: Duration) -> f64 {
     span.as_secs_f64() * 1000.0
 }
 
-/// A stock arm is deaf for up to two seconds after its port was opened (note N35).
+/// A stock arm ignores bytes for up to two seconds after its port is opened (note N35).
 const FIRST_STATUS: Duration = Duration::from_secs(5);
 const LISTEN_MS: u64 = 2700;
-/// Statuses below which a mean says nothing.
+/// The smallest number of statuses for a mean.
 const FEW: u32 = 10;
 const PERIOD_MS: f64 = PERIOD_S * 1000.0;
 const TOLERANCE_MS: f64 = 2.0;
 /// Note N22, per coordinate; the distance of all three may be a bit more.
 const AGREED: f64 = 0.0174;
-/// How far from the start the checks move.
+/// The range of the checks around the start.
 const ROOM_MM: f64 = 12.0;
 const ABOVE_MM: f64 = 28.0;

@@ -11,7 +11,7 @@ use crate::packet::{
 };
 use crate::rig::{CheckError, Rig, distance, moved, off, turned};
 
-/// Sets slow speeds and lifts the arm to where all checks begin.
+/// Sets slow speeds and lifts the arm to the home position.
 pub(crate) async fn lift(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let start = rig.start.ok_or(CheckError::Homeless)?;
     rig.settings().await?;
@@ -28,7 +28,7 @@ pub(crate) async fn lift(rig: &mut Rig) -> Result<Outcome, CheckError> {
     ))
 }
 
-/// The same point by mode 1 and by mode 2: which way is straight?
+/// Moves to one point by mode 1 and by mode 2 to find the straight one.
 pub(crate) async fn modes(rig: &mut Rig) -> Result<Outcome, CheckError> {
     // So slow that some statuses tell of the way, and never at the largest speed: where one joint
     // reaches it and the others do not, a stock arm strays from the way of all joints together.
@@ -43,7 +43,7 @@ pub(crate) async fn modes(rig: &mut Rig) -> Result<Outcome, CheckError> {
         (Some(true), Some(false)) => Some(2.0),
         _ => None,
     };
-    let word = |it| match it {
+    let word = |path| match path {
         Some(true) => "straight",
         Some(false) => "by joints",
         None => "neither straight nor by joints",
@@ -55,7 +55,7 @@ pub(crate) async fn modes(rig: &mut Rig) -> Result<Outcome, CheckError> {
     ))
 }
 
-/// Whether a mode goes straight or by joints, if one of the two.
+/// Whether a mode is straight, by joints or neither.
 async fn straight(rig: &mut Rig, mode: f32) -> Result<Option<bool>, CheckError> {
     let home = rig.home()?;
     let goal = moved(&home, [-4.0, 7.0, 5.0]);
@@ -100,11 +100,11 @@ pub(crate) async fn pause(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let rest = rest_s(rig, 1.0).await?;
     Ok(Outcome::of(
         (rest - 1.0).abs() < 0.17,
-        format!("told 1 s, it waited {rest:.2} s"),
+        format!("set to 1 s, it waited {rest:.2} s"),
     ))
 }
 
-/// Whether the pause of 9/1 counts for moves that have none.
+/// The pause of 9/1 for moves without their own pause.
 pub(crate) async fn default_pause(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.send(gentle(0.8)).await?;
     let rest = rest_s(rig, 0.0).await?;
@@ -116,7 +116,7 @@ pub(crate) async fn default_pause(rig: &mut Rig) -> Result<Outcome, CheckError> 
     ))
 }
 
-/// Two moves: how long does the arm rest after the first, which has this pause?
+/// The rest time after a move with this pause, before a second move.
 async fn rest_s(rig: &mut Rig, pause_s: f32) -> Result<f64, CheckError> {
     let home = rig.home()?;
     let mark = rig.seen.len();
@@ -145,7 +145,7 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, CheckError> {
     rig.settled().await?;
     rig.pass(300).await?;
     let there = rig.next_status().await?;
-    let mut on_the_way = rig.seen[mark..].iter().map(|it| &it.status);
+    let mut on_the_way = rig.seen[mark..].iter().map(|timed| &timed.status);
     let early = on_the_way.any(|it| it.suction && off(it, goal) > NEAR_MM);
     rig.send(angles(&home, 1.0)).await?;
     // A stock arm takes it up only when its pause is over once more (note N47).
@@ -159,7 +159,7 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, CheckError> {
     Ok(Outcome::of(
         set && reset && !early,
         format!(
-            "pump {}{}, gripper by {gripper:.3} degrees (told: on, 5.000), then {} and {:.3}",
+            "pump {}{}, gripper by {gripper:.3} degrees (sent: on, 5.000), then {} and {:.3}",
             word(there.suction),
             if early { " too early" } else { "" },
             word(back.suction),
@@ -168,7 +168,7 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, CheckError> {
     ))
 }
 
-/// Goes back to where the arm stood, and sets what was changed to what a stock arm has.
+/// Returns to the start and restores the power-up settings of a stock arm.
 pub(crate) async fn back(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let start = rig.start.ok_or(CheckError::Homeless)?;
     rig.be_gentle().await?;
@@ -192,5 +192,5 @@ pub(crate) async fn back(rig: &mut Rig) -> Result<Outcome, CheckError> {
 
 const LIFT_MM: f32 = 10.0;
 const NEAR_MM: f64 = 0.05;
-/// A status lies that near to the way that the arm goes. The two ways are 0.05 mm apart and more.
+/// The distance of statuses from the path of the arm; the two paths are at least 0.05 mm apart.
 const ON_THE_WAY_MM: f64 = 0.006;

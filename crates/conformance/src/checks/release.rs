@@ -18,7 +18,7 @@ pub(crate) async fn other_kind(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let home = rig.home()?;
     if home.fore_deg.abs() < LEVEL_DEG {
         return Ok(Outcome::NotTried(format!(
-            "the forearm is nearly level, at {:.1} degrees: what Z moves cannot be told there",
+            "the forearm is nearly level, at {:.1} degrees: the effect of Z cannot be measured there",
             home.fore_deg
         )));
     }
@@ -29,7 +29,9 @@ pub(crate) async fn other_kind(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let line = press(rig, [7.0, Z_PLUS], 2.0).await?;
     rig.settings().await?;
     let (Some(joint), Some(line)) = (joint, line) else {
-        return Ok(Outcome::Differs("the arm went on after the release".into()));
+        return Ok(Outcome::Differs(
+            "the arm kept moving after the release".into(),
+        ));
     };
     let run_down_mm = joint.z_mm - z_at(&home, &joint);
     let run_down_deg = line.fore_deg - fore_at(&home, &line);
@@ -85,8 +87,7 @@ pub(crate) async fn other_settings(rig: &mut Rig) -> Result<Outcome, CheckError>
     ))
 }
 
-/// Presses a button for so long that it has its full speed, and releases it by a state; where the arm
-/// rests then, if it does.
+/// Presses a button until full speed and releases it with a state; returns the status at rest.
 async fn press(
     rig: &mut Rig,
     [state, button]: [f32; 2],
@@ -104,7 +105,7 @@ async fn press(
     Ok(stands.then_some(there))
 }
 
-/// The height that the forearm alone leads to, for the reach that a status tells.
+/// The height after a motion of the forearm alone, for the reach of a status.
 fn z_at(home: &Status, there: &Status) -> f32 {
     let before = f64::from(home.fore_deg).to_radians();
     let cosine = before.cos() + (reach_of(there) - reach_of(home)) / FOREARM.0;
@@ -112,19 +113,20 @@ fn z_at(home: &Status, there: &Status) -> f32 {
     single(f64::from(home.z_mm) + FOREARM.0 * (before.sin() - after.sin()))
 }
 
-/// The angle of the forearm that keeps the reach, for the rear arm's angle that a status tells.
+/// The angle of the forearm that keeps the reach, for the rear arm's angle of a status.
 fn fore_at(home: &Status, there: &Status) -> f32 {
     let [rear, now, fore] =
-        [home.rear_deg, there.rear_deg, home.fore_deg].map(|it| f64::from(it).to_radians());
+        [home.rear_deg, there.rear_deg, home.fore_deg].map(|angle| f64::from(angle).to_radians());
     let cosine = fore.cos() + (rear.sin() - now.sin()) * REAR_ARM.0 / FOREARM.0;
     single(cosine.acos().copysign(fore).to_degrees())
 }
 
-/// How far the servo still went after the last status at its full speed.
+/// The motion of the servo after the last status at full speed.
 fn braked_deg(seen: &[TimedStatus]) -> f32 {
     let full = SPEED_SERVO * single(PERIOD_S) * 0.9;
     let steps = seen.windows(2);
-    let mut at_speed = steps.filter(|it| it[1].status.servo_deg - it[0].status.servo_deg >= full);
+    let mut at_speed =
+        steps.filter(|pair| pair[1].status.servo_deg - pair[0].status.servo_deg >= full);
     let (from, end) = (at_speed.next_back().map(|it| it[1]), seen.last());
     let way = from.zip(end.copied());
     way.map_or(0.0, |(from, end)| {
@@ -159,12 +161,12 @@ const RUN_DOWN: f32 = 0.42;
 const SPEED_SERVO: f32 = 4.0;
 const SLOW_SERVO: f32 = 8.0;
 const RUN_DOWN_SERVO: f32 = 0.96;
-/// So long that the speed is there.
+/// Long enough to reach full speed.
 const HOLD_MS: u64 = 500;
 const HOLD_SERVO_MS: u64 = 800;
-/// How long it takes at most until it stands again.
+/// The longest time until it is at rest.
 const RUN_DOWN_MS: u64 = 500;
-/// A press that moves less does nothing.
+/// The smallest motion of an effective press.
 const LEAST: f32 = 0.3;
 const STRAY: f32 = 0.02;
 /// A tick more or less of the run-down, and rounding.

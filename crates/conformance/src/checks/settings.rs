@@ -1,4 +1,4 @@
-//! Configuration: settings that show in what comes after them.
+//! Configuration: settings and their later effects.
 
 use dobot_arm::Tool;
 use dobot_wire::{Frame, Status};
@@ -30,7 +30,7 @@ pub(crate) async fn tool(rig: &mut Rig) -> Result<Outcome, CheckError> {
     } else if still {
         format!("the reach changes by {by:.3} mm at once; {expected:.3} expected")
     } else {
-        "the arm moves, or says so".into()
+        "the arm moves or reports a motion".into()
     };
     Ok(Outcome::of(still && changes && left < 0.02, found))
 }
@@ -81,7 +81,9 @@ pub(crate) async fn moves(rig: &mut Rig) -> Result<Outcome, CheckError> {
     // Half of what was set (50 %): 1 degree/s and 10 degrees/s², or 5 mm/s and 50 mm/s².
     let joints = trapezoid_s(TURN_DEG.into(), 1.0, 10.0);
     let line = trapezoid_s(distance(&home, &there), 5.0, 50.0);
-    let holds = [joints, line].iter().any(|it| (took - it).abs() < SLACK_S);
+    let holds = [joints, line]
+        .iter()
+        .any(|expected| (took - expected).abs() < SLACK_S);
     Ok(Outcome::of(
         holds,
         format!(
@@ -143,7 +145,7 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, CheckError> {
     Ok(Outcome::vote(document, stock, found))
 }
 
-/// Tells the arm its initial angles: a float 3, and the forearm as it is.
+/// Sends initial angles: float 3, and the current forearm angle.
 async fn tell_angles(rig: &mut Rig, float_3: f32, now: &Status) -> Result<Status, CheckError> {
     let packet = configuration(3.0, &[float_3, now.fore_deg]);
     Ok(rig.carry_out(packet).await?.0)
@@ -175,7 +177,7 @@ pub(crate) async fn percentages(rig: &mut Rig) -> Result<Outcome, CheckError> {
     ))
 }
 
-/// How long a motion takes from rest to rest.
+/// The duration of a motion from rest to rest.
 pub(crate) fn trapezoid_s(length: f64, speed: f64, acceleration: f64) -> f64 {
     if length > speed * speed / acceleration {
         length / speed + speed / acceleration

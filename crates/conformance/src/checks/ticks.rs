@@ -1,4 +1,4 @@
-//! How many ticks a move takes: counted between the beginnings of two, which statuses tell exactly.
+//! The number of ticks of a move, counted between the starts of two moves, which statuses show exactly.
 
 use std::time::Duration;
 
@@ -15,9 +15,7 @@ use dobot_wire::{Status, single};
 /// precision, takes one tick more, and one to notice the end (note N45).
 pub(crate) async fn whole(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let Some(mode) = rig.joint_mode else {
-        return Ok(Outcome::NotTried(
-            "which mode goes by joints is not known".into(),
-        ));
+        return Ok(Outcome::NotTried("the joint mode is unknown".into()));
     };
     let home = rig.settled().await?;
     let Some((ticks, base_deg)) = turn(home.base_deg) else {
@@ -45,7 +43,7 @@ pub(crate) async fn whole(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let steady = rig.latency.is_none_or(|it| it.jitter() < UNSTEADY);
     let Some(found) = apart(&rig.seen[mark..], home.base_deg, base_deg, steady) else {
         return Ok(Outcome::Differs(format!(
-            "no statuses tell of two turns by {:.3} degrees",
+            "no statuses show two turns by {:.3} degrees",
             base_deg - home.base_deg
         )));
     };

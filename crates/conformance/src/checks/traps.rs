@@ -20,7 +20,7 @@ pub(crate) async fn no_length(rig: &mut Rig) -> Result<Outcome, CheckError> {
         if lost {
             "the pose becomes NaN"
         } else {
-            "nothing happens"
+            "there is no effect"
         },
     ))
 }
@@ -39,9 +39,9 @@ pub(crate) async fn unknown_state(rig: &mut Rig) -> Result<Outcome, CheckError> 
         !hangs,
         hangs,
         if hangs {
-            "what comes after it waits for ever"
+            "the following commands wait forever"
         } else {
-            "what comes after it is done"
+            "the following commands are executed"
         },
     ))
 }

@@ -43,7 +43,7 @@ impl Broken {
     }
 
     /// What comes in is changed.
-    pub(crate) fn hears(
+    pub(crate) fn on_receive(
         mut self,
         change: impl FnMut(Duration, &mut Vec<u8>) + Send + 'static,
     ) -> Self {
@@ -56,7 +56,7 @@ impl Broken {
         self,
         mut change: impl FnMut(Frame) -> Option<Frame> + Send + 'static,
     ) -> Self {
-        self.hears(move |_, bytes| {
+        self.on_receive(move |_, bytes| {
             let packet: Option<&[u8; PACKET_LEN]> = bytes.as_slice().try_into().ok();
             if let Some(frame) = packet.and_then(Frame::from_bytes) {
                 let changed = change(frame).map(|it| it.to_bytes().to_vec());

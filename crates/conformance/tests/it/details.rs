@@ -8,7 +8,7 @@ use crate::broken::Broken;
 use crate::{ON_A_PORT, check, good, is_release, speaking, table};
 
 /// The checks that say something else of a broken arm than of a good one, where both were tried.
-async fn told_apart(personality: Personality, broken: Broken, ids: &[&str]) {
+async fn expect_distinguished(personality: Personality, broken: Broken, ids: &[&str]) {
     let (good, broken) = (
         check(speaking(personality), ON_A_PORT).await,
         check(broken, ON_A_PORT).await,
@@ -28,7 +28,7 @@ fn instead(
     personality: Personality,
     change: impl Fn(&Frame) -> Option<Vec<Frame>> + Send + 'static,
 ) -> Broken {
-    Broken::new(speaking(personality)).hears(move |_, bytes| {
+    Broken::new(speaking(personality)).on_receive(move |_, bytes| {
         let frame = bytes.first_chunk().and_then(Frame::from_bytes);
         let frames = frame
             .filter(|_| bytes.len() == 42)
@@ -49,7 +49,7 @@ async fn a_jump_that_crosses_in_another_way_is_caught() {
     let straight = instead(Personality::Firmware11, move |frame| {
         rises(frame).then(|| vec![frame.with(8, 1.0)])
     });
-    told_apart(Personality::Firmware11, straight, &["jump-across"]).await;
+    expect_distinguished(Personality::Firmware11, straight, &["jump-across"]).await;
     // Up, across and down by joints, by as much at either end: 6 mm to the left and 4 mm up.
     let lifts = instead(Personality::Specification, move |frame| {
         let (y, z) = (frame.float(4), frame.float(5));
@@ -62,7 +62,7 @@ async fn a_jump_that_crosses_in_another_way_is_caught() {
             ]
         })
     });
-    told_apart(Personality::Specification, lifts, &["jump-across"]).await;
+    expect_distinguished(Personality::Specification, lifts, &["jump-across"]).await;
 }
 
 #[tokio::test]
@@ -76,7 +76,7 @@ async fn a_release_of_the_other_kind_that_takes_the_acceleration_of_its_own_is_c
             frame
         })
     });
-    told_apart(Personality::Firmware11, broken, &["release-kind"]).await;
+    expect_distinguished(Personality::Firmware11, broken, &["release-kind"]).await;
 }
 
 #[tokio::test]
@@ -90,7 +90,7 @@ async fn a_release_of_the_other_kind_that_is_ignored_is_caught() {
             }
             (!is_release(&frame) || frame.float(1) == held).then_some(frame)
         });
-        told_apart(personality, broken, &["release-kind"]).await;
+        expect_distinguished(personality, broken, &["release-kind"]).await;
     }
 }
 
@@ -122,7 +122,7 @@ async fn a_run_down_with_an_acceleration_that_was_set_behind_the_press_is_caught
         let is_slow = frame.float(1) == 9.0 && frame.float(2) == 0.0 && frame.float(6) == 8.0;
         Some(if is_slow { frame.with(6, 80.0) } else { frame })
     });
-    told_apart(Personality::Specification, broken, &["release-settings"]).await;
+    expect_distinguished(Personality::Specification, broken, &["release-settings"]).await;
     // On a stock arm: the button acts once more, with what was set.
     let button = Frame::ZERO.with(1, 2.0).with(2, 7.0).with(8, 20.0);
     let press = std::sync::Mutex::new(false);
@@ -135,7 +135,7 @@ async fn a_run_down_with_an_acceleration_that_was_set_behind_the_press_is_caught
             vec![button, *frame]
         })
     });
-    told_apart(Personality::Firmware11, broken, &["release-settings"]).await;
+    expect_distinguished(Personality::Firmware11, broken, &["release-settings"]).await;
 }
 
 #[tokio::test]
@@ -149,11 +149,11 @@ async fn a_move_of_whole_ticks_that_takes_another_number_of_them_is_caught() {
             frame
         })
     });
-    told_apart(Personality::Firmware11, broken, &["move-ticks"]).await;
+    expect_distinguished(Personality::Firmware11, broken, &["move-ticks"]).await;
     // A tick of rest behind each move.
     let broken = good().obeys(|frame| {
         let pauses = frame.float(1) == 6.0;
         Some(if pauses { frame.with(10, 0.02) } else { frame })
     });
-    told_apart(Personality::Specification, broken, &["move-ticks"]).await;
+    expect_distinguished(Personality::Specification, broken, &["move-ticks"]).await;
 }

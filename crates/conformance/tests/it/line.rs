@@ -15,7 +15,7 @@ const fn ms(ms: u64) -> Duration {
 }
 
 #[tokio::test]
-async fn all_holds_behind_a_line_of_up_to_250_ms_each_way_and_its_latency_is_told() {
+async fn all_holds_behind_a_line_of_up_to_250_ms_each_way_and_its_latency_is_reported() {
     for personality in Personality::ALL {
         for one_way in (0..=250).step_by(5) {
             let peer = Delayed::by(speaking(personality), ms(one_way));
@@ -41,7 +41,7 @@ async fn a_line_that_is_now_fast_and_now_slow_is_waited_for() {
 }
 
 #[tokio::test]
-async fn a_line_too_slow_is_told_and_nothing_is_moved() {
+async fn a_line_too_slow_is_reported_and_nothing_is_moved() {
     for (one_way, told) in [(350, 700), (900, 1800), (2500, 5000)] {
         let arm = speaking(Personality::Firmware11);
         let report = check(Delayed::by(arm.clone(), ms(one_way)), ON_A_PORT).await;
@@ -63,8 +63,8 @@ async fn a_line_too_slow_is_told_and_nothing_is_moved() {
 }
 
 #[tokio::test]
-async fn a_controller_that_hears_nothing_is_told_so() {
-    let deaf = good().hears(|_, bytes| bytes.clear());
+async fn an_unresponsive_controller_is_reported() {
+    let deaf = good().on_receive(|_, bytes| bytes.clear());
     let report = check(deaf, ON_A_PORT).await;
     assert_eq!(report.differing(), ["line-delay"], "{}", table(&report));
     let outcome = report.outcome("line-delay").expect("it is one");
@@ -112,7 +112,7 @@ async fn a_line_that_loses_commands_makes_no_good_controller_differ() {
 }
 
 #[tokio::test]
-async fn a_line_that_loses_statuses_is_told_and_makes_no_good_controller_differ() {
+async fn a_line_that_loses_statuses_is_reported_and_makes_no_good_controller_differ() {
     for personality in Personality::ALL {
         for seed in 1..=12 {
             let mut lost = every_so_often(seed, 2.0);

@@ -186,10 +186,10 @@ async fn an_arm_without_room_is_not_moved_and_told_where_to_stand() {
 }
 
 #[tokio::test]
-async fn a_deaf_line_is_told_and_nothing_is_sent() {
+async fn a_silent_line_is_reported_and_nothing_is_sent() {
     let silent = good()
         .says(|_| None)
-        .hears(|_, _| panic!("it was sent something"));
+        .on_receive(|_, _| panic!("it was sent something"));
     caught(silent, &["status-form"]).await;
 }
 
@@ -216,7 +216,7 @@ async fn a_z_with_the_wrong_sign_is_caught_and_nothing_is_sent() {
         Some(frame.with(3, -z).to_bytes().to_vec())
     });
     caught(
-        broken.hears(|_, _| panic!("it was sent something")),
+        broken.on_receive(|_, _| panic!("it was sent something")),
         &["status-pose"],
     )
     .await;
@@ -224,7 +224,7 @@ async fn a_z_with_the_wrong_sign_is_caught_and_nothing_is_sent() {
 
 #[tokio::test]
 async fn a_wrong_tail_that_is_obeyed_is_caught() {
-    let broken = good().hears(|_, bytes| {
+    let broken = good().on_receive(|_, bytes| {
         if let Some(tail) = bytes.get_mut(41) {
             *tail = 0x5A;
         }
@@ -239,7 +239,7 @@ async fn a_wrong_tail_that_is_obeyed_is_caught() {
 
 #[tokio::test]
 async fn a_packet_lost_behind_noise_is_caught() {
-    let broken = good().hears(|_, bytes| {
+    let broken = good().on_receive(|_, bytes| {
         if bytes.len() > 42 && bytes[0] == 0 {
             bytes.clear();
         }
@@ -249,7 +249,7 @@ async fn a_packet_lost_behind_noise_is_caught() {
 
 #[tokio::test]
 async fn a_packet_lost_with_its_second_half_is_caught() {
-    let broken = good().hears(|_, bytes| {
+    let broken = good().on_receive(|_, bytes| {
         if bytes.len() == 25 {
             bytes.clear();
         }
@@ -264,7 +264,7 @@ async fn a_packet_lost_with_its_second_half_is_caught() {
 
 #[tokio::test]
 async fn the_second_of_two_packets_lost_is_caught() {
-    let broken = good().hears(|_, bytes| {
+    let broken = good().on_receive(|_, bytes| {
         if bytes.len() == 84 {
             bytes.truncate(42);
         }

@@ -149,7 +149,7 @@ fn no_more_waits_in_the_arm_than_lets_it_speak_where_its_base_comes_to_0() {
 }
 
 #[test]
-fn noise_between_statuses_is_told_and_costs_none() {
+fn noise_between_statuses_is_reported_and_costs_none() {
     let mut desk = Desk::new(None);
     desk.status_at(200.0, 0.0, 0.0);
     desk.session.handle_bytes(desk.now, &[0xA5, 1, 2, 3, 0xA5]);

@@ -174,7 +174,7 @@ fn a_pump_that_acts_in_the_middle_of_a_pause_does_not_end_it() {
 }
 
 #[test]
-fn a_long_pause_is_told_once_when_it_begins() {
+fn a_long_pause_is_reported_once_when_it_begins() {
     let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
     desk.status_at(200.0, 0.0, 0.0);
     let pausing = MoveTo {
@@ -199,7 +199,7 @@ fn a_long_pause_is_told_once_when_it_begins() {
 }
 
 #[test]
-fn all_targets_out_of_reach_are_told_and_none_is_over() {
+fn all_targets_out_of_reach_are_reported_and_none_is_over() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     for x_mm in [400.0, 500.0] {

@@ -121,7 +121,7 @@ fn both_dialects_are_found_from_where_an_arm_stands_at_power_up() {
 }
 
 #[test]
-fn an_arm_without_room_is_told_where_to_go_and_sent_nothing() {
+fn an_arm_without_room_gets_a_hint_and_no_packet() {
     let (rear_deg, fore_deg) = angles(316.0, 20.0);
     let mut bench = Bench::new(Personality::Firmware11, rear_deg, fore_deg, &[]);
     let error = bench.detect().expect_err("it is stretched out");
@@ -156,7 +156,7 @@ fn an_arm_that_somebody_else_moves_is_left_alone() {
 }
 
 #[test]
-fn an_arm_that_does_not_obey_is_told() {
+fn an_arm_that_does_not_obey_is_reported() {
     let mut bench = Bench::new(Personality::Firmware11, 45.0, 45.0, &["drop=100%:to"]);
     let error = bench.detect().expect_err("it hears nothing");
     assert!(matches!(error, DetectionError::DidNotMove), "{error}");

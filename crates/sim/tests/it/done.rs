@@ -294,7 +294,7 @@ impl Trial {
         self.pass(ms(60)).await;
     }
 
-    /// Sends a command and waits for its end; panics where that is told too early, or never.
+    /// Sends a command and waits for its end; panics if it is reported too early or never.
     async fn run(&mut self, kind: CommandKind) {
         self.connection.session_mut().confirm_pose();
         let phase = Duration::from_micros(self.dice.below(80_000));
@@ -334,7 +334,7 @@ impl Trial {
             self.sent += 1;
             self.wait_for(*id, command).await;
             let begun = self.arm.arm().controller().counters().begun;
-            assert!(begun >= self.sent, "{command:?} is told to be over");
+            assert!(begun >= self.sent, "{command:?} is reported as completed");
         }
         if let Some((_, last)) = given.last() {
             self.check_over(last).await;
@@ -345,13 +345,13 @@ impl Trial {
     /// Nothing of what was sent goes on.
     async fn check_over(&mut self, command: &Command) {
         let begun = self.arm.arm().controller().counters().begun;
-        assert_eq!(begun, self.sent, "{command:?} is told to be over");
+        assert_eq!(begun, self.sent, "{command:?} is reported as completed");
         let then = self.shown();
         let until = self.connection.now() + ms(1200);
         while self.connection.now() < until {
             self.pass(ms(20)).await;
             let now = self.shown();
-            assert_eq!(then, now, "{command:?} was told to be over");
+            assert_eq!(then, now, "{command:?} was reported as completed");
         }
     }
 
@@ -389,7 +389,7 @@ impl Trial {
                 _ => {}
             }
         }
-        panic!("{command:?} is never told to be over");
+        panic!("{command:?} is never reported as completed");
     }
 }
 
@@ -432,7 +432,7 @@ const TRIALS: u64 = 12;
 const EACH: u64 = 3;
 
 #[test]
-fn whatever_is_told_to_be_over_is_over_at_any_phase_and_latency() {
+fn a_reported_completion_is_true_at_any_phase_and_latency() {
     let trials = std::env::var("DOBOT_TRIALS").map_or(TRIALS, |it| it.parse().expect("a number"));
     let runtime = tokio::runtime::Builder::new_current_thread()
         .build()

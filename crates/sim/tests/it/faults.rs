@@ -338,7 +338,7 @@ mod link {
     }
 
     #[test]
-    fn hits_are_told_at_one_ten_a_hundred_and_at_the_end() {
+    fn hits_are_reported_at_one_ten_a_hundred_and_at_the_end() {
         let mut arm = faulty(&["drop=100%:from@0s..10s"], 0);
         listen(&mut arm, s(20));
         let hits: Vec<FaultEffect> = std::iter::from_fn(|| arm.poll_struck())

@@ -108,7 +108,7 @@ proptest! {
     ) {
         let personality = if stock { Personality::Firmware11 } else { Personality::Specification };
         let mut lab = TestArm::power_up(personality);
-        let status = lab.wait(Duration::from_millis(100)).expect("it was told");
+        let status = lab.wait(Duration::from_millis(100)).expect("a status arrived");
         let mut model = Model::new(personality.dialect(), &status);
         for command in commands {
             let Ok(trajectory) = model.trajectory(&command) else { continue };
@@ -139,7 +139,9 @@ fn a_vector_that_creeps_takes_as_long_as_the_model_says() {
     for tenths in 100..400_u16 {
         let speed_mm_s = f32::from(tenths) / 10.0;
         let mut lab = TestArm::power_up(personality);
-        let status = lab.wait(Duration::from_millis(100)).expect("it was told");
+        let status = lab
+            .wait(Duration::from_millis(100))
+            .expect("a status arrived");
         let mut model = Model::new(personality.dialect(), &status);
         for [y_mm, z_mm] in [[0.0, 8.0], [2.1, 0.0], [0.0, -8.0], [-2.1, 0.0]] {
             let command = Command::from(WriteVector::by(0.0, y_mm, z_mm, speed_mm_s));
@@ -164,7 +166,9 @@ fn a_rapid_vector_is_refused_where_the_twin_ends_it_early() {
     let personality = Personality::Firmware11;
     for (max_speed_mm_s, arrives) in [(50.0, false), (95.0, false), (105.0, true), (150.0, true)] {
         let mut lab = TestArm::power_up(personality);
-        let status = lab.wait(Duration::from_millis(100)).expect("it was told");
+        let status = lab
+            .wait(Duration::from_millis(100))
+            .expect("a status arrived");
         let model = Model::new(personality.dialect(), &status);
         let rapid = Command::from(WriteVector {
             mode: WriteMode::Laser,
@@ -198,7 +202,9 @@ fn a_rapid_vector_behind_a_burn_arrives_and_is_not_refused() {
     };
     for speed in [1.0, 1.5, 2.0, 5.0, 8.0, 10.0, 20.0, 50.0] {
         let mut lab = TestArm::power_up(personality);
-        let status = lab.wait(Duration::from_millis(100)).expect("it was told");
+        let status = lab
+            .wait(Duration::from_millis(100))
+            .expect("a status arrived");
         let mut model = Model::new(personality.dialect(), &status);
         for command in [vector(40.0, true, speed), vector(7.3, false, speed)].map(Command::from) {
             let trajectory = model.trajectory(&command).expect("it is allowed");

@@ -106,7 +106,7 @@ impl SessionInput {
         while let Some(upload) = controller.poll_bytes() {
             session.handle_bytes(at + DEAF + upload.at + PACKET, &upload.bytes);
         }
-        let status = *session.status().expect("it told");
+        let status = *session.status().expect("a status arrived");
         (session, status)
     }
 }
@@ -199,7 +199,7 @@ proptest! {
         let until = at + Duration::from_secs(4);
         let (arm, connection, statuses) =
             run(personality(stock), &[reset], &program, ahead(full), until);
-        let before = statuses.iter().rfind(|it| it.0 < at + PACKET + TICK).expect("it told").1;
+        let before = statuses.iter().rfind(|it| it.0 < at + PACKET + TICK).expect("a status arrived").1;
         let after = statuses.iter().find(|it| it.0 > at + DEAF).expect("it tells again").1;
         let angles = |it: &Status| [it.base_deg, it.rear_deg, it.fore_deg];
         if angles(&before) != angles(&after) {

@@ -138,7 +138,7 @@ const BAD_SECOND: &[(&str, usize, &[&str])] = &[
 ];
 
 #[track_caller]
-fn is_told(text: &str, line: usize, parts: &[&str]) {
+fn expect_error(text: &str, line: usize, parts: &[&str]) {
     let error = Scene::parse(text).unwrap_err().to_string();
     assert!(
         error.starts_with(&format!("line {line}: ")),
@@ -151,12 +151,12 @@ fn is_told(text: &str, line: usize, parts: &[&str]) {
 }
 
 #[test]
-fn a_bad_scene_is_told_with_its_line_what_was_found_and_what_is_allowed() {
+fn a_bad_scene_is_reported_with_its_line_what_was_found_and_what_is_allowed() {
     for (text, line, parts) in BAD {
-        is_told(text, *line, parts);
+        expect_error(text, *line, parts);
     }
     for (text, line, parts) in BAD_SECOND {
-        is_told(&format!("{TWO}{text}"), *line, parts);
+        expect_error(&format!("{TWO}{text}"), *line, parts);
     }
 }
 

@@ -317,7 +317,7 @@ fn an_arm_is_untrusted_from_the_start_where_its_owner_wants_it_so() {
 }
 
 #[tokio::test]
-async fn a_target_beyond_a_limit_and_a_lost_command_are_told_apart() {
+async fn a_target_beyond_a_limit_and_a_lost_command_are_distinguished() {
     let arm = virtual_arm(Personality::Specification, &[], 0);
     let mut connection = connect(&arm, Personality::Specification);
     let far = connection.send(move_to(MovingMode::MovJ, 400.0, 0.0, 0.0));

@@ -172,7 +172,7 @@ fn a_pen_draws_where_it_is_down_and_only_there() {
 }
 
 #[test]
-fn a_pen_that_leaves_the_paper_or_is_pressed_down_too_far_is_told_once() {
+fn a_pen_that_leaves_the_paper_or_is_pressed_down_too_far_is_reported_once() {
     WorldTest::new("[pen]\n[paper]\nx_mm = [150, 250]\ny_mm = [-50, 50]")
         .go(200.0, 0.0, -1.9, 40.0)
         .go(200.0, 80.0, -1.9, 40.0)
@@ -184,7 +184,7 @@ fn a_pen_that_leaves_the_paper_or_is_pressed_down_too_far_is_told_once() {
 }
 
 #[test]
-fn a_pressed_pen_is_told_again_each_time_it_is_twice_as_deep() {
+fn a_pressed_pen_is_reported_again_each_time_it_is_twice_as_deep() {
     let lab = WorldTest::new("[pen]").go(200.0, 0.0, -20.0, 10.0);
     assert_eq!(lab.events.len(), 4, "{:?}", lab.events);
 }
@@ -295,7 +295,7 @@ fn what_is_too_heavy_stays() {
 }
 
 #[test]
-fn a_tool_or_a_load_that_runs_into_something_is_told() {
+fn a_tool_or_a_load_that_runs_into_something_is_reported() {
     WorldTest::new(CUBES)
         .go(200.0, 60.0, 60.0, 40.0)
         .go(200.0, 60.0, 20.0, 10.0)
@@ -310,7 +310,7 @@ fn a_tool_or_a_load_that_runs_into_something_is_told() {
 }
 
 #[test]
-fn an_end_of_the_tool_in_the_table_is_told() {
+fn an_end_of_the_tool_in_the_table_is_reported() {
     WorldTest::new("[suction-cup]")
         .go(200.0, 0.0, -4.0, 10.0)
         .tells(&["the suction cup is 3.."]);
@@ -403,7 +403,7 @@ fn the_dose_of_a_burn_is_power_by_speed() {
 }
 
 #[test]
-fn a_standing_laser_burns_a_hole_and_is_told_as_dangerous() {
+fn a_standing_laser_burns_a_hole_and_is_reported_as_dangerous() {
     let lab = WorldTest::new(LASER)
         .go(200.0, 0.0, 25.0, 40.0)
         .laser(true)
@@ -430,7 +430,7 @@ fn burns_of_different_speeds_are_kept_apart() {
 }
 
 #[test]
-fn angles_that_are_no_numbers_are_told_once_and_leave_the_world_as_it_was() {
+fn angles_that_are_no_numbers_are_reported_once_and_leave_the_world_as_it_was() {
     let mut lab = WorldTest::new(CUBES);
     let before = lab.state();
     for ms in 1..4 {
@@ -480,11 +480,11 @@ fn a_world_feels_where_the_arm_is_and_not_where_it_believes_to_be() {
         .with_faults(power_up, &askew, 0)
         .with_world(World::new(Scene::parse("[pen]").unwrap()));
     arm.handle_time(Duration::from_millis(200));
-    let told = arm.world().unwrap().state().arm.unwrap();
-    near(told.rotation_deg, 5.0, 1e-9);
+    let state = arm.world().unwrap().state().arm.unwrap();
+    near(state.rotation_deg, 5.0, 1e-9);
     // At power-up: 135 sin 45 + 160 cos 45 + 55.07, and 135 cos 45 - 160 sin 45.
-    near(told.x_mm, 263.667, 1e-3);
-    near(told.z_mm, -17.678, 1e-3);
+    near(state.x_mm, 263.667, 1e-3);
+    near(state.z_mm, -17.678, 1e-3);
     near(arm.controller().joints_at(arm.now()).servo.0, 0.0, 1e-9);
 }
 

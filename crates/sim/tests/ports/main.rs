@@ -55,13 +55,13 @@ impl ServerEvents {
 
 /// Serves the arm while a test does something with it.
 async fn serve<F: Future<Output = ()>>(server: &mut Server, test: impl FnOnce(ServerEvents) -> F) {
-    let (tell, told) = unbounded_channel();
+    let (sender, events) = unbounded_channel();
     tokio::select! {
         ended = server.run(|event| {
             // A test that has seen enough listens no more.
-            let _ = tell.send(event);
+            let _ = sender.send(event);
         }) => panic!("the server ended: {ended:?}"),
-        () = test(ServerEvents(told)) => {}
+        () = test(ServerEvents(events)) => {}
         () = tokio::time::sleep(HANGS) => panic!("the test hangs"),
     }
 }

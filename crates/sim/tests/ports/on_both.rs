@@ -11,14 +11,14 @@ async fn on_both() -> (Server, SocketAddr, String) {
 #[tokio::test]
 async fn who_has_the_serial_port_open_has_the_arm() {
     let (mut server, address, path) = on_both().await;
-    serve(&mut server, async |mut told: ServerEvents| {
+    serve(&mut server, async |mut events: ServerEvents| {
         let mut first = connect(&format!("serial:{path}")).await;
         first.next_status().await.expect("one comes");
         let mut second = TcpStream::connect(address).await.expect("it listens");
         assert_eq!(second.read(&mut [0; 42]).await.unwrap_or(0), 0);
         first.next_status().await.expect("it is still served");
         drop(first);
-        told.disconnected().await;
+        events.disconnected().await;
         let mut third = connect(&format!("tcp:{address}")).await;
         third.next_status().await.expect("one comes");
     })
@@ -28,7 +28,7 @@ async fn who_has_the_serial_port_open_has_the_arm() {
 #[tokio::test]
 async fn who_opens_the_serial_port_during_a_tcp_connection_gets_the_arm_after_it() {
     let (mut server, address, path) = on_both().await;
-    serve(&mut server, async |mut told: ServerEvents| {
+    serve(&mut server, async |mut events: ServerEvents| {
         let mut first = connect(&format!("tcp:{address}")).await;
         first.next_status().await.expect("one comes");
         let mut second = plain_open(&path);
@@ -37,7 +37,7 @@ async fn who_opens_the_serial_port_during_a_tcp_connection_gets_the_arm_after_it
             first.next_status().await.expect("it is still served");
         }
         drop(first);
-        told.until(|it| *it == ServerEvent::PtyOpened).await;
+        events.until(|it| *it == ServerEvent::PtyOpened).await;
         let statuses = read_statuses(tokio::fs::File::from_std(second), 2).await;
         assert_eq!(statuses.len(), 2);
     })

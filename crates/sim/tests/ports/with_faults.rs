@@ -13,19 +13,19 @@ async fn a_port_that_is_closed_turns_clients_away_until_it_opens_again() {
     let fault = "close@packet1..+3s".parse().expect("it is a fault");
     let arm = virtual_arm().with_faults(PowerUp::default(), &[fault], 0);
     let mut server = Server::new(arm).on_tcp(listener);
-    serve(&mut server, async |mut told: ServerEvents| {
+    serve(&mut server, async |mut events: ServerEvents| {
         let mut first = connect(&format!("tcp:{address}")).await;
         first.send(idle_button()).expect("it is allowed");
         while first.next_status().await.is_ok() {}
-        told.disconnected().await;
+        events.disconnected().await;
         let mut second = connect(&format!("tcp:{address}")).await;
         second.next_status().await.expect_err("it is turned away");
-        told.until(|it| matches!(it, ServerEvent::PortClosed(_)))
+        events.until(|it| matches!(it, ServerEvent::PortClosed(_)))
             .await;
         let over = |it: &ServerEvent| {
             matches!(it, ServerEvent::Struck(struck) if struck.what == FaultEffect::Over(0))
         };
-        told.until(over).await;
+        events.until(over).await;
         let mut third = connect(&format!("tcp:{address}")).await;
         third.next_status().await.expect("the arm is still there");
     })
@@ -39,17 +39,17 @@ async fn whoever_has_the_serial_port_open_when_it_closes_loses_it() {
     let fault = "close@packet1..+200ms".parse().expect("it is a fault");
     let arm = virtual_arm().with_faults(PowerUp::default(), &[fault], 0);
     let mut server = Server::new(arm).on_pty(pty);
-    serve(&mut server, async |mut told: ServerEvents| {
+    serve(&mut server, async |mut events: ServerEvents| {
         let mut first = connect(&format!("serial:{path}")).await;
         first.send(idle_button()).expect("it is allowed");
         while first.next_status().await.is_ok() {}
-        let moved = told
+        let moved = events
             .until(|it| matches!(it, ServerEvent::PtyMoved(_)))
             .await;
         let ServerEvent::PtyMoved(path) = moved else {
             panic!("{moved:?}");
         };
-        told.until(
+        events.until(
             |it| matches!(it, ServerEvent::Struck(struck) if struck.what == FaultEffect::Over(0)),
         )
         .await;

@@ -74,7 +74,7 @@ async fn a_mixed_program_is_over_command_by_command_in_order() {
 }
 
 #[tokio::test]
-async fn a_target_out_of_reach_is_told_with_the_place_where_the_arm_rests() {
+async fn a_target_out_of_reach_is_reported_with_the_place_where_the_arm_rests() {
     let peer = in_process();
     let mut arm = connect(&peer);
     let far = move_to(MovingMode::MovL, 400.0, 0.0, 0.0);
@@ -98,7 +98,7 @@ async fn a_target_out_of_reach_is_told_with_the_place_where_the_arm_rests() {
 }
 
 #[tokio::test]
-async fn two_targets_out_of_reach_are_both_told() {
+async fn two_targets_out_of_reach_are_both_reported() {
     let peer = in_process();
     let mut arm = connect(&peer);
     let mut short = Vec::new();

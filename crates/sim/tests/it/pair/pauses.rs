@@ -34,7 +34,7 @@ async fn a_full_queue_of_slow_moves_and_long_pauses_is_no_lost_link() {
 }
 
 #[tokio::test]
-async fn a_program_with_pauses_is_told_to_be_over_when_its_last_pause_is() {
+async fn a_program_with_pauses_is_completed_when_its_last_pause_is() {
     let peer = in_process();
     let mut arm = connect(&peer);
     let mut program: Vec<Command> = Vec::new();

@@ -280,7 +280,10 @@ async fn check(steps: &[Step]) {
         let events = run_with(&mut arm, &commands, |event| {
             if let Event::Completed(CommandId(id)) = event {
                 let begun = peer.arm().controller().counters().begun;
-                assert!(*id < begun, "{id} is told to be over before it was begun");
+                assert!(
+                    *id < begun,
+                    "{id} is reported as completed before it was begun"
+                );
             }
         })
         .await;
