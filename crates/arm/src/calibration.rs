@@ -6,7 +6,7 @@ use crate::{
 
 /// The calibration of an arm: the offset between its true and its reported pose.
 ///
-/// A *raw* (told) position is what the arm reports and accepts; a *calibrated* (true) position is that of the tool. Both belong together as
+/// A *raw* position is what the arm reports and accepts; a *calibrated* position is that of the tool. Both belong together as
 /// long as each joint was turned on last; a joint that was turned back stands further by its backlash.
 ///
 /// ```
@@ -302,8 +302,8 @@ mod tests {
             (260.0, 90.0, -60.0),
         ] {
             let wanted = Position::new(x, y, z);
-            let told = ARM.told_place(wanted, Tool::SuctionCup).unwrap();
-            let found = ARM.true_place(told, Tool::SuctionCup).unwrap();
+            let raw = ARM.told_place(wanted, Tool::SuctionCup).unwrap();
+            let found = ARM.true_place(raw, Tool::SuctionCup).unwrap();
             let away_mm = (found.x.0 - x).abs() + (found.y.0 - y).abs() + (found.z.0 - z).abs();
             assert!(away_mm < 1e-9, "{wanted:?} became {found:?}");
         }

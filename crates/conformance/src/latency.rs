@@ -52,7 +52,7 @@ impl fmt::Display for Latency {
 /// leave its space of 30 mm by then.
 pub(crate) const MOST: Duration = Duration::from_millis(600);
 /// The earliest response without delay: the command acts in the next tick, which is ten milliseconds
-/// later or so, that tick or the one after it tells so (note N41), and its status has 42 bytes to come.
+/// later or so, that tick or the next one reports it (note N41), and its status has 42 bytes to come.
 const AT_ONCE: Duration = Duration::from_millis(64);
 /// The variation of the response: a tick and a status period (note N20).
 const SPREAD: Duration = Duration::from_millis(100);

@@ -183,7 +183,7 @@ impl fmt::Display for Verdict {
         match self {
             Self::Specification => f.write_str("specification"),
             Self::Firmware11 => f.write_str("firmware-1.1"),
-            Self::Unknown => f.write_str("no dialect that can be told"),
+            Self::Unknown => f.write_str("no dialect that can be determined"),
             Self::Mixed {
                 specification,
                 firmware_1_1,

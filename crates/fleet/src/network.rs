@@ -80,12 +80,12 @@ impl Network {
     async fn declare(requester: Requester, alive: Alive) -> Result<Self, zenoh::Error> {
         let (session, own) = (&requester.session, &alive.member);
         let signer = StateSigner::new(requester.identity.clone(), own.clone(), alive.run);
-        let (tells, lives) = mpsc::unbounded_channel();
+        let (sender, lives) = mpsc::unbounded_channel();
         let liveliness = session.liveliness();
         let others = liveliness.declare_subscriber(ALL_ALIVE).history(true);
         // A receiver that has left gets nothing.
         let others = others
-            .callback(move |member| drop(tells.send(member)))
+            .callback(move |member| drop(sender.send(member)))
             .await?;
         let (to_urgent, urgent) = mpsc::channel(REQUESTS_AT_ONCE);
         let (to_requests, requests) = mpsc::channel(REQUESTS_AT_ONCE);

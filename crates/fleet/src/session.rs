@@ -39,12 +39,12 @@ impl FleetSession {
     pub async fn open(connect: &[String], credentials: &Credentials) -> Result<Self, FleetError> {
         let config = config::session(connect, credentials)?;
         let identity = Arc::new(credentials.identity()?);
-        let (tells, opened) = watch::channel(None);
+        let (sender, opened) = watch::channel(None);
         // Opening blocks while a router is unreachable, so it runs in its own thread.
         let opens = move || {
             let session = zenoh::open(config).wait();
             // The receiver may be gone.
-            drop(tells.send(Some(session.map_err(|error| error.to_string()))));
+            drop(sender.send(Some(session.map_err(|error| error.to_string()))));
         };
         std::thread::Builder::new()
             .name("fleet".into())

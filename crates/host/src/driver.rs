@@ -246,7 +246,7 @@ impl Driver {
         Box::pin(self.part()).await
     }
 
-    /// Tells the watchdog that this loop is running. After a stall longer than the watchdog's
+    /// Reports to the watchdog that this loop is running. After a stall longer than the watchdog's
     /// patience, acts as after a fault.
     fn send_heartbeat(&mut self) {
         if let Some(silent) = self.heartbeats.send_due() {

@@ -348,7 +348,7 @@ impl StationHandle {
     #[must_use]
     pub fn with_packets(first: State, rules: Rules, kept: usize) -> (Self, DriverChannels) {
         let (asking, messages) = mpsc::channel(MESSAGES);
-        let (telling, states) = watch::channel(Arc::new(Snapshot::new(first)));
+        let (sender, states) = watch::channel(Arc::new(Snapshot::new(first)));
         let handle = Self {
             messages: asking,
             states,
@@ -361,7 +361,7 @@ impl StationHandle {
         };
         let channels = DriverChannels {
             messages,
-            states: telling,
+            states: sender,
             every: handle.every.clone(),
             notices: handle.notices.clone(),
             recent: handle.recent.clone(),

@@ -128,11 +128,11 @@ impl Call {
 
     async fn request(&self, new: NewDrawing) -> Result<DrawingRequest, Refused> {
         let mut options = new.options;
-        let told = [&new.text, &new.svg, &new.file]
+        let given = [&new.text, &new.svg, &new.file]
             .into_iter()
             .flatten()
             .count();
-        if told + usize::from(Subject::of_text(&options.what).is_some()) != 1 {
+        if given + usize::from(Subject::of_text(&options.what).is_some()) != 1 {
             return Err(Refused::new(
                 "invalid",
                 "give one of `text`, `svg` and `file`, or a text or a card in the options",

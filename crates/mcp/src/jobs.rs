@@ -75,10 +75,10 @@ impl Call {
         time: Duration,
     ) -> Result<Value, Refused> {
         if self.asks(station) {
-            let told = format!(
+            let text = format!(
                 "job {job} is queued; a person has to start it, on the station's page or with `dobot jobs start {job}`"
             );
-            return Ok(json!({ "told": told, "job": view(station, job).await? }));
+            return Ok(json!({ "told": text, "job": view(station, job).await? }));
         }
         self.shared.own_jobs.add(&self.name(), job);
         if let Err(refused) = start(station, job).await {
@@ -95,13 +95,13 @@ impl Call {
             let mut jobs = station.jobs().await?;
             let over = jobs.iter().filter(|job| job.phase.is_over()).count();
             let mut left_out = over.saturating_sub(LATEST);
-            let told = left_out;
+            let left_out_in_all = left_out;
             jobs.retain(|job| {
                 let is_old = job.phase.is_over() && left_out > 0;
                 left_out -= usize::from(is_old);
                 !is_old
             });
-            return Ok(json!({ "jobs": jobs, "left_out": told }));
+            return Ok(json!({ "jobs": jobs, "left_out": left_out_in_all }));
         };
         if !time.is_zero() && view(&mut station, job).await?.phase == JobPhase::Running {
             let _ = timeout(time, rest(&mut station, job)).await;
@@ -163,7 +163,7 @@ async fn follow(station: &mut StationClient, job: u64, time: Duration) -> Result
             }
         }
     };
-    let told = match timeout(time, over).await {
+    let text = match timeout(time, over).await {
         Err(_) => "the job is still running; `jobs` shows its progress".to_owned(),
         Ok(Err(error)) => return Err(error),
         Ok(Ok((JobPhase::Stopped | JobPhase::Failed, text))) => {
@@ -171,7 +171,7 @@ async fn follow(station: &mut StationClient, job: u64, time: Duration) -> Result
         }
         Ok(Ok((_, text))) => text,
     };
-    Ok(json!({ "told": told, "job": view(station, job).await? }))
+    Ok(json!({ "told": text, "job": view(station, job).await? }))
 }
 
 /// Waits until a job stops running.

@@ -12,8 +12,7 @@ impl Model {
     /// The model as JSON: millimetres and degrees.
     ///
     /// It holds what the other formats hold, and the limits that they cannot: the reach and the height of the tool. A limit
-    /// that the arm does not have is `null`. An angle of a joint that follows is the sum of those of `rear` and `fore`, each
-    /// so many times.
+    /// that the arm does not have is `null`. The angle of a dependent joint is the sum of multiples of `rear` and `fore`.
     ///
     /// # Panics
     ///

@@ -28,8 +28,8 @@ use when::{FaultTime, Time};
 /// | `delay=50ms` | bytes come late, by up to so much, which changes now and then; their order stays |
 /// | `withhold@10s..12s` | the arm sends no statuses |
 /// | `close@12s..14s` | the port is closed, and can be opened again later |
-/// | `reset@12s`, `reset@open` | the controller starts anew, as a real one does when its port is opened |
-/// | `power@12s..15s` | the power is cut; the arm stays where it is and starts anew when it is back |
+/// | `reset@12s`, `reset@open` | the controller restarts, as a real one does when its port is opened |
+/// | `power@12s..15s` | the power is cut; the arm stays where it is and restarts when it is back |
 /// | `lose=rear:30@5s`, `lose=fore:1%` | the motor of a joint does not make these pulses |
 /// | `backlash=base:0.3` | a joint is slack by so many degrees |
 /// | `zero=fore:2` | a joint stands two degrees further than the controller believes |
@@ -41,7 +41,7 @@ use when::{FaultTime, Time};
 /// fifth packet has been received whole (`@packet5`) or the hundredth status sent (`@status100`),
 /// and from then on. A window has an end: `@12s..15s`, `@packet5..packet9`, `@status100..+2s`.
 ///
-/// A controller that starts anew is deaf for two seconds, believes its base at 0 and reads rear arm
+/// A controller that restarts is deaf for two seconds, believes its base at 0 and reads rear arm
 /// and forearm from the tilt sensors; these read wrong by what stands behind `=`, as in
 /// `reset=rear:1.5,fore:-0.8@open` or `power=rear:1@12s..15s`.
 ///

@@ -262,11 +262,11 @@ impl Server {
         let document = serde_json::to_vec(&state).map_err(io::Error::other)?;
         tokio::spawn(async move {
             // Whoever does not read it does without.
-            let told = async {
+            let read = async {
                 stream.write_all(&document).await?;
                 stream.shutdown().await
             };
-            let _ = timeout(TIME_TO_READ, told).await;
+            let _ = timeout(TIME_TO_READ, read).await;
         });
         Ok(())
     }

@@ -108,9 +108,9 @@ mod tests {
             ..Traffic::default()
         };
         let name = "raw program 127.0.0.1:4000".to_owned();
-        let told = ProgramNews::Left { name, traffic }.trouble();
+        let trouble = ProgramNews::Left { name, traffic }.trouble();
         assert_eq!(
-            told.as_deref(),
+            trouble.as_deref(),
             Some(
                 "raw program 127.0.0.1:4000 left: of 3 packets and their statuses 17 bytes were outside of packets"
             )

@@ -51,8 +51,8 @@ impl Command {
 
     /// Writes the packet; `parse` reads it back unchanged.
     ///
-    /// Values that their table does not allow are written as they are: `parse` of the packet
-    /// tells.
+    /// Values that their table does not allow are written as they are; `parse` of the packet
+    /// refuses them.
     #[must_use]
     pub fn emit(&self, dialect: &Dialect) -> Packet {
         match self {

@@ -65,7 +65,7 @@ impl Status {
         })
     }
 
-    /// What it tells, if it is a message of the Bluetooth port, which permits no command: the same with
+    /// The status in a message of the Bluetooth port, which permits no command: the same with
     /// 1000 mm less in X (note N38). No arm reaches an X of 500 mm.
     #[must_use]
     pub fn message(self) -> Option<Self> {

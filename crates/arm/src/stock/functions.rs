@@ -82,7 +82,7 @@ fn sine(rest: f64, quadrant: u32) -> f32 {
 fn odd_series<const N: usize>(coefficients: &[f64; N], x: f32) -> f64 {
     let square = x * x;
     let rest = term(series(coefficients, square), square.into());
-    // What is entirely beyond the digits of the one is not noticed; otherwise it tells in the cut.
+    // What is entirely beyond the digits of the one is lost; otherwise it changes the rounding.
     if rest.abs() < BEYOND { 1.0 } else { 1.0 + rest }
 }
 

@@ -80,7 +80,7 @@ pub(crate) async fn pair(rig: &mut Rig) -> Result<Outcome, CheckError> {
     Ok(Outcome::of(first && second, found))
 }
 
-/// Sends bytes that hold one packet, 150 ms between them, and tells whether it was obeyed. The end
+/// Sends bytes that hold one packet, 150 ms between them, and returns whether it was obeyed. The end
 /// effector is set again afterwards.
 async fn obeys(rig: &mut Rig, parts: &[&[u8]]) -> Result<bool, CheckError> {
     let before = rig.settled().await?;

@@ -121,10 +121,10 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let before = rig.go_to(&level).await?;
     // One degree more or less, so that `rear` and `90 - rear` differ.
     let by = if before.rear_deg < 45.0 { -1.0 } else { 1.0 };
-    let told = before.rear_deg + by;
-    let after = tell_angles(rig, told, &before).await?;
+    let sent_deg = before.rear_deg + by;
+    let after = tell_angles(rig, sent_deg, &before).await?;
     let is = |rear: f32| (after.rear_deg - rear).abs() < 0.01;
-    let (document, stock) = (is(told), is(90.0 - told));
+    let (document, stock) = (is(sent_deg), is(90.0 - sent_deg));
     if document || stock {
         let rear = before.rear_deg;
         let back = if stock { 90.0 - rear } else { rear };
@@ -139,7 +139,7 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, CheckError> {
         return Err(CheckError::Untrue);
     }
     let found = format!(
-        "float 3 of {told:.3} makes the rear arm {:.3} degrees, from {:.3}",
+        "float 3 of {sent_deg:.3} makes the rear arm {:.3} degrees, from {:.3}",
         after.rear_deg, before.rear_deg
     );
     Ok(Outcome::vote(document, stock, found))

@@ -11,10 +11,10 @@ use crate::strokes::order::Travel;
 
 /// The progress of a preparation, for reading from another thread.
 #[derive(Clone, Debug, Default)]
-pub struct Progress(Arc<Told>);
+pub struct Progress(Arc<Counters>);
 
 #[derive(Debug, Default)]
-struct Told {
+struct Counters {
     /// An index in [`STEPS`].
     step: AtomicUsize,
     done: AtomicUsize,

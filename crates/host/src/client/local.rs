@@ -130,7 +130,7 @@ impl Local {
     }
 
     pub(super) async fn end(self) {
-        // The client has been told already that the arm is gone.
+        // The client already knows that the arm is gone.
         let _ = self.host.end().await;
     }
 }

@@ -1,4 +1,4 @@
-//! The rule that tells drawing moves from travels, inferred from the whole file.
+//! The rule that distinguishes drawing moves from travel, inferred from the whole file.
 
 use super::grbl_servo::GrblServoStatistics;
 use super::high_pen::HighStatistics;

@@ -144,12 +144,12 @@ impl TickChain<'_> {
                         && candidate.ticker.keeps_up(rest.take(MOST_AHEAD))
                 })
             };
-            let anew = self.follow(begin, candidate, breadth, goes_on);
-            at = begin + anew.len();
-            for (speeds, fit) in self.speeds[begin..at].iter().zip(&anew) {
+            let again = self.follow(begin, candidate, breadth, goes_on);
+            at = begin + again.len();
+            for (speeds, fit) in self.speeds[begin..at].iter().zip(&again) {
                 here.take(speeds, fit);
             }
-            fits[begin..at].copy_from_slice(&anew);
+            fits[begin..at].copy_from_slice(&again);
         }
     }
 

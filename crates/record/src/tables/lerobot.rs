@@ -211,7 +211,7 @@ fn episode_columns() -> Vec<Column> {
     columns
 }
 
-/// The tasks, indexed by their text: the note tells pandas which column is the row index.
+/// The tasks, indexed by their text: the note informs pandas which column is the row index.
 fn write_tasks(file: &Path, task: &str) -> Result<(), ExportError> {
     let columns = [
         column("task_index", Kind::Integer),

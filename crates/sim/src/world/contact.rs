@@ -8,10 +8,10 @@ use super::place::{rounded, rounded_place};
 use super::tip::Tip;
 use super::{Event, Paper, Tool};
 
-/// What is pressed into something else at present, and how deep it was when that was told.
+/// The contacts at present, and their depths when they were reported.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Contacts {
-    told: Vec<(Mover, Obstacle, f64)>,
+    reported: Vec<(Mover, Obstacle, f64)>,
 }
 
 /// What moves.
@@ -41,7 +41,7 @@ pub(crate) struct Scenery<'a> {
 }
 
 impl Contacts {
-    /// Looks what touches what, and tells what is new or twice as deep as before.
+    /// Finds the contacts, and reports those that are new or twice as deep as before.
     pub(crate) fn look(&mut self, scenery: &Scenery<'_>, mut tell: impl FnMut(Event)) {
         let mut now = Vec::new();
         scenery.tool(&mut now);
@@ -49,12 +49,12 @@ impl Contacts {
         now.retain(|(_, _, depth_mm)| *depth_mm > scenery.tool.give_mm);
         for contact in &mut now {
             let same = |it: &&(Mover, Obstacle, f64)| (it.0, it.1) == (contact.0, contact.1);
-            match self.told.iter().find(same) {
-                Some(told) if contact.2 < 2.0 * told.2 => contact.2 = told.2,
+            match self.reported.iter().find(same) {
+                Some(reported) if contact.2 < 2.0 * reported.2 => contact.2 = reported.2,
                 _ => tell(scenery.event(contact)),
             }
         }
-        self.told = now;
+        self.reported = now;
     }
 }
 

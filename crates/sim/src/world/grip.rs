@@ -83,13 +83,13 @@ impl Grip {
         let first = self.object()?;
         let mut falling: Vec<usize> = self.held.drain(..).map(|it| it.object).collect();
         falling.sort_by(|a, b| objects[*a].bottom_mm.total_cmp(&objects[*b].bottom_mm));
-        let mut told = None;
+        let mut event = None;
         for object in falling {
             let (onto, rests_mm) = support(object, objects);
             let fell_mm = objects[object].bottom_mm - rests_mm;
             objects[object].bottom_mm = rests_mm;
             if object == first {
-                told = Some(Event::Dropped {
+                event = Some(Event::Dropped {
                     object: objects[object].name.clone(),
                     onto: onto
                         .map_or_else(|| "the table".to_owned(), |it| objects[it].name.clone()),
@@ -97,7 +97,7 @@ impl Grip {
                 });
             }
         }
-        told
+        event
     }
 }
 

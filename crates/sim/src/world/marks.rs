@@ -114,7 +114,7 @@ impl Burns {
         self.going = BurnState::Off;
     }
 
-    /// Burns along a straight piece in so many seconds. Returns the hole that grew, and for how long
+    /// Burns along a straight piece within a given time. Returns the hole that grew, and for how long
     /// it had burned before.
     pub(crate) fn burn(
         &mut self,

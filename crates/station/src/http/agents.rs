@@ -33,12 +33,12 @@ pub(super) async fn agents(
     let request = Request::from_parts(parts, Body::from(body));
     let answer = app.agents.answer(request, token, place).await;
     let answer = answer.map_err(|error| TOO_MANY_CLIENTS.problem(error.to_string()))?;
-    told(answer).await
+    with_problem(answer).await
 }
 
 /// Converts an error response to a problem document, unless the protocol reports it in its own
 /// message.
-async fn told(answer: Response) -> Result<Response, RequestFailed> {
+async fn with_problem(answer: Response) -> Result<Response, RequestFailed> {
     let status = answer.status();
     let kind = answer.headers().get(CONTENT_TYPE);
     if !status.is_client_error() || kind.is_some_and(|kind| kind == "application/json") {

@@ -32,7 +32,7 @@ pub(super) fn driver() -> (StationHandle, Arc<FakeNews>, Asked) {
     let (handle, mut ends) = StationHandle::new(state(0.0), rules);
     let (_, nothing) = mpsc::channel(1);
     let messages = std::mem::replace(&mut ends.messages, nothing);
-    let telling = Arc::new(FakeNews {
+    let news = Arc::new(FakeNews {
         ends,
         came: Mutex::default(),
         gone: Mutex::default(),
@@ -40,8 +40,8 @@ pub(super) fn driver() -> (StationHandle, Arc<FakeNews>, Asked) {
         resets: Mutex::default(),
     });
     let asked = Asked::default();
-    tokio::spawn(serve(messages, telling.clone(), asked.clone()));
-    (handle, telling, asked)
+    tokio::spawn(serve(messages, news.clone(), asked.clone()));
+    (handle, news, asked)
 }
 
 /// Publishes states and notices in the name of the driver.
@@ -58,7 +58,7 @@ pub(super) struct FakeNews {
     pub(super) resets: Mutex<Vec<String>>,
 }
 
-async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, asked: Asked) {
+async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked: Asked) {
     let mut next = 1;
     let mut refusing = std::collections::HashSet::new();
     let mut offers = HashMap::new();
@@ -74,12 +74,12 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
                     refusing.insert(ClientId(next));
                 }
                 assert!(role >= Role::Watch);
-                telling.came.lock().expect("as above").push((name, person));
+                news.came.lock().expect("as above").push((name, person));
                 // The receiver may be gone, here and below.
                 let _ = reply.send(ClientId(next));
                 next += 1;
             }
-            Message::Left(client) => telling.gone.lock().expect("as above").push(client),
+            Message::Left(client) => news.gone.lock().expect("as above").push(client),
             Message::Asked {
                 client,
                 request,
@@ -97,7 +97,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
                 let _ = reply.send(Ok(()));
             }
             Message::Policy { reply, policy, .. } => {
-                telling.ends.change_rules(|rules| rules.policy = *policy);
+                news.ends.change_rules(|rules| rules.policy = *policy);
                 let _ = reply.send(Ok(()));
             }
             Message::Planned { .. } => panic!("it plans no jobs"),
@@ -127,10 +127,10 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
                 let _ = reply.send((stops, Some(stopping())));
             }
             Message::FleetReset { by, reply } => {
-                telling.resets.lock().expect("as above").push(by);
+                news.resets.lock().expect("as above").push(by);
                 let _ = reply.send(Vec::new());
             }
-            Message::Trouble(text) => telling.trouble.lock().expect("as above").push(text),
+            Message::Trouble(text) => news.trouble.lock().expect("as above").push(text),
             Message::Failed(text) => panic!("{text}"),
             Message::End => break,
         }

@@ -184,13 +184,13 @@ mod tests {
             certificate: folder.path().join("mine.pem"),
             key: folder.path().join("mine.key"),
         };
-        let told = |error: TlsError| error.to_string();
-        let error = Certificate::read(&files).err().map(told).unwrap();
+        let text = |error: TlsError| error.to_string();
+        let error = Certificate::read(&files).err().map(text).unwrap();
         assert!(error.contains("mine.pem"), "{error}");
         Certificate::own(folder.path(), &[], ANY).unwrap();
         fs::copy(folder.path().join("key.pem"), &files.key).unwrap();
         fs::write(&files.certificate, "").unwrap();
-        let error = Certificate::read(&files).err().map(told).unwrap();
+        let error = Certificate::read(&files).err().map(text).unwrap();
         assert!(
             error.ends_with("mine.pem contains no certificate"),
             "{error}"

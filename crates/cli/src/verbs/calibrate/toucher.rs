@@ -261,12 +261,12 @@ mod tests {
 
     #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
     fn at(place: Position) -> State {
-        let told = ARM.told_joints(place, Tool::SuctionCup).unwrap();
+        let raw = ARM.told_joints(place, Tool::SuctionCup).unwrap();
         let mut state = State::sample();
         let status = &mut state.arm.as_mut().unwrap().status;
-        status.base_deg = told.base.0 as f32;
-        status.rear_deg = told.rear.0 as f32;
-        status.fore_deg = told.fore.0 as f32;
+        status.base_deg = raw.base.0 as f32;
+        status.rear_deg = raw.rear.0 as f32;
+        status.fore_deg = raw.fore.0 as f32;
         state
     }
 
@@ -294,8 +294,8 @@ mod tests {
         let known = read_calibration(&text).unwrap();
         assert_eq!(known.touched.unwrap().points, 9);
         let place = Position::new(230.0, -50.0, -40.0);
-        let told = known.arm().told_place(place, Tool::SuctionCup).unwrap();
-        let came = ARM.true_place(told, Tool::SuctionCup).unwrap();
+        let raw = known.arm().told_place(place, Tool::SuctionCup).unwrap();
+        let came = ARM.true_place(raw, Tool::SuctionCup).unwrap();
         assert!(came.distance(place).0 < 0.2, "{came:?}");
     }
 

@@ -118,12 +118,12 @@ mod tests {
     #[test]
     fn only_what_takes_longer_than_an_hour_is_told_before_it_is_planned() {
         assert_eq!(hours(3500.0), None);
-        for (roughly_s, told) in [
+        for (roughly_s, text) in [
             (4000.0, "about 1 hour of"),
             (147_000.0, "about 41 hours of"),
         ] {
             let line = hours(roughly_s).expect("it is long");
-            assert!(line.starts_with(told), "{line}");
+            assert!(line.starts_with(text), "{line}");
         }
     }
 }

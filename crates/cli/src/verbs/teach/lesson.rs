@@ -45,7 +45,7 @@ struct Undone {
 /// The part of a program to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
-    /// The whole program, as often as it says.
+    /// The whole program, with its own repetitions.
     All,
     /// The whole program, until a person ends it.
     Loop,

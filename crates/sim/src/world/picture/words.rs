@@ -93,7 +93,7 @@ fn lines(state: &WorldState, wide: f64, high: f64) -> Vec<(String, &'static str)
     lines
 }
 
-/// What is told below the views.
+/// The text below the views.
 pub(super) fn facts(state: &WorldState) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
     if let Some(arm) = &state.arm {

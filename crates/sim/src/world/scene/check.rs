@@ -21,7 +21,7 @@ pub(super) fn scene(file: &File, text: &str) -> Result<Scene, SceneError> {
     })
 }
 
-/// Checks, and tells the lines of the text.
+/// Checks the scene, and locates errors by the lines of the text.
 struct SceneCheck<'a> {
     text: &'a str,
 }

@@ -372,14 +372,14 @@ mod tests {
     #[test]
     fn fields_that_do_not_exist_are_told_and_not_dropped() {
         let text = command("200").replace("\"x_mm\"", "\"x\": 1, \"x_mm\"");
-        let (status, told) = detail::<Command>(&text);
+        let (status, text) = detail::<Command>(&text);
         assert_eq!(status, 422);
         assert!(
-            told.starts_with("unknown field `x`, expected one of"),
-            "{told}"
+            text.starts_with("unknown field `x`, expected one of"),
+            "{text}"
         );
-        let (_, told) = detail::<Request>(r#"{"type": "start_job", "job": 3, "now": true}"#);
-        assert!(told.contains("unknown field `now`"), "{told}");
+        let (_, text) = detail::<Request>(r#"{"type": "start_job", "job": 3, "now": true}"#);
+        assert!(text.contains("unknown field `now`"), "{text}");
     }
 
     #[test]

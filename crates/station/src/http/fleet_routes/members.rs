@@ -45,7 +45,7 @@ pub(crate) async fn events(
     pace.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let watching = Watching {
         members: app.fleet()?.look().await?,
-        told: Members::default(),
+        sent: Members::default(),
         waiting: Vec::new(),
         gone: Vec::new(),
         pace,
@@ -66,7 +66,7 @@ const TELL_EVERY: Duration = Duration::from_millis(100);
 struct Watching {
     members: watch::Receiver<Members>,
     /// The members as last sent.
-    told: Members,
+    sent: Members,
     /// The members still to be sent.
     waiting: Vec<Arc<Member>>,
     /// The ids of removed members still to be sent.
@@ -99,17 +99,17 @@ impl Watching {
 
     fn look(&mut self) {
         let now = self.members.borrow_and_update().clone();
-        if !Arc::ptr_eq(&now, &self.told) {
-            let told: HashSet<_> = self.told.iter().map(Arc::as_ptr).collect();
-            let is_new = |member: &&Arc<Member>| !told.contains(&Arc::as_ptr(member));
+        if !Arc::ptr_eq(&now, &self.sent) {
+            let sent: HashSet<_> = self.sent.iter().map(Arc::as_ptr).collect();
+            let is_new = |member: &&Arc<Member>| !sent.contains(&Arc::as_ptr(member));
             self.waiting = now.iter().filter(is_new).cloned().collect();
             let there: HashSet<_> = now.iter().map(|member| &member.id).collect();
-            let known = self.told.iter().map(|member| &member.id);
+            let known = self.sent.iter().map(|member| &member.id);
             self.gone = known
                 .filter(|member| !there.contains(member))
                 .cloned()
                 .collect();
-            self.told = now;
+            self.sent = now;
         }
     }
 }

@@ -82,7 +82,7 @@ async fn add(
     requester.check_role(Role::Admin)?;
     let TokenView { name, role, shared } = new;
     let token = make(&mut requester.app.tokens(), &name, role, shared);
-    let token = token.map_err(|error| told(&error))?;
+    let token = token.map_err(|error| problem_of(&error))?;
     let secret = token.secret().to_owned();
     Ok((StatusCode::CREATED, Json(NewToken { name, role, secret })))
 }
@@ -101,14 +101,14 @@ async fn remove(
 ) -> Result<Json<Vec<TokenView>>, RequestFailed> {
     requester.check_role(Role::Admin)?;
     let removed = requester.app.tokens().remove(&name);
-    removed.map_err(|error| told(&error))?;
+    removed.map_err(|error| problem_of(&error))?;
     requester.app.refresh_tokens();
     Ok(Json(all_of(&requester)?))
 }
 
 fn all_of(requester: &Requester) -> Result<Vec<TokenView>, Problem> {
     let mut tokens = requester.app.tokens();
-    tokens.follow().map_err(|error| told(&error))?;
+    tokens.follow().map_err(|error| problem_of(&error))?;
     let view = |(name, role): (&str, Role)| TokenView {
         name: name.to_owned(),
         role,
@@ -117,7 +117,7 @@ fn all_of(requester: &Requester) -> Result<Vec<TokenView>, Problem> {
     Ok(tokens.list().map(view).collect())
 }
 
-fn told(error: &TokensError) -> Problem {
+fn problem_of(error: &TokensError) -> Problem {
     let kind = match error {
         TokensError::Name(_) => TOKEN_NAME,
         TokensError::Taken(_) => TOKEN_TAKEN,

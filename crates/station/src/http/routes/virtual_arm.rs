@@ -137,12 +137,12 @@ async fn set_faults(
     let changed = arm.set_faults(own.power_up, &faults, new.seed);
     drop(arm);
     changed.map_err(bad)?;
-    let mut told = requester
+    let mut faults = requester
         .app
         .faults
         .lock()
         .unwrap_or_else(PoisonError::into_inner);
-    told.clone_from(&new.faults);
+    faults.clone_from(&new.faults);
     Ok(Json(new.faults))
 }
 

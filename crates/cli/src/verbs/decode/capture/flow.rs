@@ -249,12 +249,12 @@ mod tests {
                 .map(|(at, len)| (at.wrapping_add(u32::MAX - 30), &source[*at as usize..][..*len]))
                 .collect();
             let parts = flow(&segments).parts();
-            let told: Vec<u8> = parts.into_iter().flat_map(|part| part.bytes).collect();
-            proptest::prop_assert!(told.is_sorted_by(|a, b| a < b), "{told:?}");
+            let read: Vec<u8> = parts.into_iter().flat_map(|part| part.bytes).collect();
+            proptest::prop_assert!(read.is_sorted_by(|a, b| a < b), "{read:?}");
             let mut sent: Vec<u8> = segments.iter().flat_map(|(_, text)| text.bytes()).collect();
             sent.sort_unstable();
             sent.dedup();
-            proptest::prop_assert_eq!(told, sent);
+            proptest::prop_assert_eq!(read, sent);
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::world::scene::SceneError;
 use crate::world::scene::file::{self, File};
 use crate::world::{Object, Shape};
 
-/// What the file tells of every object, whatever its shape.
+/// The properties that every object has, whatever its shape.
 struct ObjectKeys<'a> {
     name: String,
     line: usize,

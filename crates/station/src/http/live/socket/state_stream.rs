@@ -51,7 +51,7 @@ impl StateStream {
     ///
     /// # Errors
     ///
-    /// If the client lags so far behind that states are lost, or there are no more states.
+    /// If the client lags until states are lost, or there are no more states.
     pub(crate) async fn next(&mut self) -> Result<Utf8Bytes, RecvError> {
         let spacing = match self.rate {
             Rate::None => std::future::pending().await,
@@ -134,7 +134,7 @@ mod tests {
     async fn who_wants_two_in_a_second_gets_the_newest_every_half_second() {
         let (sender, states) = broadcast::channel(1024);
         let mut stream = StateStream::new(states, Some(2.0));
-        let telling = tokio::spawn(async move {
+        let sender = tokio::spawn(async move {
             for n in 0..500 {
                 sender.send(snapshot(n)).unwrap();
                 tokio::time::sleep(Duration::from_millis(10)).await;
@@ -145,7 +145,7 @@ mod tests {
         while let Ok(message) = stream.next().await {
             got.push((began.elapsed().as_millis(), number(&message)));
         }
-        telling.await.unwrap();
+        sender.await.unwrap();
         assert!((10..=11).contains(&got.len()), "{got:?}");
         for pair in got.windows(2) {
             assert!(pair[1].0 - pair[0].0 >= 499, "{got:?}");
