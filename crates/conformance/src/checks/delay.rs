@@ -116,12 +116,12 @@ fn jitter(seen: &[TimedStatus]) -> Duration {
     let Some(first) = seen.first() else {
         return Duration::ZERO;
     };
-    let lates = seen.iter().map(|it| {
+    let delays = seen.iter().map(|it| {
         let since_s = it.at.saturating_sub(first.at).as_secs_f64() / PERIOD_S;
         // How far from the beat, in shares of it: one that is missing counts for nothing.
         since_s - since_s.round()
     });
-    let (least, most) = lates.fold((0.0_f64, 0.0_f64), |(least, most), late| {
+    let (least, most) = delays.fold((0.0_f64, 0.0_f64), |(least, most), late| {
         (least.min(late), most.max(late))
     });
     Duration::from_secs_f64((most - least) * PERIOD_S)
