@@ -19,6 +19,7 @@ pub(crate) struct DrawingOptions(pub(crate) Options);
 
 /// Returns the arguments in the order of the help.
 fn rows() -> Vec<Row> {
+    // table
     let source = vec![
         text("text", "TEXT").arg(|arg| arg.conflicts_with("card")),
         text("font", "NAME"),

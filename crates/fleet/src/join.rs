@@ -201,25 +201,9 @@ impl Joined {
                         }
                     }
                 }
-                came = incoming(self.network.as_mut()) => match came {
-                    Incoming::Life(sample) => self.handle_presence(&sample),
-                    Incoming::Asked(query) => {
-                        asking.spawn(responder.clone().answer(query));
-                    }
-                    Incoming::Sealed(query) => {
-                        asking.spawn(responder.clone().answer_sealed(query));
-                    }
-                    Incoming::Stops(query) => {
-                        asking.spawn(stops::answer(self.api.handle().clone(), responder.clone(), query));
-                    }
-                    Incoming::About(query) => {
-                        let message = publisher::state_message(&self.about, &self.api.handle().state());
-                        if let Some(network) = &self.network {
-                            asking.spawn(network.answer_about(query, message));
-                        }
-                    }
-                    Incoming::State(sample) => self.handle_state(&sample),
-                },
+                came = incoming(self.network.as_mut()) => {
+                    self.handle_incoming(came, &responder, &mut asking);
+                }
                 Some(wish) = self.end.wishes.recv() => match wish {
                     FleetCommand::Look(seen) => self.look(seen).await,
                     FleetCommand::Ask(ask) => {
@@ -263,6 +247,29 @@ impl Joined {
         }
         if let Some(network) = self.network {
             network.leave().await;
+        }
+    }
+
+    fn handle_incoming(&mut self, came: Incoming, responder: &Responder, asking: &mut JoinSet<()>) {
+        match came {
+            Incoming::Life(sample) => self.handle_presence(&sample),
+            Incoming::Asked(query) => {
+                asking.spawn(responder.clone().answer(query));
+            }
+            Incoming::Sealed(query) => {
+                asking.spawn(responder.clone().answer_sealed(query));
+            }
+            Incoming::Stops(query) => {
+                let handle = self.api.handle().clone();
+                asking.spawn(stops::answer(handle, responder.clone(), query));
+            }
+            Incoming::About(query) => {
+                let message = publisher::state_message(&self.about, &self.api.handle().state());
+                if let Some(network) = &self.network {
+                    asking.spawn(network.answer_about(query, message));
+                }
+            }
+            Incoming::State(sample) => self.handle_state(&sample),
         }
     }
 

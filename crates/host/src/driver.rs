@@ -431,6 +431,18 @@ impl Driver {
                 let jobs = self.jobs.clone();
                 jobs.answer_offer(key, ask, model, now_ms(), reply);
             }
+            message @ (Message::FleetStop { .. }
+            | Message::FleetStops { .. }
+            | Message::FleetReset { .. }) => self.handle_fleet(now, message),
+            Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
+            Message::Failed(text) => self.fail(text),
+            Message::End => self.end(),
+        }
+    }
+
+    /// Handles a stop of the fleet, or its end.
+    fn handle_fleet(&mut self, now: Duration, message: Message) {
+        match message {
             Message::FleetStop { origin, by, reply } => {
                 self.drop_held_start();
                 // With a clock before 1970, the count continues from the last stop.
@@ -450,9 +462,7 @@ impl Driver {
             Message::FleetReset { by, reply } => {
                 let _ = reply.send(self.supervisor.handle_fleet_reset(now, &by));
             }
-            Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
-            Message::Failed(text) => self.fail(text),
-            Message::End => self.end(),
+            _ => {}
         }
     }
 

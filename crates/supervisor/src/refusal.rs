@@ -199,6 +199,7 @@ impl Refusal {
 
     /// Returns the problem type and, unless the text itself says what to do, a hint.
     fn row(&self) -> (ProblemKind, Option<Cow<'static, str>>) {
+        // table
         let (kind, hint) = match self {
             Self::Role { needed, .. } => {
                 let hint = format!("use a token with the role {needed}");

@@ -16,6 +16,7 @@ use crate::http::exchange::responses::{Body, Maybe, Nothing, RequestFailed};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
+    // table
     vec![
         holds(
             "/api/v1/lease",

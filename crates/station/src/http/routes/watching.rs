@@ -15,6 +15,7 @@ use crate::http::route::Route;
 use crate::http::{exchange::requester, live::socket};
 
 pub(super) fn all() -> Vec<Route> {
+    // table
     vec![
         Route::new(
             GET,
