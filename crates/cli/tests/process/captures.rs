@@ -22,7 +22,7 @@ fn both_ways_of_a_captured_connection_are_told_with_their_times() {
         assert!(
             outcome
                 .stderr
-                .contains("times are seconds since 2026-11-22T12:1"),
+                .contains("times are in seconds since 2026-11-22T12:1"),
             "{name}: {outcome:?}"
         );
     }

@@ -183,7 +183,7 @@ fn what_is_no_recording_is_told() {
     let file = folder.path().join("capture.bin");
     std::fs::write(&file, target(200.0)).expect("there is room");
     for verb in ["log", "replay"] {
-        dobot(&[verb, text(&file)]).fails(1, &["capture.bin", "no recording", "dobot decode"]);
+        dobot(&[verb, text(&file)]).fails(1, &["capture.bin", "not a recording", "dobot decode"]);
     }
     dobot(&["log", text(&file), "--since", "noon"]).fails(2, &["0 to 1000000000 seconds"]);
     dobot(&["replay", text(&file), "--time-factor", "0"]).fails(2, &["0.1 to 1000"]);

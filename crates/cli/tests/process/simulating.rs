@@ -110,7 +110,7 @@ fn a_wrong_line_is_told_with_file_and_number() {
 fn what_cannot_be_read_or_run_is_an_error() {
     dobot(&["simulate", "no-such.script"]).fails(1, &["cannot read no-such.script"]);
     dobot_reading(&["simulate", "-"], b"!port bt").fails(
-        1,
+        2,
         &[
             "`!port bt`",
             "specification",

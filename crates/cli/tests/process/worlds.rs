@@ -154,5 +154,5 @@ fn a_world_port_that_is_taken_and_one_where_no_world_is_told_are_told() {
     .fails(1, &["cannot serve on", &taken, "--world-port 127.0.0.1:0"]);
     thread::spawn(move || drop(listener.accept()));
     dobot(&["world", "--address", &taken]).fails(1, &["is not the state of a world"]);
-    dobot(&["world", "--picture", "world.jpg"]).fails(2, &["end in .svg"]);
+    dobot(&["world", "--picture", "world.jpg"]).fails(2, &["ends in .svg"]);
 }

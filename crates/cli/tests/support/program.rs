@@ -24,7 +24,8 @@ impl Outcome {
     #[track_caller]
     pub(crate) fn fails(self, code: i32, parts: &[&str]) -> Self {
         assert_eq!(self.code, Some(code), "{self:?}");
-        assert_eq!(self.stderr.matches("error: ").count(), 1, "{self:?}");
+        let errors = ["error: ", r#"{"error":"#].map(|start| self.stderr.matches(start).count());
+        assert_eq!(errors.iter().sum::<usize>(), 1, "{self:?}");
         for part in parts {
             assert!(self.stderr.contains(part), "`{part}` is missing: {self:?}");
         }

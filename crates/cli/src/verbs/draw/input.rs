@@ -73,17 +73,19 @@ fn of_file(file: &Path) -> Result<Subject, Failure> {
         }
         _ => (STANDARD_INPUT.to_owned(), STANDARD_INPUT.into()),
     };
-    Subject::of_file(&name, read(file)?).map_err(|error| match error {
-        SourceError::UnknownKind { .. } if is_program(file) => {
-            Failure::new(error, format!("to run a program, use `dobot play {path}`"))
-        }
+    let bytes = read(file)?;
+    if is_program(file) {
+        let hint = format!("to run a program, use `dobot play {path}`");
+        return Err(Failure::new(anyhow!("{path} is a program, not a drawing"), hint));
+    }
+    Subject::of_file(&name, bytes).map_err(|error| match error {
         // The error contains the name.
         SourceError::UnknownKind { .. } if path == name => error.into(),
         _ => anyhow::Error::from(error).context(path).into(),
     })
 }
 
-/// Whether a file is probably a program of `dobot play`.
+/// Whether a file is a program of `dobot play`, by its name.
 fn is_program(file: &Path) -> bool {
     let extension = file.extension().and_then(|extension| extension.to_str());
     extension.is_some_and(|extension| ["toml", "play"].contains(&extension))
