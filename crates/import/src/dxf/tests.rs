@@ -82,7 +82,7 @@ fn a_text_that_nobody_reads_is_refused() {
             &format!("0 {kind} 10 0 20 0 40 5 1 {}", "A".repeat(100_001)),
         );
         let message = error(text.as_bytes());
-        let expected = "found a text of 100001 bytes; expected at most 100000; divide it";
+        let expected = "found a text of 100001 bytes; expected at most 100000; split it";
         assert!(message.ends_with(expected), "{message}");
     }
 }

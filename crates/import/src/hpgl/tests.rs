@@ -681,7 +681,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
     let label = format!("LB{}\u{3}", "A".repeat(100_001));
     assert_eq!(
         error(label.as_bytes()),
-        "1:1: found a label of 100001 letters; expected at most 100000; divide it"
+        "1:1: found a label of 100001 characters; expected at most 100000; split it"
     );
     let circles = "CI39999999;".repeat(1000);
     let polygon = format!("PM0;{circles}");

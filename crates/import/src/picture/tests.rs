@@ -562,7 +562,7 @@ fn a_picture_without_pixels_is_refused_with_its_size() {
         for format in [Bmp, Tiff] {
             let message = message(&sized(format, size));
             assert!(
-                message.starts_with("the "),
+                message.starts_with("cannot read the ") || message.starts_with("the picture has "),
                 "{format:?} {size:?}: {message}"
             );
         }

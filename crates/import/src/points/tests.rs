@@ -154,14 +154,14 @@ fn bad_json_is_refused_with_its_place() {
             "[[[1,2],",
             "1:8: found the end of the file in [0]; expected the rest of the JSON text",
         ),
-        ("5", &format!("1:1: found integer `5`; {shape}")),
+        ("5", &format!("1:1: found the number 5; {shape}")),
         (
             "[[]]",
             "1:3: found a stroke without points in [0]; expected at least one point",
         ),
         (
             "[[1,2]]",
-            &format!("1:3: found integer `1` in [0][0]; {point}"),
+            &format!("1:3: found the number 1 in [0][0]; {point}"),
         ),
         (
             "[[[1,\n null]]]",

@@ -339,7 +339,7 @@ fn what_is_no_svg_file_is_named_with_its_place() {
     );
     assert_eq!(
         error("<html/>"),
-        "1:1: the outermost element is <html>, not <svg>"
+        "1:1: the outermost element is <html>; it must be <svg>"
     );
     assert!(error("<svg>\n  <g></svg>").starts_with("2:6: not well-formed XML: expected 'g' tag"));
     assert!(error("hello").starts_with("1:1: not well-formed XML"));

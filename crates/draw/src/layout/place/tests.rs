@@ -87,7 +87,7 @@ fn a_quarter_turn_counterclockwise_makes_right_up() {
     let error = place(&endless, line(&[(0.0, 0.0), (20.0, 0.0)])).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "the drawing is turned by inf degrees; it must be a number"
+        "the rotation is inf degrees; it must be a finite number"
     );
 }
 

@@ -78,8 +78,8 @@ async fn touches_that_tell_nothing_are_refused_with_what_to_do() {
     wrong[2] = json!({"place_mm": all[2], "told_deg": [80.0, 10.0, 10.0]});
     let nine: Vec<Value> = all.iter().copied().map(touch).collect();
     for (body, says) in [
-        (json!({"touches": []}), "0 points are touched"),
-        (json!({"touches": three}), "needs 4 at least"),
+        (json!({"touches": []}), "the number of touches is 0"),
+        (json!({"touches": three}), "at least 4"),
         (json!({"touches": wrong}), "again"),
         (json!({"touches": nine, "bar_mm": 190}), "100 %"),
     ] {
