@@ -15,7 +15,7 @@ pub enum SendError {
     },
     /// The arm is already at the target, and a straight line of length 0 makes it lose its pose.
     #[error(
-        "the arm is already there, and a straight line of length 0 would make it lose its pose (note N34)"
+        "the arm is there already, and a straight line of length 0 would make it lose its pose (note N34)"
     )]
     OnTheSpot,
     /// The arm was reset or its pose was never confirmed, so the reported pose may be wrong.

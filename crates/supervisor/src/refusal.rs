@@ -168,7 +168,7 @@ pub enum Refusal {
     #[error("the journal of jobs cannot be written: {0}")]
     Journal(String),
     /// The request cannot be understood.
-    #[error("the request cannot be translate: {0}")]
+    #[error("the request cannot be understood: {0}")]
     Malformed(String),
     /// The station is shutting down.
     #[error("the station is shutting down")]

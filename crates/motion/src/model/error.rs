@@ -35,7 +35,7 @@ pub enum TrajectoryError {
     NotHeard,
     /// A straight line to the current position, which makes the arm lose its pose.
     #[error(
-        "the arm is at the target already; a straight line of no length would make it lose its pose (note N34); omit it"
+        "the arm is there already, and a straight line of length 0 would make it lose its pose (note N34); omit it"
     )]
     OnTheSpot,
     /// A mouse or gesture packet that may move nothing, which makes the arm hang.

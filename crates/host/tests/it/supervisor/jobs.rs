@@ -97,7 +97,7 @@ fn a_job_that_does_not_say_where_it_begins_is_refused() {
     drawing.commands.remove(2);
     let refused = it.submit(&drawing).unwrap_err().to_string();
     assert!(
-        refused.contains("command 2 of the job: the first motion has to be a target"),
+        refused.contains("command 2 of the job: the first motion must be a target"),
         "{refused}"
     );
 }
@@ -112,7 +112,7 @@ fn nobody_else_moves_the_arm_while_a_job_runs() {
     it.run_for(Duration::from_secs(1));
     let command = spiral(1).commands[2];
     let refused = it.ask(anna, Request::Command { command }).unwrap_err();
-    assert_eq!(refused.to_string(), format!("job {job} has the arm"));
+    assert_eq!(refused.to_string(), format!("job {job} is using the arm"));
 }
 
 /// The number of the job that a request answers with.
