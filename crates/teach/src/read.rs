@@ -210,9 +210,9 @@ fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<
 /// The errors of a text that is not a program: the first one, and if it is TOML, all independent
 /// ones.
 fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramError {
-    let mistake = |error: &toml::de::Error| {
-        let line = error.span().map(|span| lines.at(span.start));
-        ProgramError::at(line, plain(error.message()))
+    let mistake = |error: &toml::de::Error, start: Option<usize>| {
+        let start = error.span().map(|span| span.start).or(start);
+        ProgramError::at(start.map(|start| lines.at(start)), plain(error.message()))
     };
     let mut mistakes = Vec::new();
     if let Ok(document) = DeTable::parse(text) {
@@ -232,10 +232,11 @@ fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramEr
                 }
                 _ => Vec::new(),
             };
-            mistakes.extend(errors.iter().map(mistake));
+            let errors = errors.iter();
+            mistakes.extend(errors.map(|(start, error)| mistake(error, Some(*start))));
         }
     }
-    let first = mistake(first);
+    let first = mistake(first, None);
     if mistakes.iter().all(|known| known.reason != first.reason) {
         mistakes.push(first.clone());
     }
@@ -246,11 +247,15 @@ fn values<'de>(table: DeTable<'de>) -> impl Iterator<Item = Spanned<DeValue<'de>
     table.into_iter().map(|(_, value)| value)
 }
 
-/// The errors of values that are read one by one.
+/// The errors of values that are read one by one, each with the start of its value in the text.
 fn errors_in<'de, T: Deserialize<'de>>(
     values: impl IntoIterator<Item = Spanned<DeValue<'de>>>,
-) -> Vec<toml::de::Error> {
-    let read = |value| T::deserialize(ValueDeserializer::from(value)).err();
+) -> Vec<(usize, toml::de::Error)> {
+    let read = |value: Spanned<DeValue<'de>>| {
+        let start = value.span().start;
+        let error = T::deserialize(ValueDeserializer::from(value)).err()?;
+        Some((start, error))
+    };
     values.into_iter().filter_map(read).collect()
 }
 

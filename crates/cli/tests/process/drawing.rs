@@ -718,7 +718,10 @@ fn bad_drawings_are_one_clear_error_each() {
     let program = program.expect("there is room");
     let name = program.path().to_str().expect("the path is text");
     fs::write(&program, "[[steps]]\npause = 1\n").expect("there is room");
-    dobot(&["draw", name]).fails(1, &["is a program, not a drawing", &format!("dobot play {name}")]);
+    dobot(&["draw", name]).fails(
+        1,
+        &["is a program, not a drawing", &format!("dobot play {name}")],
+    );
     dobot(&["draw", &example("")]).fails(1, &["cannot read"]);
     dobot_reading(&["draw", "-"], &[0xFF, 0xFE, 0x00]).fails(1, &["is not a supported file"]);
 }

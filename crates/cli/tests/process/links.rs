@@ -56,7 +56,11 @@ fn without_a_person_a_real_arm_moves_and_burns_nothing_that_nobody_has_allowed()
         &["detect"],
         &burn[..2],
     ] {
-        let told = ["resets a stock arm", "standard input is no terminal", "--pose-confirmed"];
+        let told = [
+            "resets a stock arm",
+            "standard input is no terminal",
+            "--pose-confirmed",
+        ];
         dobot(&[moving, &to].concat()).fails(1, &told);
     }
     let unarmed = [
@@ -217,7 +221,9 @@ fn something_in_the_way_of_the_virtual_serial_port_is_left_alone() {
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("precious");
     std::fs::write(&file, "data").expect("there is room");
-    dobot(&["arm", "--pty", file.to_str().expect("the path is text")])
-        .fails(1, &["precious", "File exists", "hint: remove the existing file"]);
+    dobot(&["arm", "--pty", file.to_str().expect("the path is text")]).fails(
+        1,
+        &["precious", "File exists", "hint: remove the existing file"],
+    );
     assert_eq!(std::fs::read_to_string(&file).expect("it is there"), "data");
 }

@@ -138,7 +138,11 @@ async fn a_silent_port_is_told_and_nothing_was_written_to_it() {
         matches!(nothing.failures[..], [(_, ProbeFailure::Silent)]),
         "{nothing}"
     );
-    assert!(nothing.hint().contains("switch the arm on"), "{}", nothing.hint());
+    assert!(
+        nothing.hint().contains("switch the arm on"),
+        "{}",
+        nothing.hint()
+    );
     // A peer that has left would leave bytes to read.
     assert!(pty.client().expect("it is there").is_none());
 }

@@ -76,7 +76,10 @@ fn of_file(file: &Path) -> Result<Subject, Failure> {
     let bytes = read(file)?;
     if is_program(file) {
         let hint = format!("to run a program, use `dobot play {path}`");
-        return Err(Failure::new(anyhow!("{path} is a program, not a drawing"), hint));
+        return Err(Failure::new(
+            anyhow!("{path} is a program, not a drawing"),
+            hint,
+        ));
     }
     Subject::of_file(&name, bytes).map_err(|error| match error {
         // The error contains the name.

@@ -301,7 +301,11 @@ mod tests {
         let problem = problem.map(|()| "no panic").expect_err("it panicked");
         assert_eq!(problem.status, 500);
         assert_eq!(problem.kind, INTERNAL.problem("").kind);
-        assert!(problem.detail.contains("responses.rs:"), "{}", problem.detail);
+        assert!(
+            problem.detail.contains("responses.rs:"),
+            "{}",
+            problem.detail
+        );
         assert!(problem.detail.ends_with(": no width"), "{}", problem.detail);
     }
 }
