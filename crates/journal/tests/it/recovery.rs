@@ -94,7 +94,7 @@ fn an_arm_that_rests_elsewhere_is_not_guessed_about() {
     .unwrap_err();
     assert_eq!(
         error.to_string(),
-        "the arm rests 10.000 mm from the nearest place where it may have stopped, x 220.000 y \
+        "the arm rests 10.000 mm from the nearest position where it may have stopped, x 220.000 y \
          0.000 z 20.000 mm (0 commands done); up to 0.5 mm is near enough: bring it there, or say \
          how far it came"
     );

@@ -520,7 +520,7 @@ proptest! {
         let json = serde_json::to_string(&state).unwrap();
         prop_assert_eq!(serde_json::from_str::<WorldState>(&json).unwrap(), state.clone());
         let picture = state.picture();
-        prop_assert!(!picture.contains("NaN") && !picture.contains("inf"));
+        prop_assert!(!picture.contains("NaN") && !picture.contains("inf"), "{picture}");
         for object in &state.objects {
             prop_assert!(state.held.contains(&object.name) || object.bottom_mm >= 0.0);
         }
