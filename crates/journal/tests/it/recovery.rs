@@ -95,8 +95,8 @@ fn an_arm_that_rests_elsewhere_is_not_guessed_about() {
     assert_eq!(
         error.to_string(),
         "the arm rests 10.000 mm from the nearest position where it may have stopped, x 220.000 y \
-         0.000 z 20.000 mm (0 commands done); up to 0.5 mm is near enough: bring it there, or say \
-         how far it came"
+         0.000 z 20.000 mm (0 commands done); up to 0.5 mm are allowed: move it there, or state \
+         how far it got"
     );
     let nowhere = Position::new(f64::NAN, 0.0, 20.0);
     assert!(locate(&line, &window, &model, None, nowhere).is_err());
