@@ -42,7 +42,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Explains a kind of problem */
+        /** Explains a problem type */
         get: operations["get_problems_kind"];
         put?: never;
         post?: never;
@@ -59,7 +59,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What the station knows now */
+        /** The state of the station */
         get: operations["get_state"];
         put?: never;
         post?: never;
@@ -76,7 +76,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The facts of the arm: its lengths, tools, limits and periods, and what its dialect makes of mouse and gesture packets. They change with the policy and the dialect */
+        /** The facts of the arm: its lengths, tools, limits and periods, and the meaning of mouse and gesture packets in its dialect. They change with the policy and the dialect */
         get: operations["get_arm"];
         put?: never;
         post?: never;
@@ -93,7 +93,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What happened lately, the oldest first */
+        /** The latest notices, the oldest first */
         get: operations["get_notices"];
         put?: never;
         post?: never;
@@ -110,9 +110,9 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The safety policy, as `dobot policy` shows it */
+        /** The safety policy, as shown by `dobot policy` */
         get: operations["get_policy"];
-        /** Puts another safety policy in place of the one that holds, and keeps it for the next start; nothing may be under way. With `check` it only looks whether the text is a policy */
+        /** Replaces and stores the safety policy; the arm must be idle. With `check` the text is only validated */
         put: operations["put_policy"];
         post?: never;
         delete?: never;
@@ -128,7 +128,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The safety policy as a TOML text, with its comments where it came from a file */
+        /** The safety policy as a TOML text, with its comments if it came from a file */
         get: operations["get_policy_text"];
         put?: never;
         post?: never;
@@ -147,7 +147,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Adds, replaces or removes a keep-out in the text of a draft; the rest keeps its comments and its form, and the policy that holds stays */
+        /** Adds, replaces or removes a keep-out zone in the text of a draft; the rest keeps its comments and its format, and the active policy is unchanged */
         post: operations["post_policy_keep-outs"];
         delete?: never;
         options?: never;
@@ -179,7 +179,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Whether the station lives, for what starts it again if it does not; the arm may be away */
+        /** Whether the station is alive, for a supervisor that restarts it; the arm may be disconnected */
         get: operations["get_healthz"];
         put?: never;
         post?: never;
@@ -196,7 +196,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The figures of arm, link, queue, laser and job, as Prometheus reads them */
+        /** The metrics of arm, link, queue, laser and job, for Prometheus */
         get: operations["get_metrics"];
         put?: never;
         post?: never;
@@ -213,7 +213,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** States and notices as server-sent events: `state` and `notice`, each with a message as in `ToClient`. A notice has its number as its id; with `Last-Event-ID` those come first that were missed, as far as the station remembers them. */
+        /** States and notices as server-sent events: `state` and `notice`, each with a message as in `ToClient`. A notice has its number as its id; with `Last-Event-ID` the missed ones are sent first, as far as the station has kept them. */
         get: operations["get_events"];
         put?: never;
         post?: never;
@@ -230,7 +230,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Every packet between the station and the arm, both ways and decoded, from now on, as server-sent events: `packet`, or `lost` with how many came too fast for the one who listens */
+        /** All packets between the station and the arm, in both directions and decoded, from now on, as server-sent events: `packet`, or `lost` with the number of packets that were dropped because the client was too slow */
         get: operations["get_packets"];
         put?: never;
         post?: never;
@@ -249,7 +249,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Sends one command, if the policy allows its whole way */
+        /** Sends one command, if the policy allows its whole path */
         post: operations["post_commands"];
         delete?: never;
         options?: never;
@@ -266,7 +266,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Says where a command would lead if it were sent now, or why it would be refused; nothing is sent */
+        /** Checks where a command would lead if it were sent now, or why it would be refused; nothing is sent */
         post: operations["post_commands_check"];
         delete?: never;
         options?: never;
@@ -283,7 +283,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Says which limits and keep-outs of the policy an arm at a place would be near to; nothing is sent */
+        /** Returns the limits and keep-out zones near a position; nothing is sent */
         post: operations["post_arm_near"];
         delete?: never;
         options?: never;
@@ -300,7 +300,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Holds a jog button; it is released when this is not said again within the dead-man time (150 ms by default) */
+        /** Holds a jog button; it is released unless this request is repeated within the dead-man time (150 ms by default) */
         post: operations["post_jog"];
         delete?: never;
         options?: never;
@@ -334,7 +334,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Moves by one step of a jog button, from where the arm is when all that it was given is over; pump and gripper stay as they are */
+        /** Moves by one step of a jog button, from the position after all previous commands; pump and gripper do not change */
         post: operations["post_jog_step"];
         delete?: never;
         options?: never;
@@ -353,7 +353,7 @@ export interface paths {
         put?: never;
         /** Stops the arm. Anyone may, at any time, without a lease */
         post: operations["post_stop"];
-        /** Lets the arm move again after a stop: a person has looked at it */
+        /** Resets a stop, after a person has checked the arm */
         delete: operations["delete_stop"];
         options?: never;
         head?: never;
@@ -369,9 +369,9 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Takes control, if nobody has it; with a lease token it renews the lease */
+        /** Takes control if it is free; with a lease token, renews the lease */
         post: operations["post_lease"];
-        /** Gives control back */
+        /** Releases control */
         delete: operations["delete_lease"];
         options?: never;
         head?: never;
@@ -387,7 +387,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Asks the holder for control; the state tells when it is granted */
+        /** Asks the lease holder for control; the state shows when it is granted */
         post: operations["post_lease_ask"];
         delete?: never;
         options?: never;
@@ -404,7 +404,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Gives control to one who asked */
+        /** Grants control to a client that asked for it */
         post: operations["post_lease_grant"];
         delete?: never;
         options?: never;
@@ -421,7 +421,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Takes control from whoever has it (admin) */
+        /** Takes control from the lease holder (admin) */
         post: operations["post_lease_seize"];
         delete?: never;
         options?: never;
@@ -438,9 +438,9 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Keeps the arm for administrators (admin): whoever else has control loses it, and a job that runs is paused */
+        /** Locks the arm for administrators (admin): any other lease ends, and a running job is paused */
         post: operations["post_lock"];
-        /** Lets everyone take control again (admin) */
+        /** Unlocks the arm (admin) */
         delete: operations["delete_lock"];
         options?: never;
         head?: never;
@@ -454,12 +454,12 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** All time slots that are not over, in their order */
+        /** All current and future time slots, in order */
         get: operations["get_slots"];
-        /** Says whose the arm is and when, in place of what was said before (admin): while a slot is under way only its student and administrators have control */
+        /** Replaces the time slots (admin): during a slot only its student and administrators can take control */
         put: operations["put_slots"];
         post?: never;
-        /** Ends all time slots (admin): the arm is everyone's */
+        /** Removes all time slots (admin) */
         delete: operations["delete_slots"];
         options?: never;
         head?: never;
@@ -475,7 +475,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Tells something to all who watch */
+        /** Sends a message to all observers */
         post: operations["post_message"];
         delete?: never;
         options?: never;
@@ -490,10 +490,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The students in lessons of whom was told within a minute, by name, with how long each has been at a step */
+        /** The students in lessons that were reported within a minute, by name, with the time at their steps */
         get: operations["get_learners"];
         put?: never;
-        /** Tells how far a student is in a lesson, for the board of the fleet. It is forgotten after a minute unless it is said again */
+        /** Reports the progress of a student in a lesson, for the board of the fleet. It expires after a minute unless it is repeated */
         post: operations["post_learners"];
         delete?: never;
         options?: never;
@@ -510,7 +510,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Lets the laser be switched on for a while: a person has put the goggles on */
+        /** Arms the laser for a while: everyone present must wear goggles */
         post: operations["post_laser"];
         /** Switches the laser off and keeps it off */
         delete: operations["delete_laser"];
@@ -528,7 +528,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** The arm stands where its statuses say: a person has looked */
+        /** Confirms that the arm is where its statuses report, after a person has checked */
         post: operations["post_pose_confirm"];
         delete?: never;
         options?: never;
@@ -544,7 +544,7 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** Says which dialect the arm speaks (admin) */
+        /** Sets the dialect of the arm (admin) */
         put: operations["put_dialect"];
         post?: never;
         delete?: never;
@@ -562,7 +562,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Finds out which dialect the arm speaks, by small slow motions */
+        /** Detects the dialect of the arm with small slow motions */
         post: operations["post_dialect_detect"];
         delete?: never;
         options?: never;
@@ -577,9 +577,9 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** How the arm differs from the drawing of it, as far as that is known, and what was known before */
+        /** The calibration of the arm, and the previous one */
         get: operations["get_calibration"];
-        /** Says how the arm differs from the drawing of it: from then on all places are true ones. It is kept for this arm, and what was known before is kept beside it; `null` takes the arm to be as drawn (admin) */
+        /** Sets the calibration of the arm: from then on all positions are calibrated. It is stored for this arm together with the previous one; `null` selects the nominal dimensions (admin) */
         put: operations["put_calibration"];
         post?: never;
         delete?: never;
@@ -597,7 +597,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Tells a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros until its next reset. It has to rest, with its base straight ahead */
+        /** Sends a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros until its next reset. The arm must be at rest, with its base straight ahead */
         post: operations["post_calibration_angles"];
         delete?: never;
         options?: never;
@@ -614,7 +614,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** What touches of the sheet tell: a calibration, how well it explains them, whether to trust it, and which further point would tell most. Nothing is kept */
+        /** Fits a calibration to touches of the sheet: returns its residuals, whether to trust it, and the most useful further point. Nothing is stored */
         post: operations["post_calibration_fit"];
         delete?: never;
         options?: never;
@@ -631,7 +631,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** How the paper lies that the tool has touched at true places: three tell its plane, more how it is bent. Nothing is kept: put it into the calibration */
+        /** Fits the paper to touches at calibrated positions: three give its plane, more its curvature. Nothing is stored: add the result to the calibration */
         post: operations["post_calibration_paper"];
         delete?: never;
         options?: never;
@@ -648,7 +648,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** What touches of the sheet tell, as a picture: how far each is from where it should be */
+        /** The residuals of touches of the sheet, as a picture */
         post: operations["post_calibration_picture"];
         delete?: never;
         options?: never;
@@ -663,7 +663,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The points of the sheet, in the order in which they are touched */
+        /** The points of the sheet, in the order of touching */
         get: operations["get_calibration_points"];
         put?: never;
         post?: never;
@@ -680,7 +680,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The sheet to print, A4 and landscape, at 100 % */
+        /** The sheet to print, A4 landscape, at 100 % */
         get: operations["get_calibration_sheet"];
         put?: never;
         post?: never;
@@ -733,7 +733,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The way of a job, once through its commands, as it was planned */
+        /** The planned path of a job, once through its commands */
         get: operations["get_jobs_id_path"];
         put?: never;
         post?: never;
@@ -752,7 +752,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Queues what a job does once more, as a new job that is planned anew */
+        /** Queues a copy of a job, as a new job that is planned again */
         post: operations["post_jobs_id_again"];
         delete?: never;
         options?: never;
@@ -768,7 +768,7 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** Puts a queued job before another queued one, or behind all of them */
+        /** Moves a queued job before another one, or to the end */
         put: operations["put_jobs_id_place"];
         post?: never;
         delete?: never;
@@ -786,7 +786,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Forgets a job that is over, or that has not begun */
+        /** Deletes a job that has ended, or that has not begun */
         post: operations["post_jobs_id_forget"];
         delete?: never;
         options?: never;
@@ -803,7 +803,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Starts a queued job, or goes on with a paused one */
+        /** Starts a queued job, or resumes a paused one */
         post: operations["post_jobs_id_start"];
         delete?: never;
         options?: never;
@@ -820,7 +820,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Says that a person has done what a paused job waits for; start it again then */
+        /** Confirms that a person has done what a paused job waits for; then resume it */
         post: operations["post_jobs_id_confirm"];
         delete?: never;
         options?: never;
@@ -837,7 +837,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Does the next step of a queued or paused job, and pauses behind it */
+        /** Runs the next step of a queued or paused job, and pauses after it */
         post: operations["post_jobs_id_step"];
         delete?: never;
         options?: never;
@@ -854,7 +854,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Pauses the running job after what the arm has got already */
+        /** Pauses the running job after the in-flight commands */
         post: operations["post_jobs_pause"];
         delete?: never;
         options?: never;
@@ -870,7 +870,7 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** Draws the vectors of the job faster or slower than planned, from the next one on that is not sent yet */
+        /** Changes the drawing speed of the job, from the next unsent vector on */
         put: operations["put_jobs_speed"];
         post?: never;
         delete?: never;
@@ -887,7 +887,7 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** Draws the job higher or lower than planned, gently, from the next command on that is not sent yet */
+        /** Changes the drawing height of the job, gradually, from the next unsent command on */
         put: operations["put_jobs_height"];
         post?: never;
         delete?: never;
@@ -905,7 +905,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Looks at a whole program: its steps, how long they take, and all that is wrong with it */
+        /** Checks a whole program: its steps, their durations, and all problems */
         post: operations["post_programs_check"];
         delete?: never;
         options?: never;
@@ -922,7 +922,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Changes the text of a program; what is not touched keeps its comments and its form */
+        /** Edits the text of a program; unchanged parts keep their comments and their format */
         post: operations["post_programs_edit"];
         delete?: never;
         options?: never;
@@ -939,7 +939,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Turns a file of the vendor's programs (`PlayBackPoints.xml`, `.play`) into the text of a program, or the text into such a file; what the other form cannot carry is told */
+        /** Converts a file of the vendor's software (`PlayBackPoints.xml`, `.play`) into the text of a program, or the text into such a file; reports what the target format cannot represent */
         post: operations["post_programs_convert"];
         delete?: never;
         options?: never;
@@ -956,7 +956,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Queues a program as a job, unless something is wrong with it */
+        /** Queues a program as a job, unless it has problems */
         post: operations["post_programs_jobs"];
         delete?: never;
         options?: never;
@@ -988,7 +988,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** A recording, as an MCAP file; of one that is being written what is there so far */
+        /** A recording, as an MCAP file; of one that is being written the part so far */
         get: operations["get_recordings_name"];
         put?: never;
         post?: never;
@@ -1005,7 +1005,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Where the arm was over a stretch of a recording; of a long one not every status is told */
+        /** The positions of the arm over a part of a recording; of a long one not all statuses */
         get: operations["get_recordings_name_states"];
         put?: never;
         post?: never;
@@ -1024,7 +1024,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Begins to plan a file or a text as a drawing; the 16 latest are kept */
+        /** Starts to plan a file or a text as a drawing; the 16 latest are kept */
         post: operations["post_drawings"];
         delete?: never;
         options?: never;
@@ -1039,11 +1039,11 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** A drawing, as soon as it is planned, or after a second as far as it is */
+        /** A drawing, as soon as it is planned, or its state after a second */
         get: operations["get_drawings_id"];
         put?: never;
         post?: never;
-        /** Forgets a drawing; a plan under way is given up */
+        /** Deletes a drawing; a running plan is cancelled */
         delete: operations["delete_drawings_id"];
         options?: never;
         head?: never;
@@ -1059,7 +1059,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Queues a planned drawing as a job, or the way around it with the laser off */
+        /** Queues a planned drawing as a job, or its outline with the laser off */
         post: operations["post_drawings_id_jobs"];
         delete?: never;
         options?: never;
@@ -1074,7 +1074,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The pens and materials that a drawing can name */
+        /** The pens and materials for drawings */
         get: operations["get_materials"];
         put?: never;
         post?: never;
@@ -1091,7 +1091,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The formats of files that can be drawn */
+        /** The supported file formats */
         get: operations["get_formats"];
         put?: never;
         post?: never;
@@ -1111,7 +1111,7 @@ export interface paths {
         /** The tokens of the station, without their secrets; for administrators */
         get: operations["get_tokens"];
         put?: never;
-        /** Makes a token, whose secret is shown this once; for administrators */
+        /** Creates a token, whose secret is shown only now; for administrators */
         post: operations["post_tokens"];
         delete?: never;
         options?: never;
@@ -1129,7 +1129,7 @@ export interface paths {
         get?: never;
         put?: never;
         post?: never;
-        /** Removes a token: its holder is not known any more; for administrators */
+        /** Removes a token: its holder loses access; for administrators */
         delete: operations["delete_tokens_name"];
         options?: never;
         head?: never;
@@ -1143,9 +1143,9 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What is around the station's own virtual arm: tool, paper, ink, objects */
+        /** The world of the station's own virtual arm: tool, paper, ink, objects */
         get: operations["get_world"];
-        /** Puts the station's own virtual arm into another world, as it stands */
+        /** Replaces the world of the station's own virtual arm; the arm keeps its pose */
         put: operations["put_world"];
         post?: never;
         delete?: never;
@@ -1161,9 +1161,9 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What goes wrong with the station's own virtual arm */
+        /** The faults of the station's own virtual arm */
         get: operations["get_faults"];
-        /** Lets other things go wrong with the station's own virtual arm from now on, and nothing else any more */
+        /** Replaces the faults of the station's own virtual arm */
         put: operations["put_faults"];
         post?: never;
         delete?: never;
@@ -1179,7 +1179,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** All stations of the fleet that have been seen */
+        /** All known stations of the fleet */
         get: operations["get_fleet"];
         put?: never;
         post?: never;
@@ -1196,7 +1196,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The stations of the fleet as server-sent events: `member`, each with a message as in `Member`; first all of them, then each one that changes, ten times in a second at the most; and `gone` with the number of one that is not kept in mind any more, as in `{"id": "..."}`: a virtual arm that was given and has ended, or one that was replaced under its name */
+        /** The stations of the fleet as server-sent events: `member`, each with a message as in `Member`, first for all stations, then for each change, at most ten times per second; and `gone` with the id of a station that is not listed any more, as in `{"id": "..."}`: a hosted virtual arm that has ended, or a station that was replaced under its name */
         get: operations["get_fleet_events"];
         put?: never;
         post?: never;
@@ -1215,9 +1215,9 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Stops the arms of several stations, of all where nothing else is said; anyone may. The answer tells which did not answer: their own pages stop them. A stop of all is kept by every station, and holds for those that come or come back, until a person resets it */
+        /** Stops the arms of several stations, by default of all; anyone may. The response shows which did not respond: stop those on their own pages. A stop of all is kept by every station, and applies to those that join or return, until a person resets it */
         post: operations["post_fleet_stop"];
-        /** Lets the whole fleet move again after a stop of all; an arm that was stopped by itself too stays stopped. A station that is away learns of it when it comes back. For one arm alone: `DELETE /api/v1/stop` of its station */
+        /** Resets a stop of all stations; an arm that was also stopped individually stays stopped. A station that is away learns of it when it returns. For one arm only: `DELETE /api/v1/stop` of its station */
         delete: operations["delete_fleet_stop"];
         options?: never;
         head?: never;
@@ -1233,7 +1233,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Asks several stations for the same: method, path and body are those of their own API. The token of this request goes with it, and each station looks by itself what its holder may do */
+        /** Sends a request to several stations: method, path and body are those of their own API. The token of this request is used, and each station checks its role */
         post: operations["post_fleet_requests"];
         delete?: never;
         options?: never;
@@ -1248,10 +1248,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** All work that was submitted to this station for any arm, in the order in which it came */
+        /** All jobs for any arm that were submitted to this station, in order */
         get: operations["get_fleet_work"];
         put?: never;
-        /** Submits a drawing or a job to any arm of the fleet that has what it needs: one that is free does it, once */
+        /** Submits a drawing or a job to any arm of the fleet with the required features: a free one runs it, once */
         post: operations["post_fleet_work"];
         delete?: never;
         options?: never;
@@ -1269,7 +1269,7 @@ export interface paths {
         get?: never;
         put?: never;
         post?: never;
-        /** Cancels work: the station that has it lets it be, unless its arm is at it */
+        /** Cancels a job for any arm, unless the arm has begun it */
         delete: operations["delete_fleet_work_work"];
         options?: never;
         head?: never;
@@ -1285,7 +1285,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Gives work that is in doubt or has failed to another arm. This is for a person who has looked at the first one: what was drawn there may be drawn again */
+        /** Moves a job that is in doubt or has failed to another arm. A person must have checked the first one: parts that were drawn there may be drawn again */
         post: operations["post_fleet_work_work_give"];
         delete?: never;
         options?: never;
@@ -1302,7 +1302,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Takes work of the fleet under a key, if no other job is queued or under way here. What is answered under a key is the answer for good: the same request gets the same job, and what was refused is never done */
+        /** Accepts a job of the fleet under a key, if no other job is queued or running here. The response to a key is final: a repeated request returns the same job, and a refused one never runs */
         post: operations["post_fleet_offers"];
         delete?: never;
         options?: never;
@@ -1317,11 +1317,11 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What has become of work that was offered under a key */
+        /** The state of a job that was offered under a key */
         get: operations["get_fleet_offers_key"];
         put?: never;
         post?: never;
-        /** Takes an offer back: it is refused whenever it comes, and a job that has come of it ends if it has not begun */
+        /** Withdraws an offer: it is refused even if it arrives later, and its job ends if it has not begun */
         delete: operations["delete_fleet_offers_key"];
         options?: never;
         head?: never;
@@ -1335,10 +1335,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The virtual arms that this station gives to those without an arm */
+        /** The virtual arms that this station hosts */
         get: operations["get_fleet_virtual-arms"];
         put?: never;
-        /** Gives a virtual arm: a station of the fleet with a page of its own, which accepts the tokens of this one. Whoever asks for the same name again gets the same arm, with its jobs and recordings */
+        /** Starts a virtual arm: a station of the fleet with its own page, which accepts the tokens of this one. A repeated request for the same name returns the same arm, with its jobs and recordings */
         post: operations["post_fleet_virtual-arms"];
         delete?: never;
         options?: never;
@@ -1356,7 +1356,7 @@ export interface paths {
         get?: never;
         put?: never;
         post?: never;
-        /** Ends a virtual arm; its jobs and recordings stay for the next one of its name */
+        /** Ends a virtual arm; its jobs and recordings are kept for the next one of its name */
         delete: operations["delete_fleet_virtual-arms_name"];
         options?: never;
         head?: never;
@@ -1370,10 +1370,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What the server tells an agent of itself, as server-sent events */
+        /** Messages of the server to an agent, as server-sent events */
         get: operations["get_mcp"];
         put?: never;
-        /** A message of an agent (Model Context Protocol, streamable HTTP): each tool acts with the token that comes with it. One who ends the connection before the answer has given up what was asked for, and the arm is stopped where it was moved for that. */
+        /** A message of an agent (Model Context Protocol, streamable HTTP): each tool uses the token of the request. Closing the connection before the response cancels the call, and the arm is stopped if the call has moved it. */
         post: operations["post_mcp"];
         /** Ends the session of an agent */
         delete: operations["delete_mcp"];
@@ -1388,122 +1388,122 @@ export interface components {
     schemas: {
         /** @description A refusal as a problem document (RFC 9457, `application/problem+json`). */
         Problem: {
-            /** @description The kind of problem; the address tells about it. */
+            /** @description The problem type; its URL explains it. */
             type: string;
-            /** @description The kind of problem in words. */
+            /** @description The problem type in words. */
             title: string;
             /**
              * Format: uint16
              * @description The HTTP status.
              */
             status: number;
-            /** @description What is wrong: where, what was found, what is allowed. */
+            /** @description What is wrong: where, what was found and what is allowed. */
             detail: string;
-            /** @description What to do about it. */
+            /** @description How to fix it. */
             hint?: string | null;
-            /** @description Which rule of the policy was broken. */
+            /** @description The policy rule that was broken. */
             rule?: string | null;
-            /** @description Where on its way a motion would break the rule: x, y, z in millimetres. */
+            /** @description Where the motion would break the rule: x, y and z in millimetres. */
             at_mm?: number[] | null;
-            /** @description The nearest place that is allowed: x, y, z in millimetres. */
+            /** @description The nearest allowed position: x, y and z in millimetres. */
             nearest_mm?: number[] | null;
         };
-        /** @description A kind of problem, explained. */
+        /** @description A problem type with its explanation. */
         ProblemKind: {
-            /** @description Its name: the last part of the problem type's address. */
+            /** @description The name: the last part of the problem type's URL. */
             kind: string;
             /** @description The problem in words. */
             title: string;
             /**
              * Format: uint16
-             * @description The HTTP status that comes with it.
+             * @description The HTTP status.
              */
             status: number;
-            /** @description What it means and what helps. */
+            /** @description The meaning and the remedy. */
             explanation: string;
         };
-        /** @description All that the station knows at one moment. */
+        /** @description The state of the station at one moment. */
         State: {
             /**
              * Format: double
              * @description The time since the station started, in seconds.
              */
             at_s: number;
-            /** @description The way to the arm. */
+            /** @description The link to the arm. */
             link: components["schemas"]["LinkView"];
-            /** @description What the arm told last; absent until it has told anything. */
+            /** @description The arm's last status; absent until one has arrived. */
             arm?: components["schemas"]["ArmView"] | null;
-            /** @description The calibration by which places are told, if the arm has one. */
+            /** @description The calibration used for positions, if the arm has one. */
             calibrated?: components["schemas"]["CalibratedView"] | null;
-            /** @description The dialect that the arm speaks, if that is known. */
+            /** @description The dialect that the arm speaks, if known. */
             dialect?: components["schemas"]["Dialect"] | null;
             /** @description Whether the pose can be trusted. */
             trust: components["schemas"]["TrustView"];
-            /** @description What the arm has still to do. */
+            /** @description The command queue. */
             queue: components["schemas"]["QueueView"];
-            /** @description Who has control, if anybody has. */
+            /** @description The lease holder, if any. */
             lease?: components["schemas"]["LeaseView"] | null;
-            /** @description The lock that holds the arm for administrators, if one does. */
+            /** @description The administrators' lock, if any. */
             lock?: components["schemas"]["LockView"] | null;
-            /** @description Whose time it is now and next, where the arm has time slots. */
+            /** @description The current and next time slot, if the arm has any. */
             slots?: components["schemas"]["SlotsView"] | null;
-            /** @description The stop that holds the arm, if one does. */
+            /** @description The stop that holds the arm, if any. */
             stop?: components["schemas"]["StopView"] | null;
             /**
-             * @description The stops of the whole fleet that the station knows of, at most one of each station that made one. Those that were
-             *     reset are kept too, for stations that come back and do not know it yet.
+             * @description The known fleet-wide stops, at most one per station of origin. Stops that were reset are
+             *     kept for stations that return and do not know it yet.
              */
             fleet_stops?: components["schemas"]["FleetWideStop"][];
             /** @description The laser's interlock. */
             laser: components["schemas"]["LaserView"];
-            /** @description The job that runs or is paused. */
+            /** @description The running or paused job. */
             job?: components["schemas"]["JobView"] | null;
-            /** @description What is missing of the kept jobs and what to do, if the file in which they are kept was damaged. */
+            /** @description What is missing of the stored jobs and what to do, if their file was damaged. */
             jobs_missing?: string | null;
             /**
              * Format: uint
-             * @description How many clients are connected.
+             * @description The number of connected clients.
              */
             clients: number;
         };
-        /** @description The way to the arm. */
+        /** @description The link to the arm. */
         LinkView: {
-            /** @description Where the arm is reached: an address, or nothing yet. */
+            /** @description The address of the arm; absent if there is none yet. */
             address?: string | null;
-            /** @description How far the link is. */
+            /** @description The phase of the link. */
             phase: components["schemas"]["LinkPhase"];
-            /** @description What is wrong with it and what to do, if anything is. */
+            /** @description What is wrong and what to do, if anything. */
             problem?: string | null;
             /**
-             * @description Whether it leads to the Bluetooth port of a stock arm: its statuses tell so, and joint jogs have
-             *     other axes there, to which they are translated.
+             * @description Whether the link uses the Bluetooth port of a stock arm, as detected from its statuses. Its
+             *     joint jogs have other axes, to which jogs are translated.
              * @default false
              */
             bluetooth: boolean;
             /**
              * Format: double
-             * @description Statuses in a second, of 12.5; of 18.75 over Bluetooth.
+             * @description Statuses per second; nominally 12.5, or 18.75 over Bluetooth.
              */
             statuses_per_s: number;
             /**
              * Format: uint64
-             * @description Statuses that should have come and did not, since the connect.
+             * @description Missing statuses since the link was opened.
              */
             lost_statuses: number;
             /**
              * Format: uint64
-             * @description Bytes that belong to no status, since the connect.
+             * @description Bytes that belong to no status, since the link was opened.
              */
             damaged_bytes: number;
             /**
              * Format: double
-             * @description From a command to the first status that shows it, in milliseconds, where that is known.
+             * @description The time from a command to the first status that shows it, in milliseconds, if known.
              */
             latency_ms?: number | null;
         };
-        /** @description How far the link is. */
+        /** @description The phase of the link. */
         LinkPhase: "searching" | "listening" | "up" | "lost";
-        /** @description What the arm told last. */
+        /** @description The arm's last status. */
         ArmView: {
             /**
              * Format: float
@@ -1552,11 +1552,11 @@ export interface components {
              * @description The gripper's angle in degrees.
              */
             gripper_deg: number;
-            /** @description What a calibrated arm says itself. */
+            /** @description The raw status of a calibrated arm. */
             told?: components["schemas"]["Status"] | null;
-            /** @description Whether it moves. */
+            /** @description Whether the arm moves. */
             moving: boolean;
-            /** @description The limits and keep-outs of the policy that it is near to. */
+            /** @description The policy limits and keep-outs close to the arm. */
             near?: components["schemas"]["NearView"];
         };
         /** @description Where the arm is (Table 2.3); each one received permits one command (note N20). */
@@ -1610,21 +1610,21 @@ export interface components {
             gripper_deg: number;
         };
         /**
-         * @description The limits and keep-outs of the policy that a place of the arm is near to.
+         * @description The policy limits and keep-outs close to the arm.
          *
-         *     The closeness of each is above 0, which is 20 mm or 5 degrees off, and 1 at the bound or beyond it.
+         *     Each closeness is above 0 (20 mm or 5 degrees away) and reaches 1 at the bound or beyond it.
          */
         NearView: {
-            /** @description The bounds of joints and workspace. */
+            /** @description The joint and workspace bounds. */
             limits?: components["schemas"]["NearLimit"][];
-            /** @description The closeness of the tool to keep-outs, by their names. */
+            /** @description The closeness of the tool to keep-outs, by name. */
             keep_outs?: {
                 [key: string]: number;
             };
         };
-        /** @description A bound that the arm is near to. */
+        /** @description A bound close to the arm. */
         NearLimit: {
-            /** @description The quantity that is bounded. */
+            /** @description The bounded quantity. */
             quantity: components["schemas"]["BoundedQuantity"];
             /**
              * Format: double
@@ -1633,17 +1633,17 @@ export interface components {
             bound: number;
             /**
              * Format: double
-             * @description How near it is: above 0, and 1 at the bound or beyond it.
+             * @description The closeness: above 0, and 1 at the bound or beyond it.
              */
             closeness: number;
         };
         /** @description A quantity that the policy bounds. */
         BoundedQuantity: "base" | "rear" | "fore" | "servo" | "opening" | "x" | "y" | "z" | "reach";
-        /** @description By which calibration places are told. */
+        /** @description The calibration used for positions. */
         CalibratedView: {
             /**
-             * @description Whether the arm was told its true angles (state 9, mode 3) since it was switched on: then only its tool
-             *     is elsewhere than it says.
+             * @description Whether the arm was given its true angles (state 9, mode 3) since it was switched on: then
+             *     only its tool is offset from what it reports.
              */
             zeros_told: boolean;
         };
@@ -1654,105 +1654,106 @@ export interface components {
         Dialect: "specification" | "firmware-1.1";
         /** @description Whether the pose can be trusted. */
         TrustView: {
-            /** @description It can. */
+            /** @description Whether it can. */
             trusted: boolean;
-            /** @description Why not. */
+            /** @description The reason if not. */
             reason?: string | null;
         };
-        /** @description What the arm has still to do. */
+        /** @description The command queue. */
         QueueView: {
             /**
              * Format: uint
-             * @description Commands that wait in the station.
+             * @description Commands waiting in the station.
              */
             waiting: number;
             /**
              * Format: uint
-             * @description Commands sent and not seen to be over.
+             * @description In-flight commands: sent and not yet seen to be over.
              */
             under_way: number;
             /**
              * Format: double
-             * @description How long those under way still take, in seconds, by the motion model.
+             * @description The remaining time of the in-flight commands, in seconds (motion model).
              */
             ahead_s: number;
         };
-        /** @description Who has control of the arm. */
+        /** @description The lease holder. */
         LeaseView: {
             /** @description The holder. */
             client: components["schemas"]["ClientId"];
-            /** @description What the holder calls itself. */
+            /** @description The holder's name. */
             name: string;
             /**
-             * @description By which name time slots know the holder: that of its token where this is one person's.
+             * @description The person the holder counts as for time slots: the name of its token if the token belongs
+             *     to a person.
              * @default
              */
             person: string;
             /**
-             * @description Whether the holder is a program on the raw port, which cannot be asked: an administrator takes
-             *     control from it.
+             * @description Whether the holder is a program on the raw port, which cannot answer requests: an
+             *     administrator can take control from it.
              * @default false
              */
             is_program: boolean;
             /**
              * Format: double
-             * @description Since when, in seconds since the station started.
+             * @description When the holder got it, in seconds since the station started.
              */
             since_s: number;
-            /** @description Who asks for control. */
-            asked_by: components["schemas"]["Asking"][];
+            /** @description The clients that ask for control. */
+            asked_by: components["schemas"]["ControlRequest"][];
         };
         /**
          * Format: uint64
-         * @description Names a client of the station while it is connected.
+         * @description The id of a client while it is connected.
          */
         ClientId: number;
-        /** @description Somebody who asks for control. */
-        Asking: {
-            /** @description Who. */
+        /** @description A client that asks for control. */
+        ControlRequest: {
+            /** @description The client. */
             client: components["schemas"]["ClientId"];
-            /** @description What it calls itself. */
+            /** @description The client's name. */
             name: string;
         };
-        /** @description A lock: only an administrator gets control of the arm. */
+        /** @description A lock: only an administrator can take control of the arm. */
         LockView: {
             /** @description Who locked it. */
             by: string;
-            /** @description Why, for those who want to move the arm. */
+            /** @description The reason, shown to clients that want to move the arm. */
             message?: string | null;
             /**
              * Format: double
-             * @description When, in seconds since the station started.
+             * @description When it was set, in seconds since the station started.
              */
             at_s: number;
         };
-        /** @description The time slots of an arm, as far as those who watch have to know: `GET /api/v1/slots` tells all. */
+        /** @description The time slots of an arm for observers; `GET /api/v1/slots` returns all of them. */
         SlotsView: {
-            /** @description The one that is under way, if one is: only its student and administrators have control meanwhile. */
+            /** @description The current slot, if any: only its student and administrators have control meanwhile. */
             now?: components["schemas"]["SlotView"] | null;
-            /** @description The one that comes next, if one does. */
+            /** @description The next slot, if any. */
             next?: components["schemas"]["SlotView"] | null;
             /**
              * Format: double
-             * @description When the arm is everyone's again, in seconds since the station started: the end of the last of the slots that follow each
-             *     other without a break. Absent where it is everyone's now.
+             * @description When the arm is free again, in seconds since the station started: the end of the last of the
+             *     consecutive slots. Absent if it is free now.
              */
             free_s?: number | null;
         };
-        /** @description A time slot, for those who watch. */
+        /** @description A time slot, for observers. */
         SlotView: {
-            /** @description Whose it is. */
+            /** @description The student. */
             student: string;
-            /** @description The group of that one. */
+            /** @description The student's group. */
             group?: string | null;
             /**
              * Format: double
-             * @description When it begins, in seconds since the station started.
+             * @description The start, in seconds since the station started.
              */
             starts_s: number;
             /**
              * Format: double
-             * @description When it ends, in seconds since the station started.
+             * @description The end, in seconds since the station started.
              */
             ends_s: number;
         };
@@ -1760,49 +1761,50 @@ export interface components {
         StopView: {
             /** @description Who stopped it. */
             by: string;
-            /** @description Why. */
+            /** @description The reason. */
             reason?: string | null;
             /**
              * Format: double
-             * @description When, in seconds since the station started.
+             * @description When it was set, in seconds since the station started.
              */
             at_s: number;
             /**
              * Format: double
-             * @description By when the arm was promised to be at rest, in seconds since the station started.
+             * @description When the arm is due to be at rest, in seconds since the station started.
              */
             rests_by_s: number;
-            /** @description Whether it has been seen at rest since. */
+            /** @description Whether the arm has been seen at rest since. */
             at_rest: boolean;
             /**
-             * @description Whether the packets that stop it have left this computer: if not, it has to be switched off by hand.
+             * @description Whether the stop packets have left this computer: if not, switch the arm off by hand.
              * @default true
              */
             delivered: boolean;
             /**
-             * @description Whether it is a stop of the whole fleet.
+             * @description Whether it is a fleet-wide stop.
              * @default false
              */
             of_fleet: boolean;
         };
         /**
-         * @description A stop of a whole fleet, or its reset. Every station keeps it and sends it to the others.
+         * @description A fleet-wide stop, or its reset. Every station stores it and sends it to the others.
          *
-         *     Of two with the same origin the one with the higher count is newer. The origin alone counts, so neither the clocks of
-         *     other stations nor the order of messages matter. Stops of two origins hold beside each other.
+         *     Of two stops with the same origin, the one with the higher count is newer. The count is set by
+         *     the origin alone, so neither other stations' clocks nor the order of messages matter. Stops of
+         *     different origins hold independently.
          */
         FleetWideStop: {
-            /** @description The number of the station that made it, as in [`Member::id`]. */
+            /** @description The id of the station that made it, as in [`Member::id`]. */
             origin: string;
             /**
              * Format: uint64
-             * @description Its number among the stops of that station: at least the time when it was made, in milliseconds since
-             *     1970-01-01T00:00:00Z by the clock of that station, and always above the one before.
+             * @description The number of the stop at its origin: at least the time it was made, in milliseconds since
+             *     1970-01-01T00:00:00Z by the origin's clock, and always higher than the previous one.
              */
             count: number;
             /** @description Who stopped the fleet. */
             by: string;
-            /** @description Why. */
+            /** @description The reason. */
             reason?: string | null;
             /** @description Who reset it for the whole fleet; absent while it holds. */
             reset_by?: string | null;
@@ -1811,145 +1813,145 @@ export interface components {
         LaserView: {
             /**
              * Format: double
-             * @description For how long it may still be switched on, in seconds; 0 when it is disarmed.
+             * @description The time for which it may still be switched on, in seconds; 0 when it is disarmed.
              */
             armed_for_s: number;
             /**
-             * @description Whether the laser of the arm may be on, as its dialect has it: from when it was sent what burns
-             *     until that is over, or what switches the laser off had time to act.
+             * @description Whether the arm's laser may be on, by its dialect: from the sending of a burning command
+             *     until it is over or a laser-off has had time to take effect.
              */
             on: boolean;
         };
-        /** @description A job, as it is now. */
+        /** @description A job in its current state. */
         JobView: {
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The job number.
              */
             job: number;
-            /** @description What a person calls it. */
+            /** @description The title. */
             title: string;
-            /** @description What kind of job. */
+            /** @description The kind of job. */
             kind: components["schemas"]["JobKind"];
             /**
              * Format: int64
              * @description When it was queued, in milliseconds since 1970-01-01T00:00:00Z.
              */
             created_ms: number;
-            /** @description How far it is. */
+            /** @description The phase. */
             phase: components["schemas"]["JobPhase"];
-            /** @description Why it is paused, stopped or failed. */
+            /** @description The reason why it is paused, stopped or failed. */
             reason?: string | null;
             /**
-             * @description Whether it is paused where a person has to do something, such as change the pen: it goes on only after
-             *     [`Request::ConfirmJob`](crate::Request::ConfirmJob).
+             * @description Whether the job is paused until a person has done something, such as change the pen: it
+             *     resumes only after [`Request::ConfirmJob`](crate::Request::ConfirmJob).
              * @default false
              */
             waits_for_person: boolean;
             /**
              * Format: uint
-             * @description How many commands it has; those of a cycle count once.
+             * @description The number of commands; those of a cycle count once.
              */
             commands: number;
             /**
              * Format: uint
-             * @description How many of them are over, in this cycle.
+             * @description The number of completed commands in this cycle.
              */
             completed: number;
             /**
              * Format: double
-             * @description How long all of it takes, in seconds, by the motion model, where that has been looked at.
+             * @description The planned duration in seconds (motion model), if computed.
              */
             planned_s?: number | null;
             /**
              * Format: double
-             * @description How long the rest takes, in seconds, by the motion model, where that has been looked at; at
-             *     another speed than planned that is an estimate.
+             * @description The planned remaining time in seconds (motion model), if computed; an estimate if the speed
+             *     has been changed.
              */
             left_s?: number | null;
             /**
              * Format: double
-             * @description How long all of it really took, in seconds, without pauses; of a job that is done, where no
-             *     crash came between.
+             * @description The actual duration in seconds, without pauses; for a job that is done and was not
+             *     interrupted by a crash.
              */
             took_s?: number | null;
             /**
              * Format: double
-             * @description How fast its vectors are drawn, in percent of what was planned.
+             * @description The speed of its vectors, in percent of the plan.
              */
             speed_percent: number;
             /**
              * Format: double
-             * @description How far above the plan it is drawn, in millimetres.
+             * @description The height offset from the plan, in millimetres.
              */
             height_mm: number;
-            /** @description How far it is in its steps and cycles, if it is a program. */
+            /** @description The progress in steps and cycles, if it is a program. */
             program?: components["schemas"]["ProgramView"] | null;
         };
-        /** @description What kind of job. */
+        /** @description The kind of job. */
         JobKind: "drawing" | "program";
-        /** @description How far a job is. */
+        /** @description The phase of a job. */
         JobPhase: "queued" | "running" | "paused" | "stopped" | "done" | "failed";
-        /** @description How far a program is in its steps and cycles. */
+        /** @description The progress of a program in steps and cycles. */
         ProgramView: {
             /**
              * Format: uint
-             * @description How many steps it has.
+             * @description The number of steps.
              */
             steps: number;
             /**
              * Format: uint
-             * @description The step that it is at, counted from 0; the number of steps where all are over.
+             * @description The current step, from 0; the number of steps once all are done.
              */
             step: number;
             /**
              * Format: uint64
-             * @description How many cycles are over.
+             * @description The number of completed cycles.
              */
             cycles_done: number;
             /**
              * Format: uint64
-             * @description How many it does in all; none where it goes on until a person ends it.
+             * @description The total number of cycles; absent if it repeats until it is ended.
              */
             cycles?: number | null;
             /**
              * Format: double
-             * @description How long a cycle takes, in seconds, by the motion model.
+             * @description The planned duration of a cycle in seconds (motion model).
              */
             planned_cycle_s?: number | null;
             /**
              * Format: double
-             * @description How long a cycle really took, in seconds, without pauses: the mean of those that were done in one go
-             *     since the job was started last.
+             * @description The mean actual duration of a cycle in seconds, without pauses: over the uninterrupted
+             *     cycles since the job was last started.
              */
             mean_cycle_s?: number | null;
         };
-        /** @description The facts of the arm: they hold until the policy or the dialect changes. */
+        /** @description Facts of the arm; valid until the policy or the dialect changes. */
         ArmFacts: {
             /** @description The lengths of its links and rods. */
             dimensions: components["schemas"]["Dimensions"];
             /** @description The tools that were sold with it. */
             tools: components["schemas"]["ToolFacts"][];
-            /** @description How far its joints may turn, by the policy that holds. */
+            /** @description The ranges of its joints, by the current policy. */
             joints: components["schemas"]["JointLimits"];
-            /** @description Where its tool may be, by the policy that holds. */
+            /** @description The workspace of its tool, by the current policy. */
             workspace: components["schemas"]["Workspace"];
             /**
              * Format: double
-             * @description From one status to the next while there is room in its queue, in seconds; over Bluetooth they come sooner.
+             * @description The period of statuses while its queue has space, in seconds; over Bluetooth it is shorter.
              */
             status_period_s: number;
             /**
              * Format: double
-             * @description From one tick of its controller to the next, in seconds.
+             * @description The period of its controller's ticks, in seconds.
              */
             tick_s: number;
             /**
              * Format: double
-             * @description From a packet to the next one that must not get lost, in seconds.
+             * @description The minimum gap between packets that must not get lost, in seconds.
              */
             packet_gap_s: number;
-            /** @description What mouse and gesture packets mean to it; none while nobody knows its dialect. */
+            /** @description The meaning of mouse and gesture packets; absent while the dialect is unknown. */
             dialect?: components["schemas"]["DialectFacts"] | null;
         };
         /** @description The lengths of the arm that it takes to draw it, in mm. X is forward in the plane of the arm, and Z up. */
@@ -1981,49 +1983,52 @@ export interface components {
         };
         /** @description A tool. */
         ToolFacts: {
-            /** @description What it is. */
+            /** @description The kind of tool. */
             kind: components["schemas"]["Tool"];
             /**
              * Format: double
-             * @description From the wrist to the axis of the tool, level, in mm.
+             * @description The distance from the wrist to the axis of the tool, horizontally, in mm.
              */
             reach_mm: number;
             /**
              * Format: double
-             * @description From the height of the wrist down to the tip, by the policy that holds, in mm.
+             * @description The distance from the wrist down to the tip, by the current policy, in mm.
              */
             length_mm: number;
-            /** @description What an arm with this tool makes of gesture packets (note N18); none while nobody knows its dialect. */
+            /**
+             * @description The meaning of gesture packets with this tool (note N18); absent while the dialect is
+             *     unknown.
+             */
             gesture?: components["schemas"]["GestureFacts"] | null;
         };
-        /** @description What is mounted at the end of the arm. */
+        /** @description The tool mounted at the end of the arm. */
         Tool: "suction_cup" | "gripper" | "pen" | "laser";
         /** @description The units of a gesture packet. */
         GestureFacts: {
-            /** @description Along X. */
+            /** @description The X axis. */
             x: components["schemas"]["GestureAxis"];
-            /** @description Along Y. */
+            /** @description The Y axis. */
             y: components["schemas"]["GestureAxis"];
-            /** @description Along Z. */
+            /** @description The Z axis. */
             z: components["schemas"]["GestureAxis"];
         };
-        /** @description One axis of a gesture packet: its number is (place in mm - `zero_mm`) times `units_per_mm`. */
+        /** @description One axis of a gesture packet: its number is (position in mm - `zero_mm`) times `units_per_mm`. */
         GestureAxis: {
             /**
              * Format: double
-             * @description The place that the number 0 means, in mm.
+             * @description The position of the number 0, in mm.
              */
             zero_mm: number;
             /**
              * Format: double
-             * @description What is counted for each mm beyond that.
+             * @description The number of units per mm.
              */
             units_per_mm: number;
         };
-        /** @description How far each joint may turn, in degrees; never further than the arm itself can. */
+        /** @description The limits of the joints, in degrees; never beyond what the arm itself can do. */
         JointLimits: {
             /**
-             * @description Joint 1: -180 to 180 at most, though the cables want no more than 135.
+             * @description Joint 1: -180 to 180 at most, but the cables need 135 or less.
              * @default [
              *       -135,
              *       135
@@ -2055,7 +2060,7 @@ export interface components {
              */
             servo_deg: components["schemas"]["Bounds"];
             /**
-             * @description Joint 2 minus joint 3, how far the elbow opens: -105 to 35 at most.
+             * @description Joint 2 minus joint 3, the opening of the elbow: -105 to 35 at most.
              * @default [
              *       -105,
              *       35
@@ -2063,9 +2068,9 @@ export interface components {
              */
             opening_deg: components["schemas"]["Bounds"];
         };
-        /** @description The least and the most that is allowed; both are allowed. In a file: `[min, max]`. */
+        /** @description The minimum and maximum allowed, inclusive. In a file: `[min, max]`. */
         Bounds: number[];
-        /** @description Where the tool may be, in mm: x, y and z as the arm tells them (z is the height of the wrist). */
+        /** @description The limits of the tool's position in the base frame, in mm (z is the height of the wrist). */
         Workspace: {
             /**
              * @description Forward: -321 to 321 at most.
@@ -2092,7 +2097,7 @@ export interface components {
              */
             z_mm: components["schemas"]["Bounds"];
             /**
-             * @description Horizontally from the axis of the base: 129 to 321 at most.
+             * @description Horizontal distance from the axis of the base: 129 to 321 at most.
              * @default [
              *       129,
              *       321
@@ -2100,22 +2105,22 @@ export interface components {
              */
             reach_mm: components["schemas"]["Bounds"];
         };
-        /** @description What the dialect of the arm means for one who leads it by hand. */
+        /** @description The effect of the arm's dialect on leading it by hand. */
         DialectFacts: {
             /** @description The dialect. */
             name: components["schemas"]["Dialect"];
             /**
-             * @description Whether Y of a mouse packet swings the base, to the right where it is positive, and its rotation is the angle of the
-             *     servo (note N9).
+             * @description Whether Y of a mouse packet swings the base, to the right if it is positive, and its
+             *     rotation is the servo angle (note N9).
              */
             mouse_swings: boolean;
             /**
              * Format: uint
-             * @description How often the same gesture packet has to be sent until the arm is where the hand is (note N49).
+             * @description How many times a gesture packet must be sent until the arm is where the hand is (note N49).
              */
             gesture_samples: number;
         };
-        /** @description Something that happened, for all who watch. */
+        /** @description An event, for all observers. */
         Notice: {
             /**
              * Format: uint64
@@ -2124,10 +2129,10 @@ export interface components {
             number: number;
             /**
              * Format: double
-             * @description When, in seconds since the station started.
+             * @description The time, in seconds since the station started.
              */
             at_s: number;
-            /** @description The same for a person, in one line. */
+            /** @description The event as one line of text. */
             text: string;
         } & ({
             /** @constant */
@@ -2151,7 +2156,7 @@ export interface components {
             type: "command_done";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The command number.
              */
             command: number;
         } | {
@@ -2159,7 +2164,7 @@ export interface components {
             type: "command_failed";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The command number.
              */
             command: number;
         } | {
@@ -2167,12 +2172,12 @@ export interface components {
             type: "pausing";
             /**
              * Format: uint64
-             * @description The number of the command.
+             * @description The command number.
              */
             command: number;
             /**
              * Format: double
-             * @description How long, in seconds.
+             * @description The length of the pause, in seconds.
              */
             lasts_s: number;
         } | {
@@ -2184,24 +2189,24 @@ export interface components {
         } | {
             /** @constant */
             type: "refused";
-            /** @description Who asked. */
+            /** @description The requester. */
             client: components["schemas"]["ClientId"];
-            /** @description The kind of refusal, as in the problem documents. */
+            /** @description The kind of refusal, as in problem documents. */
             kind: string;
         } | {
             /** @constant */
             type: "amended";
-            /** @description Who. */
+            /** @description The client of the program. */
             client: components["schemas"]["ClientId"];
         } | {
             /** @constant */
             type: "lease_taken";
-            /** @description Who. */
+            /** @description The client. */
             client: components["schemas"]["ClientId"];
         } | {
             /** @constant */
             type: "lease_asked";
-            /** @description Who. */
+            /** @description The client. */
             client: components["schemas"]["ClientId"];
         } | {
             /** @constant */
@@ -2227,22 +2232,22 @@ export interface components {
         } | {
             /** @constant */
             type: "slot_began";
-            /** @description Who. */
+            /** @description The student. */
             student: string;
         } | {
             /** @constant */
             type: "slot_ending";
-            /** @description Who. */
+            /** @description The student. */
             student: string;
         } | {
             /** @constant */
             type: "slot_ended";
-            /** @description Who. */
+            /** @description The student. */
             student: string;
         } | {
             /** @constant */
             type: "message";
-            /** @description Who. */
+            /** @description The sender. */
             client: components["schemas"]["ClientId"];
         } | {
             /** @constant */
@@ -2261,23 +2266,24 @@ export interface components {
             type: "job";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The job number.
              */
             job: number;
-            /** @description How far it is now. */
+            /** @description Its phase. */
             phase: components["schemas"]["JobPhase"];
         } | {
             /** @constant */
             type: "trouble";
         });
         /**
-         * @description What no command of any client may do.
+         * @description The safety policy: what no client's command may do.
          *
-         *     What a file does not say is as in [`Policy::DEFAULT_TOML`], which is [`Policy::default`].
+         *     Keys missing in a file have the values of [`Policy::DEFAULT_TOML`], which is
+         *     [`Policy::default`].
          */
         Policy: {
             /**
-             * @description How far each joint may turn.
+             * @description The limits of the joints.
              * @default {
              *       "base_deg": [
              *         -135,
@@ -2303,7 +2309,7 @@ export interface components {
              */
             joints: components["schemas"]["JointLimits"];
             /**
-             * @description Where the tool may be.
+             * @description The limits of the tool's position.
              * @default {
              *       "x_mm": [
              *         -321,
@@ -2325,7 +2331,7 @@ export interface components {
              */
             workspace: components["schemas"]["Workspace"];
             /**
-             * @description What the tool tip may not go into.
+             * @description The table, which the tool tip may not enter.
              * @default {
              *       "z_mm": -103,
              *       "below_paper_mm": 5
@@ -2333,7 +2339,7 @@ export interface components {
              */
             table: components["schemas"]["Table"];
             /**
-             * @description How far each tool hangs down.
+             * @description The length of each tool.
              * @default {
              *       "suction_cup_mm": 40,
              *       "gripper_mm": 40,
@@ -2342,14 +2348,14 @@ export interface components {
              */
             tool_length: components["schemas"]["ToolLengths"];
             /**
-             * @description How thick the arm is.
+             * @description The thickness of the arm.
              * @default {
              *       "radius_mm": 20
              *     }
              */
             arm: components["schemas"]["ArmBody"];
             /**
-             * @description What no part of the arm may touch, by name.
+             * @description The keep-outs by name, which no part of the arm may touch.
              * @default {}
              */
             keep_out: {
@@ -2377,7 +2383,7 @@ export interface components {
              */
             acceleration: components["schemas"]["AccelerationCeilings"];
             /**
-             * @description JUMP moves.
+             * @description The rules for JUMP moves.
              * @default {
              *       "height_mm": 150
              *     }
@@ -2409,7 +2415,7 @@ export interface components {
              */
             laser: components["schemas"]["LaserRules"];
             /**
-             * @description Jogs.
+             * @description The rules for jogs.
              * @default {
              *       "dead_man_s": 0.15,
              *       "raw_dead_man_s": 1.2,
@@ -2418,7 +2424,7 @@ export interface components {
              */
             jog: components["schemas"]["JogRules"];
             /**
-             * @description What waits in the arm.
+             * @description The rules for commands waiting in the arm.
              * @default {
              *       "ahead_s": 0.5,
              *       "line_s": 3600
@@ -2426,7 +2432,7 @@ export interface components {
              */
             queue: components["schemas"]["QueueRules"];
         };
-        /** @description The table, which no tool tip may go into. */
+        /** @description The table, which the tool tip may not enter. */
         Table: {
             /**
              * Format: double
@@ -2436,12 +2442,13 @@ export interface components {
             z_mm: number;
             /**
              * Format: double
-             * @description How far below the paper a tool tip may be where a calibration knows how the paper lies, in mm: 0 to 300.
+             * @description How far below the paper a tool tip may be if the calibration includes the paper, in mm:
+             *     0 to 300.
              * @default 5
              */
             below_paper_mm: number;
         };
-        /** @description How far the tip of each tool hangs below the wrist, in mm: 0 to 200. */
+        /** @description How far the tip of each tool is below the wrist, in mm: 0 to 200. */
         ToolLengths: {
             /**
              * Format: double
@@ -2462,16 +2469,16 @@ export interface components {
              */
             laser_mm: number;
         };
-        /** @description How thick the arm is where keep-outs are concerned. */
+        /** @description The thickness of the arm, for keep-outs. */
         ArmBody: {
             /**
              * Format: double
-             * @description How much arm there is around the lines through its links, in mm: 0 to 100.
+             * @description The radius of the arm around the lines through its links, in mm: 0 to 100.
              * @default 20
              */
             radius_mm: number;
         };
-        /** @description What no part of the arm may touch. */
+        /** @description A keep-out, which no part of the arm may touch. */
         KeepOut: {
             box: components["schemas"]["Area"];
         } | {
@@ -2486,16 +2493,16 @@ export interface components {
             /** @description From bottom to top. */
             z_mm: components["schemas"]["Bounds"];
         };
-        /** @description An upright cylinder, in mm. */
+        /** @description A vertical cylinder, in mm. */
         Cylinder: {
             /**
              * Format: double
-             * @description Its axis: forward.
+             * @description The x coordinate of its axis (forward).
              */
             x_mm: number;
             /**
              * Format: double
-             * @description Its axis: to the left.
+             * @description The y coordinate of its axis (left).
              */
             y_mm: number;
             /**
@@ -2506,7 +2513,7 @@ export interface components {
             /** @description From bottom to top. */
             z_mm: components["schemas"]["Bounds"];
         };
-        /** @description The highest speeds: what is configured times its percentage. */
+        /** @description The highest speeds: configured speed times its percentage. */
         SpeedCeilings: {
             /**
              * Format: double
@@ -2539,7 +2546,7 @@ export interface components {
              */
             jog_percent: number;
         };
-        /** @description The highest accelerations: what is configured times its percentage. */
+        /** @description The highest accelerations: configured acceleration times its percentage. */
         AccelerationCeilings: {
             /**
              * Format: double
@@ -2566,11 +2573,11 @@ export interface components {
              */
             writing_mm_s2: number;
         };
-        /** @description JUMP moves. */
+        /** @description The rules for JUMP moves. */
         JumpRules: {
             /**
              * Format: double
-             * @description The highest that may be configured, in mm: 0 to 300.
+             * @description The highest configurable JUMP height, in mm: 0 to 300.
              * @default 150
              */
             height_mm: number;
@@ -2578,36 +2585,36 @@ export interface components {
         /** @description When and where the laser may burn. */
         LaserRules: {
             /**
-             * @description Whether anything may light it at all.
+             * @description Whether the laser may be switched on at all.
              * @default true
              */
             allowed: boolean;
             /**
              * Format: double
-             * @description For how long a person arms it at most, in s: 1 to 3600.
+             * @description The longest time for which a person may arm it, in s: 1 to 3600.
              * @default 600
              */
             arm_for_s: number;
             /**
              * Format: double
-             * @description The least of the largest speed of a burning vector, in mm/s: 0 to 1000.
+             * @description The minimum of the highest speed of a burning vector, in mm/s: 0 to 1000.
              * @default 1
              */
             least_speed_mm_s: number;
             /**
              * Format: double
-             * @description How long a vector may burn, in s: 0.1 to 3600. The arm finishes what it has received, so it burns on for so
-             *     long after a stop.
+             * @description The longest duration of a burning vector, in s: 0.1 to 3600. The arm finishes the
+             *     vectors it has received, so the laser may burn this long after a stop.
              * @default 3600
              */
             longest_s: number;
             /**
-             * @description Whether it may burn while the arm stands.
+             * @description Whether it may burn while the arm stands still.
              * @default false
              */
             standing: boolean;
             /**
-             * @description Where it may burn: x, y and z as the arm tells them.
+             * @description Where it may burn: x, y and z as in the workspace.
              * @default {
              *       "x_mm": [
              *         130,
@@ -2625,62 +2632,65 @@ export interface components {
              */
             area: components["schemas"]["Area"];
         };
-        /** @description Jogs, which go on until they are told otherwise. */
+        /** @description The rules for jogs, which continue until they are released. */
         JogRules: {
             /**
              * Format: double
-             * @description After this long without a word from the client a jog is released, in s: 0.05 to 2.
+             * @description The time without a message from the client after which a jog is released, in s: 0.05 to
+             *     2.
              * @default 0.15
              */
             dead_man_s: number;
             /**
              * Format: double
-             * @description The same for old programs on the raw port, which repeat every 0.5 s, in s: 0.05 to 5.
+             * @description The dead-man time for old programs on the raw port, which repeat every 0.5 s, in s: 0.05
+             *     to 5.
              * @default 1.2
              */
             raw_dead_man_s: number;
             /**
              * Format: double
-             * @description How long it takes from a place to the release in force, in s: 0.05 to 2.
+             * @description The time from a position to the effect of a release there, in s: 0.05 to 2.
              * @default 0.25
              */
             reaction_s: number;
         };
-        /** @description What waits in the arm. */
+        /** @description The rules for commands waiting in the arm. */
         QueueRules: {
             /**
              * Format: double
-             * @description How long before the arm should begin a command it may be sent, in s: 0 to 60. So long after a stop
-             *     the arm may begin another motion.
+             * @description How early a command may be sent before the arm should begin it, in s: 0 to 60. The arm
+             *     may still begin another motion this long after a stop.
              * @default 0.5
              */
             ahead_s: number;
             /**
              * Format: double
-             * @description How long a straight line (MOVL) of a client may take, in s: 0.5 to 3600. A longer one is sent in pieces, between which
-             *     the arm stands for a moment; after a stop it finishes the piece that it is at.
+             * @description The longest duration of a client's straight line (MOVL), in s: 0.5 to 3600. A longer
+             *     line is sent in pieces, between which the arm stands still for a moment; after a stop
+             *     the arm finishes the current piece.
              * @default 3600
              */
             line_s: number;
         };
-        /** @description A text that is to be the policy. */
+        /** @description A new policy. */
         PolicyText: {
-            /** @description The TOML text, as `dobot policy` shows one. */
+            /** @description The TOML text, as shown by `dobot policy`. */
             text: string;
             /**
-             * @description Only look whether it is one.
+             * @description Whether to only check the text.
              * @default false
              */
             check: boolean;
         };
-        /** @description A change of a keep-out in a draft of a policy. */
+        /** @description A change of a keep-out zone in a draft of a policy. */
         EditPolicy: {
             /** @description The TOML text of the draft. */
             text: string;
             /** @description The change. */
             edit: components["schemas"]["KeepOutEdit"];
         };
-        /** @description A change of a keep-out in the text of a policy. */
+        /** @description An edit of a keep-out in the text of a policy. */
         KeepOutEdit: {
             /** @constant */
             type: "add";
@@ -2689,14 +2699,14 @@ export interface components {
         } | {
             /** @constant */
             type: "replace";
-            /** @description The name of the old one, which stays. */
+            /** @description The name, which stays. */
             name: string;
-            /** @description The new one. */
+            /** @description The new keep-out. */
             keep_out: components["schemas"]["KeepOut"];
         } | {
             /** @constant */
             type: "remove";
-            /** @description Its name. */
+            /** @description The name. */
             name: string;
         };
         /** @description A draft of a policy. */
@@ -2704,13 +2714,16 @@ export interface components {
             /** @description Its TOML text. */
             text: string;
         };
-        /** @description One event, as its lines say it; for the document only. */
+        /** @description One event, for the document only. */
         ServerSentEvent: {
-            /** @description What it tells: `state` or `notice`; `packet` or `lost`; `member` or `gone`. */
+            /** @description The type: `state` or `notice`; `packet` or `lost`; `member` or `gone`. */
             event: string;
-            /** @description The number of a notice; nothing else has one. */
+            /** @description The number of a notice; absent for other events. */
             id?: string | null;
-            /** @description A message as in `ToClient`, a packet as in `PacketView`, or a station of the fleet as in `Member`, as text. */
+            /**
+             * @description As JSON text: a message as in `ToClient`, a packet as in `PacketView`, or a member of the
+             *     fleet as in `Member`.
+             */
             data: string;
         };
         /** @description A command to be sent. */
@@ -2718,12 +2731,12 @@ export interface components {
             /** @description The command. */
             command: components["schemas"]["Command"];
             /**
-             * @description Answer when the command is over, instead of as soon as it waits for its turn.
+             * @description Whether to respond when the command has finished, instead of when it is queued.
              * @default false
              */
             wait: boolean;
         };
-        /** @description Everything that a client can say (Table 2.2). */
+        /** @description A command from a client (Table 2.2). */
         Command: {
             /** @constant */
             type: "mouse_move";
@@ -2752,7 +2765,7 @@ export interface components {
         } | {
             /** @constant */
             type: "joint_jog";
-            /** @description What the button moves or switches. */
+            /** @description The axis or switch of the button. */
             axis: components["schemas"]["JointJogAxis"];
             /**
              * Format: float
@@ -2881,7 +2894,7 @@ export interface components {
         } | {
             /** @constant */
             type: "linear_jog";
-            /** @description What the button moves or switches. */
+            /** @description The axis or switch of the button. */
             axis: components["schemas"]["LinearJogAxis"];
             /**
              * Format: float
@@ -3032,15 +3045,15 @@ export interface components {
              */
             teach_speed_percent: number;
         };
-        /** @description What a button of joint jog moves or switches (Table 2.5; note N14). */
+        /** @description The axis or switch of a joint jog button (Table 2.5; note N14). */
         JointJogAxis: "released" | "base_plus" | "base_minus" | "rear_plus" | "rear_minus" | "fore_plus" | "fore_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
         /** @description The way to a target (float 8 of states 3 and 6; Table 3.7). */
         MovingMode: "jump" | "movl" | "movj";
         /** @description Pen or laser (float 2 of state 4; Table 2.6). */
         WriteMode: "writing" | "laser";
-        /** @description What a button of linear jog moves or switches (Table 2.5; note N14). */
+        /** @description The axis or switch of a linear jog button (Table 2.5; note N14). */
         LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
-        /** @description The answer to a request that was granted. */
+        /** @description The answer to an accepted request. */
         Reply: {
             /** @constant */
             type: "done";
@@ -3049,19 +3062,20 @@ export interface components {
             type: "accepted";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The command number.
              */
             command: number;
             /**
              * Format: double
-             * @description How long it and all before it take, in seconds, where that can be told.
+             * @description The time until it is over, including all commands before it, in seconds, if it can be
+             *     estimated.
              */
             takes_s?: number | null;
         } | {
             /** @constant */
             type: "way";
-            /** @description The way. */
-            way: components["schemas"]["WayView"];
+            /** @description The path. */
+            way: components["schemas"]["PathPreview"];
         } | {
             /** @constant */
             type: "near";
@@ -3072,18 +3086,18 @@ export interface components {
             type: "stopping";
             /**
              * Format: double
-             * @description By when the arm is at rest at the latest, in seconds; without a meaning where nothing was delivered.
+             * @description The time within which the arm is at rest, in seconds; meaningless if not delivered.
              */
             rests_within_s: number;
             /**
-             * @description Whether a link takes the packets. If not, they are sent as soon as there is one: the arm has to be switched
-             *     off by hand.
+             * @description Whether a link accepts the packets. If not, they are sent as soon as there is one;
+             *     switch the arm off by hand.
              */
             delivered: boolean;
         } | {
             /** @constant */
             type: "lease";
-            /** @description Who has it, if anybody has. */
+            /** @description The lease holder, if any. */
             lease?: components["schemas"]["LeaseView"] | null;
         } | {
             /** @constant */
@@ -3098,61 +3112,65 @@ export interface components {
         } | {
             /** @constant */
             type: "calibrated";
-            /** @description Both. */
+            /** @description Both calibrations. */
             calibrations: components["schemas"]["Calibrations"];
         } | {
             /** @constant */
             type: "found";
-            /** @description What was found, and by which evidence. */
+            /** @description The finding and its evidence. */
             finding: components["schemas"]["Finding"];
         };
-        /** @description Where a command would lead if it were sent now, behind all that waits: it is allowed. */
-        WayView: {
+        /**
+         * @description The path a command would take if it were sent now, after all queued commands. The command is
+         *     allowed.
+         */
+        PathPreview: {
             /**
              * Format: double
-             * @description How long motion and pause take, in seconds; nothing for a button, which goes on until it is released.
+             * @description The duration of motion and pause, in seconds; absent for a button, which lasts until it is
+             *     released.
              */
             takes_s?: number | null;
             /**
-             * @description The places of the tool on its way, its beginning and its end among them, at equal distances in time: x, y and z
-             *     in millimetres.
+             * @description Positions of the tool along the path, including its start and end, at equal time intervals:
+             *     x, y and z in millimetres.
              */
             path_mm: number[][];
-            /** @description Base, rear arm, forearm and servo at the end, in degrees. */
+            /** @description Base, rear arm, forearm and servo angles at the end, in degrees. */
             joints_deg: number[];
         };
-        /** @description A time slot, told from now on: no clocks are compared, so that a wrong one does no harm. */
+        /** @description A time slot, relative to now: no clocks are compared, so a wrong clock does no harm. */
         TimeSlot: {
-            /** @description Whose it is: 1 to 60 visible characters. Capital letters and spaces around it make no difference. */
+            /** @description The student: 1 to 60 visible characters. Case and surrounding spaces are ignored. */
             student: string;
-            /** @description The group of that one: 1 to 40 small letters of English, digits and hyphens. */
+            /** @description The student's group: 1 to 40 lowercase English letters, digits and hyphens. */
             group?: string | null;
             /**
              * Format: double
-             * @description When it begins, in seconds from now; 0 where it has begun.
+             * @description The start, in seconds from now; 0 if it has begun.
              */
             starts_in_s: number;
             /**
              * Format: double
-             * @description When it ends, in seconds from now: at least a second after it begins.
+             * @description The end, in seconds from now: at least a second after the start.
              */
             ends_in_s: number;
         };
-        /** @description What is known of how an arm differs from the drawing of it. */
+        /** @description The calibration of an arm and the previous one. */
         Calibrations: {
-            /** @description What holds; nothing for an arm that is taken to be as drawn. */
+            /** @description The current calibration; `None` for an arm that is assumed to match the drawing. */
             calibration?: components["schemas"]["CalibrationFile"] | null;
-            /** @description What held before, to bring it back. */
+            /** @description The previous calibration, kept to restore it. */
             before?: components["schemas"]["CalibrationFile"] | null;
         };
-        /** @description What is kept of an arm. */
+        /** @description A stored calibration. */
         CalibrationFile: {
-            /** @description What people call the arm, at most 64 characters. */
+            /** @description The name of the arm, at most 64 characters. */
             name?: string | null;
-            /** @description How much further each joint stands than the arm says, in degrees. */
+            /** @description Zero offsets: how much further each joint stands than the arm reports, in degrees. */
             zeros: components["schemas"]["Zeros"];
             /**
-             * @description Where the tool is, compared with the drawing of the arm.
+             * @description The tool's offset from the drawing of the arm.
              * @default {
              *       "out_mm": 0,
              *       "left_mm": 0
@@ -3160,7 +3178,7 @@ export interface components {
              */
             tool: components["schemas"]["ToolOffset"];
             /**
-             * @description Where the base's axis stands in the sheet's frame, in mm.
+             * @description The position of the base's axis in the sheet's frame, in mm.
              * @default {
              *       "x_mm": 0,
              *       "y_mm": 0
@@ -3168,12 +3186,12 @@ export interface components {
              */
             axis: components["schemas"]["Axis"];
             /**
-             * @description Where the paper lies.
+             * @description The position of the paper.
              * @default null
              */
             paper: components["schemas"]["PaperPlane"] | null;
             /**
-             * @description How slack each joint is, in degrees.
+             * @description The backlash of each joint, in degrees.
              * @default {
              *       "base": 0,
              *       "rear": 0,
@@ -3182,12 +3200,12 @@ export interface components {
              */
             backlash: components["schemas"]["Backlash"];
             /**
-             * @description How well the touches agreed.
+             * @description How well the touched points agree.
              * @default null
              */
             touched: components["schemas"]["Touched"] | null;
         };
-        /** @description How much further each joint stands than the arm says. */
+        /** @description Zero offsets: how much further each joint stands than the arm reports. */
         Zeros: {
             /**
              * Format: double
@@ -3205,7 +3223,7 @@ export interface components {
              */
             fore: number;
         };
-        /** @description Where the tool is, compared with the drawing of the arm. */
+        /** @description The tool's offset from the drawing of the arm. */
         ToolOffset: {
             /**
              * Format: double
@@ -3218,7 +3236,7 @@ export interface components {
              */
             left_mm: number;
         };
-        /** @description Where the base's axis stands in the sheet's frame. */
+        /** @description The position of the base's axis in the sheet's frame. */
         Axis: {
             /**
              * Format: double
@@ -3232,32 +3250,32 @@ export interface components {
             y_mm: number;
         };
         /**
-         * @description Where the paper lies, as Z of the wrist where the tool touches it: a plane, and what it rises above the plane at the
-         *     places that were touched.
+         * @description The paper as a surface, given as Z of the wrist where the tool touches it: a plane, plus its
+         *     rise above the plane at the touched points.
          */
         PaperPlane: {
             /**
              * Format: double
-             * @description The height below the base's axis, in mm.
+             * @description The height relative to the base's axis, in mm.
              */
             z_mm: number;
             /**
              * Format: double
-             * @description How much it rises for each mm forward.
+             * @description The rise per mm forward.
              */
             slope_x: number;
             /**
              * Format: double
-             * @description How much it rises for each mm to the left.
+             * @description The rise per mm to the left.
              */
             slope_y: number;
             /**
-             * @description Places that were touched, in mm: forward, to the left, and how much higher than the plane the paper is there.
-             *     Between them it is bent evenly; without any it is flat.
+             * @description The touched points, in mm: forward, left, and the height of the paper above the plane. The
+             *     surface is interpolated between them; without points it is flat.
              */
             heights?: number[][];
         };
-        /** @description How far a motor turns in vain where its joint turns back. */
+        /** @description Backlash: how far a motor turns before its joint follows after a reversal. */
         Backlash: {
             /**
              * Format: double
@@ -3275,11 +3293,11 @@ export interface components {
              */
             fore: number;
         };
-        /** @description How well the touches agreed. */
+        /** @description How well the touched points agree. */
         Touched: {
             /**
              * Format: uint
-             * @description How many counted.
+             * @description The number of points used.
              */
             points: number;
             /**
@@ -3293,37 +3311,37 @@ export interface components {
              */
             largest_mm: number;
         };
-        /** @description Which dialect an arm speaks, and what shows it. */
+        /** @description The dialect of an arm, with the evidence. */
         Finding: {
             /** @description The dialect. */
             dialect: components["schemas"]["Dialect"];
             /** @description An answer for each question that was put to the arm. */
             evidence: components["schemas"]["Evidence"][];
         };
-        /** @description What an arm did where the dialects disagree. */
+        /** @description The behavior of an arm where the dialects differ. */
         Evidence: {
-            /** @description What was asked, with the note that says why. */
+            /** @description The question, with its note. */
             question: string;
-            /** @description What the statuses told. */
+            /** @description The observation in the statuses. */
             saw: string;
             /** @description The dialect of an arm that does so. */
             means: components["schemas"]["Dialect"];
         };
-        /** @description A command to be looked at. */
+        /** @description A command to be checked. */
         CheckCommand: {
             /** @description The command. */
             command: components["schemas"]["Command"];
         };
-        /** @description A place of the tool. */
+        /** @description A position of the tool. */
         Place: {
             /**
              * Format: double
-             * @description Forward of the axis of the base, in mm.
+             * @description The distance forward of the axis of the base, in mm.
              */
             x_mm: number;
             /**
              * Format: double
-             * @description To the left of it, in mm.
+             * @description The distance to the left of it, in mm.
              */
             y_mm: number;
             /**
@@ -3337,16 +3355,16 @@ export interface components {
              */
             rotation_deg: number;
         };
-        /** @description A button. */
+        /** @description A jog button. */
         HoldJog: {
-            /** @description Which one. */
+            /** @description The button. */
             jog: components["schemas"]["Jog"];
         };
         /** @description A jog button. */
         Jog: {
             /** @constant */
             frame: "joint";
-            /** @description What the button moves or switches. */
+            /** @description The axis or switch of the button. */
             axis: components["schemas"]["JointJogAxis"];
             /**
              * Format: float
@@ -3356,7 +3374,7 @@ export interface components {
         } | {
             /** @constant */
             frame: "linear";
-            /** @description What the button moves or switches. */
+            /** @description The axis or switch of the button. */
             axis: components["schemas"]["LinearJogAxis"];
             /**
              * Format: float
@@ -3364,15 +3382,15 @@ export interface components {
              */
             speed_percent: number;
         };
-        /** @description Nothing. */
+        /** @description An empty object. */
         Nothing: Record<string, never>;
-        /** @description A step. */
+        /** @description A jog step. */
         NewStep: {
             /** @description The button. */
             button: components["schemas"]["Button"];
             /**
              * Format: float
-             * @description How far, in mm or degrees.
+             * @description The distance, in mm or degrees.
              */
             by: number;
         };
@@ -3389,133 +3407,136 @@ export interface components {
         /** @description A stop. */
         NewStop: {
             /**
-             * @description Why, for those who find the arm stopped.
+             * @description The reason, shown at the stopped arm.
              * @default null
              */
             reason: string | null;
             /**
-             * @description The stop of the whole fleet that this is part of; only other stations of the fleet say so.
+             * @description The stop of the whole fleet of which this is part; only set by other stations of the fleet.
              * @default null
              */
             fleet: components["schemas"]["FleetWideStop"] | null;
         };
-        /** @description Who wants control. */
+        /** @description A request for control. */
         LeaseRequest: {
             /**
-             * @description What the client calls itself.
+             * @description The name of the client.
              * @default null
              */
             name: string | null;
         };
-        /** @description Control, or the hope for it. */
+        /** @description A granted or pending lease. */
         Granted: {
-            /** @description What to send as header `Dobot-Lease` with all requests that go with it. */
+            /** @description The value of the header `Dobot-Lease` for all requests with this lease. */
             token: string;
             /**
              * Format: uint64
-             * @description How long the token lasts without being used, in seconds.
+             * @description The time after which the unused token expires, in seconds.
              */
             lasts_s: number;
-            /** @description Who has control now, if anybody has. */
+            /** @description The current lease, if any. */
             lease?: components["schemas"]["LeaseView"] | null;
         };
-        /** @description Who is to get control. */
+        /** @description The new lease holder. */
         HandOver: {
-            /** @description One of those who ask. */
+            /** @description One of the clients that asked for control. */
             to: components["schemas"]["ClientId"];
         };
-        /** @description Why the arm is locked. */
+        /** @description A lock of the arm. */
         NewLock: {
             /**
-             * @description For those who want to move the arm. What is longer than 200 characters is cut.
+             * @description The message for others. Cut to 200 characters.
              * @default null
              */
             message: string | null;
         };
-        /** @description Whose the arm is, and when. */
+        /** @description The time slots of the arm. */
         NewSlots: {
-            /** @description The slots, in any order: up to 200, none of which overlaps another one. */
+            /** @description The slots, in any order: up to 200, without overlaps. */
             slots: components["schemas"]["TimeSlot"][];
         };
-        /** @description What to tell. */
+        /** @description A message to all observers. */
         NewMessage: {
-            /** @description The text. What is longer than 200 characters is cut. */
+            /** @description The text. Cut to 200 characters. */
             text: string;
         };
         /** @description A student in a lesson. */
         LearnerView: {
-            /** @description What the student is called. */
+            /** @description The student's name. */
             student: string;
             /** @description The name of the lesson's file. */
             lesson: string;
             /**
              * Format: uint32
-             * @description How many of its steps are done: all of them once it is finished.
+             * @description The number of completed steps: all of them when the lesson is finished.
              */
             done: number;
             /**
              * Format: uint32
-             * @description How many steps it has.
+             * @description The number of steps.
              */
             steps: number;
             /**
              * Format: double
-             * @description For how long the student has been at this step, in seconds.
+             * @description The time that the student has been at this step, in seconds.
              */
             for_s: number;
         };
-        /** @description How far a student is in a lesson. */
+        /** @description The progress of a student in a lesson. */
         Progress: {
-            /** @description What the student is called: 1 to 60 visible characters. */
+            /** @description The student's name: 1 to 60 visible characters. */
             student: string;
-            /** @description The name of the lesson's file, as in `tour`: 1 to 40 small letters of English, digits and underscores. */
+            /**
+             * @description The name of the lesson's file, as in `tour`: 1 to 40 lowercase letters a to z, digits and
+             *     underscores.
+             */
             lesson: string;
             /**
              * Format: uint32
-             * @description How many of its steps are done: all of them once it is finished.
+             * @description The number of completed steps: all of them when the lesson is finished.
              */
             done: number;
             /**
              * Format: uint32
-             * @description How many steps it has, from 1 to 1000.
+             * @description The number of steps, 1 to 1000.
              */
             steps: number;
         };
-        /** @description For how long the laser may be switched on. */
+        /** @description The time for which the laser is armed. */
         ArmLaser: {
             /**
              * Format: double
-             * @description In seconds.
+             * @description The time, in seconds.
              */
             for_s: number;
         };
-        /** @description Which dialect the arm speaks. */
+        /** @description The dialect of the arm. */
         UseDialect: {
             /** @description The dialect. */
             dialect: components["schemas"]["Dialect"];
         };
-        /** @description What is to be known of the arm. */
+        /** @description A new calibration. */
         NewCalibration: {
-            /** @description The calibration; `null` for an arm as drawn. */
+            /** @description The calibration; `null` for nominal dimensions. */
             calibration?: components["schemas"]["CalibrationFile"] | null;
         };
         /** @description Points that the tool has touched. */
         NewTouches: {
-            /** @description What the arm said at each, in the order in which they were touched. */
+            /** @description The reported angles at each point, in the order of touching. */
             touches: components["schemas"]["TouchedPoint"][];
             /**
              * Format: double
-             * @description How long the bar of the print is, measured with a ruler, in mm; one that is scaled is refused.
+             * @description The length of the bar on the print, measured with a ruler, in mm; a scaled print is refused.
              * @default null
              */
             bar_mm: number | null;
             /**
-             * @description Whether the laser is mounted, and no suction cup.
+             * @description Whether the laser is mounted instead of a suction cup.
              * @default false
              */
             laser: boolean;
             /**
-             * @description How slack the joints are known to be.
+             * @description The known backlash of the joints.
              * @default {
              *       "base": 0,
              *       "rear": 0,
@@ -3524,27 +3545,27 @@ export interface components {
              */
             backlash: components["schemas"]["Backlash"];
         };
-        /** @description A known point, and what the arm said when its tool touched it. */
+        /** @description A known point, and the reported angles when the tool touched it. */
         TouchedPoint: {
-            /** @description Where it is on the sheet: forward and to the left, in mm. */
+            /** @description Its position on the sheet: forward and to the left, in mm. */
             place_mm: number[];
             /**
              * Format: double
-             * @description How high above the paper it is, in mm.
+             * @description Its height above the paper, in mm.
              * @default 0
              */
             height_mm: number;
             /**
-             * @description The angles that the arm says of base, rear arm and forearm, in degrees: `told` of its state where it is
-             *     calibrated already.
+             * @description The raw angles of base, rear arm and forearm, in degrees: `told` of the state of an arm that
+             *     is already calibrated.
              */
             told_deg: number[];
         };
-        /** @description What touches tell. */
+        /** @description The result of fitting a calibration. */
         FitReport: {
-            /** @description How the arm differs from the drawing of it. */
+            /** @description The calibration. */
             calibration: components["schemas"]["CalibrationFile"];
-            /** @description How far each touch is from where it should be, in mm. */
+            /** @description The residual of each touch, in mm. */
             away_mm: number[];
             /**
              * Format: uint
@@ -3553,207 +3574,210 @@ export interface components {
             left_out?: number | null;
             /**
              * Format: double
-             * @description How wrong a place on the sheet may still be, typically, in mm.
+             * @description The typical remaining error of a position on the sheet, in mm.
              */
             expected_mm: number;
-            /** @description What these points tell badly. */
+            /** @description Quantities that these points determine badly. */
             unsure: components["schemas"]["Unsure"][];
-            /** @description Which further point would tell most. */
+            /** @description The most useful further point. */
             advice?: components["schemas"]["Advice"] | null;
             /**
-             * @description Whether to use it: `good`; `unchecked`, where so few points were touched that a wrong one would not be
-             *     noticed; or `doubtful`.
+             * @description Whether to use it: `good`; `unchecked` if there are too few points to detect a wrong one; or
+             *     `doubtful`.
              */
             trust: components["schemas"]["Trust"];
         };
-        /** @description A number that the touches tell badly. */
+        /** @description A parameter that the touches determine poorly. */
         Unsure: {
-            /** @description What of the arm. */
+            /** @description The parameter. */
             what: string;
             /**
              * Format: double
-             * @description Its deviation.
+             * @description Its standard deviation.
              */
             by: number;
             /** @description The unit of the deviation. */
             unit: string;
         };
-        /** @description A point that is worth touching. */
+        /** @description A recommended further point to touch. */
         Advice: {
-            /** @description Where it is on the sheet, in mm. */
+            /** @description The position on the sheet, in mm. */
             place_mm: number[];
             /**
              * Format: double
-             * @description How high above the paper, in mm.
+             * @description The height above the paper, in mm.
              */
             height_mm: number;
             /**
              * Format: double
-             * @description The share of the doubt that goes away with it, from 0 to 1.
+             * @description The share of the uncertainty that the point removes, from 0 to 1.
              */
             gain: number;
         };
-        /** @description Whether to use a calibration. */
+        /** @description How far a calibration can be trusted. */
         Trust: "good" | "unchecked" | "doubtful";
-        /** @description Places of the paper that the tool has touched. */
+        /** @description Positions of the paper that the tool has touched. */
         PaperTouches: {
-            /** @description Where the arm stood at each: forward, to the left and up, in mm, true places as its state has them. */
+            /** @description The positions of the arm: forward, to the left and up, in mm, calibrated, as in its state. */
             places_mm: number[][];
         };
-        /** @description How the paper lies. */
+        /** @description The fitted paper. */
         PaperReport: {
-            /** @description What is to be kept of it. */
+            /** @description The part to store in the calibration. */
             paper: components["schemas"]["PaperPlane"];
-            /** @description How much higher than the plane each touch is, in mm. */
+            /** @description The height of each touch above the plane, in mm. */
             away_mm: number[];
             /**
              * Format: double
-             * @description How steep the plane is, in degrees.
+             * @description The slope of the plane, in degrees.
              */
             slope_deg: number;
         };
         /** @description The points of the sheet. */
         SheetPoints: {
-            /** @description Forward and to the left of the base's axis, in mm. */
+            /** @description Their positions, forward and to the left of the base's axis, in mm. */
             points_mm: number[][];
             /**
              * Format: double
-             * @description How long the bar is where the print is true, in mm.
+             * @description The length of the bar on a correct print, in mm.
              */
             bar_mm: number;
         };
-        /** @description A job to be queued. */
+        /** @description A job to queue. */
         NewJob: {
-            /** @description What a person calls it. */
+            /** @description The title. */
             title: string;
-            /** @description What kind of job. */
+            /** @description The kind of job. */
             kind: components["schemas"]["JobKind"];
-            /** @description What the arm is to do, in order. The first one that moves has to be a target (state 3 or 6). */
+            /** @description The commands, in order. The first motion must be a target (state 3 or 6). */
             commands: components["schemas"]["Command"][];
             /**
              * Format: float
-             * @description How far the tool is lifted while the job is paused, in millimetres.
+             * @description The height by which the tool is lifted while the job is paused, in millimetres.
              * @default 0
              */
             lift_mm: number;
             /**
-             * @description Where it waits for a person, in the order of its commands.
+             * @description Pauses that wait for a person, in command order.
              * @default []
              */
             pauses: components["schemas"]["JobPause"][];
-            /** @description How it goes through its commands, if it is a program. */
+            /** @description The steps and cycles of a program. */
             program?: components["schemas"]["JobProgram"];
         };
-        /** @description Where a job waits for a person: to change the pen, say. `start` goes on. */
+        /** @description A pause where the job waits for a person, for example to change the pen. `start` resumes it. */
         JobPause: {
             /**
              * Format: uint
-             * @description The command before which it waits, counted from 0. The arm has to be at rest there.
+             * @description The index of the command before which it pauses, from 0. The arm must be at rest there.
              */
             before: number;
-            /** @description What the person is told. */
+            /** @description The message shown to the person. */
             message: string;
         };
-        /** @description How a job goes through its commands: in steps, and perhaps more than once. */
+        /** @description The steps and cycles of a job. */
         JobProgram: {
-            /** @description The first command of each step, in order; without them each command is a step. */
+            /** @description The index of the first command of each step, in order; if empty, each command is a step. */
             steps?: number[];
-            /** @description Which commands are done again. */
+            /** @description The repeated commands. */
             repeat?: components["schemas"]["JobRepeat"] | null;
         };
-        /** @description A cycle: the commands at the end of a job that are done again. */
+        /** @description A cycle: the commands at the end of a job that repeat. */
         JobRepeat: {
             /**
              * Format: uint
-             * @description The first of them, counted from 0; those before it are done once.
+             * @description The index of the first repeated command, from 0; commands before it run once.
              */
             from: number;
             /**
              * Format: uint64
-             * @description How often they are done in all; without it, until a person ends the job.
+             * @description The total number of cycles; without it, the job repeats until it is ended.
              */
             times?: number | null;
         };
-        /** @description The way of a job, once through its commands, as it was planned. */
+        /** @description The planned path of a job, once through its commands. */
         JobPath: {
             /**
-             * @description Places of the tool, one after the other: x, y and z in millimetres of each. Between two of them the tool goes
-             *     straight, or as near to straight as can be seen.
+             * @description Successive positions of the tool: x, y and z in millimetres. Between two of them the tool
+             *     moves in a straight line, or visually close to one.
              */
             path_mm: number[][];
-            /** @description To which command each place belongs, from 0; the last place of a command is its end. */
+            /**
+             * @description The command that each position belongs to, from 0; the last position of a command is its
+             *     end.
+             */
             commands: number[];
-            /** @description Whether the way to each place is drawn or burnt: the laser is on, or the pen is down. */
+            /** @description Whether the segment to each position is drawn or burnt: the laser is on or the pen is down. */
             marks: boolean[];
-            /** @description When each place is reached, in seconds since the job began, pauses of the arm included. */
+            /** @description When each position is reached, in seconds since the job began, including the arm's pauses. */
             until_s: number[];
         };
-        /** @description Where a queued job stands in the list. */
+        /** @description The place of a queued job in the list. */
         Place2: {
             /**
              * Format: uint64
-             * @description The number of the queued job that comes behind it; without it the job comes last.
+             * @description The number of the queued job that follows it; by default it becomes the last.
              * @default null
              */
             before: number | null;
         };
-        /** @description How fast a job is drawn. */
+        /** @description The drawing speed of a job. */
         Speed: {
             /**
              * Format: double
-             * @description In percent of the planned speed.
+             * @description The percentage of the planned speed.
              */
             percent: number;
         };
-        /** @description How high a job is drawn. */
+        /** @description The drawing height of a job. */
         Height: {
             /**
              * Format: double
-             * @description How far above the plan, in millimetres; below 0 is lower.
+             * @description The offset above the planned height, in millimetres; negative is lower.
              */
             offset_mm: number;
         };
-        /** @description A program, with the files that it names. */
+        /** @description A program, with the files that it uses. */
         ProgramText: {
             /** @description Its TOML text. */
             text: string;
             /**
-             * @description The texts of the programs that it calls and of its drawings, by their names in it.
+             * @description The texts of the programs that it calls and of its drawings, by the names used in it.
              * @default {}
              */
             files: {
                 [key: string]: string;
             };
         };
-        /** @description What a program does, and what is wrong with it. */
+        /** @description The steps and problems of a program. */
         ProgramReport: {
-            /** @description What a person calls it. */
+            /** @description Its title. */
             title: string;
-            /** @description Its steps, in the order in which they are done; those of a repeat at its end stand here once. */
+            /** @description Its steps, in execution order; the steps of a final repeat are listed once. */
             steps: components["schemas"]["StepReport"][];
-            /** @description All that is wrong, in the order of the steps. Of a text that is no program only the first thing. */
+            /** @description All problems, in the order of the steps; for a text that cannot be parsed only the first. */
             problems: components["schemas"]["ProgramProblem"][];
             /**
              * Format: double
-             * @description How long all of it takes once, in seconds, by the motion model.
+             * @description The duration of the first pass through all steps, in seconds, by the motion model.
              */
             once_s: number;
             /**
              * Format: double
-             * @description How long a cycle takes that follows another one, in seconds; none where nothing is done again.
+             * @description The duration of a repeated cycle, in seconds; absent if nothing is repeated.
              */
             cycle_s?: number | null;
             /**
              * Format: double
-             * @description How long all of it takes, in seconds; none where it goes on until a person ends it.
+             * @description The total duration, in seconds; absent if it repeats until a person ends it.
              */
             total_s?: number | null;
         };
         /** @description A step of a program. */
         StepReport: {
-            /** @description What it does. */
+            /** @description Its description. */
             label: string;
-            /** @description The called program in which it stands; none in the program itself. */
+            /** @description The called program that contains it; absent for the program itself. */
             file?: string | null;
             /**
              * Format: uint
@@ -3767,49 +3791,49 @@ export interface components {
             first: number;
             /**
              * Format: double
-             * @description How long it takes the first time, in seconds.
+             * @description Its duration the first time, in seconds.
              */
             takes_s: number;
         };
-        /** @description Something that is wrong with a program. */
+        /** @description A problem of a program. */
         ProgramProblem: {
             /**
              * Format: uint
-             * @description The step, counted from 1 in the order in which they are done; none where the text is no program.
+             * @description The step, counted from 1 in execution order; absent if the text cannot be parsed.
              */
             step?: number | null;
-            /** @description The called program in which it stands; none in the program itself. */
+            /** @description The called program that contains it; absent for the program itself. */
             file?: string | null;
             /**
              * Format: uint
-             * @description The line, counted from 1, where it is known.
+             * @description The line, counted from 1, if it is known.
              */
             line?: number | null;
-            /** @description What is wrong, and what is allowed. */
+            /** @description The problem, and what is allowed. */
             message: string;
-            /** @description What helps. */
+            /** @description The remedy. */
             remedy?: string | null;
         };
-        /** @description Changes of a program's text. */
+        /** @description Edits of a program's text. */
         EditProgram: {
             /**
-             * @description The text; where it is empty, a program begins.
+             * @description The text; an empty text starts a new program.
              * @default
              */
             text: string;
-            /** @description What is changed, in order; either all of it is or nothing. */
+            /** @description The edits, in order; either all of them are made or none. */
             edits: components["schemas"]["Edit"][];
         };
         /**
-         * @description A change of a program's text; what is not touched keeps its comments and its form. Steps are those of the program
-         *     itself, counted from 0.
+         * @description An edit of a program's text; unchanged parts keep their comments and their format. Steps are
+         *     those of the program itself, counted from 0.
          */
         Edit: {
             /** @constant */
             type: "insert";
             /**
              * Format: uint
-             * @description Where.
+             * @description The number of the new step.
              */
             at: number;
             /** @description The step. */
@@ -3819,14 +3843,14 @@ export interface components {
             type: "insert_path";
             /**
              * Format: uint
-             * @description Where.
+             * @description The number of the first new step.
              */
             at: number;
-            /** @description Its places, in order. */
+            /** @description Its points, in order. */
             places: components["schemas"]["RecordedPlace"][];
             /**
              * Format: double
-             * @description How far the lines may be from the places, in mm.
+             * @description The maximum distance of the lines from the points, in mm.
              */
             tolerance_mm: number;
         } | {
@@ -3834,17 +3858,17 @@ export interface components {
             type: "replace";
             /**
              * Format: uint
-             * @description Which.
+             * @description The number of the step.
              */
             at: number;
-            /** @description The step. */
+            /** @description The new step. */
             step: components["schemas"]["Action"];
         } | {
             /** @constant */
             type: "remove";
             /**
              * Format: uint
-             * @description Which.
+             * @description The number of the step.
              */
             at: number;
         } | {
@@ -3852,12 +3876,12 @@ export interface components {
             type: "move";
             /**
              * Format: uint
-             * @description Which.
+             * @description The number of the step.
              */
             from: number;
             /**
              * Format: uint
-             * @description Its number then.
+             * @description Its new number.
              */
             to: number;
         } | {
@@ -3865,82 +3889,85 @@ export interface components {
             type: "set_point";
             /** @description Its name. */
             name: string;
-            /** @description Where it is. */
+            /** @description Its position. */
             point: components["schemas"]["Point"];
         };
-        /** @description What a step does. */
+        /** @description The action of a step. */
         Action: {
             /** @description Goes to a place. */
             go?: components["schemas"]["Place3"] | null;
-            /** @description The way there: `jump` (as without it), `movl` in a straight line, or `movj` by the joints. */
+            /** @description The path type: `jump` (default), `movl` in a straight line, or `movj` by the joints. */
             path?: components["schemas"]["MovingMode"] | null;
-            /** @description So far from the place, in mm along the axes of its frame. */
+            /** @description The offset from the place, in mm along the axes of its frame. */
             offset?: components["schemas"]["Offset"] | null;
-            /** @description Whether the pump runs from there on. */
+            /** @description Whether the pump runs from here on. */
             suction?: boolean | null;
             /**
              * Format: double
-             * @description The gripper's angle from there on, -90 to 90 degrees.
+             * @description The gripper's angle from here on, -90 to 90 degrees.
              */
             gripper?: number | null;
             /**
              * Format: double
-             * @description How long the arm waits there, 0 to 655 seconds.
+             * @description The pause, 0 to 655 seconds.
              */
             pause?: number | null;
             /** @description Switches the laser. */
             laser?: boolean | null;
-            /** @description Waits for a person, who is told this, in 1 to 200 letters. */
+            /** @description Waits for a person and shows this text of 1 to 200 characters. */
             wait?: string | null;
-            /** @description Waits for the other arms of a program for several, at the barrier of this name, in 1 to 40 letters. */
+            /**
+             * @description Waits for the other arms of a coordinated program at the barrier of this name, 1 to 40
+             *     characters.
+             */
             barrier?: string | null;
             /** @description Sets speeds. */
             speed?: components["schemas"]["Speed2"] | null;
-            /** @description Says which of the named tools is mounted. */
+            /** @description Selects the mounted tool by name. */
             tool?: string | null;
-            /** @description Does `steps` so often, or `"forever"`. */
+            /** @description Repeats `steps` this many times, or `"forever"`. */
             repeat?: components["schemas"]["Times"] | null;
-            /** @description Does `steps` for each cell of a grid, or of several side by side, by their names. */
+            /** @description Repeats `steps` for each cell of a grid, or of several grids in parallel, given by name. */
             each?: components["schemas"]["Names"] | null;
-            /** @description What `repeat` and `each` do. */
+            /** @description The steps of `repeat` and `each`. */
             steps?: components["schemas"]["Step"][] | null;
-            /** @description Does the steps of another program. */
+            /** @description Executes the steps of another program. */
             call?: string | null;
-            /** @description Goes along an arc from here to its end. */
+            /** @description Follows an arc from the current position to its end. */
             arc?: components["schemas"]["Arc"] | null;
-            /** @description Goes once around a circle from here. */
+            /** @description Follows a full circle from the current position. */
             circle?: components["schemas"]["Arc"] | null;
             /** @description Draws a file. */
             drawing?: components["schemas"]["Drawing"] | null;
         };
-        /** @description A place: the name of a point or of a grid's cell, or a point itself. */
+        /** @description A place: the name of a point or of a grid (for its current cell), or a point itself. */
         Place3: string | components["schemas"]["Point"];
         /**
-         * @description A point: x, y and z in mm, with a rotation and a frame if wanted; or base, rear and fore in degrees, with the
-         *     servo if it is not at 0.
+         * @description A point: x, y and z in mm, with an optional rotation and frame; or base, rear and fore in
+         *     degrees, with an optional servo.
          */
         Point: {
             /**
              * Format: double
-             * @description Forward of the base's axis, or along the frame's x axis, in mm.
+             * @description The position forward of the base's axis, or along the frame's x axis, in mm.
              */
             x?: number | null;
             /**
              * Format: double
-             * @description To the left of it, or along the frame's y axis, in mm.
+             * @description The position to the left of the base's axis, or along the frame's y axis, in mm.
              */
             y?: number | null;
             /**
              * Format: double
-             * @description Above the rear arm's pivot, or along the frame's z axis, in mm.
+             * @description The height above the rear arm's pivot, or the position along the frame's z axis, in mm.
              */
             z?: number | null;
             /**
              * Format: double
-             * @description How the tool is turned from the frame's x axis, counter-clockwise, in degrees; 0 if nothing is said.
+             * @description The rotation of the tool, counter-clockwise from the frame's x axis, in degrees; default 0.
              */
             rotation?: number | null;
-            /** @description The name of a frame; the base frame if nothing is said. */
+            /** @description The name of a frame; default: the base frame. */
             frame?: string | null;
             /**
              * Format: double
@@ -3959,11 +3986,11 @@ export interface components {
             fore?: number | null;
             /**
              * Format: double
-             * @description The servo's angle in degrees.
+             * @description The servo's angle in degrees; default 0.
              */
             servo?: number | null;
         };
-        /** @description A way along the axes of a frame, in mm. */
+        /** @description A displacement along the axes of a frame, in mm. */
         Offset: {
             /**
              * Format: double
@@ -3982,54 +4009,54 @@ export interface components {
             z?: number;
         };
         /**
-         * @description Speeds of targets (states 9 and 10; Table 3.9); what is not said stays as it was, at first as in an arm that
-         *     was just switched on.
+         * @description Speeds of targets (states 9 and 10; Table 3.9). Omitted values stay unchanged; the initial ones
+         *     are those of an arm after power-up.
          */
         Speed2: {
             /**
              * Format: double
-             * @description All speeds of targets, in percent of the ones below, above 0 to 100; 50 at first.
+             * @description All speeds of targets, in percent of the ones below, above 0 to 100; initially 50.
              */
             percent?: number | null;
             /**
              * Format: double
-             * @description Their accelerations, in percent, above 0 to 100; 50 at first.
+             * @description All accelerations of targets, in percent, above 0 to 100; initially 50.
              */
             acceleration_percent?: number | null;
             /**
              * Format: double
-             * @description Base, rear arm and forearm, in degrees/s; 200 at first.
+             * @description The speed of base, rear arm and forearm, in degrees/s; initially 200.
              */
             joint?: number | null;
             /**
              * Format: double
-             * @description Their acceleration, in degrees/s2; 200 at first.
+             * @description The acceleration of base, rear arm and forearm, in degrees/s2; initially 200.
              */
             joint_acceleration?: number | null;
             /**
              * Format: double
-             * @description The servo, in degrees/s; 200 at first.
+             * @description The speed of the servo, in degrees/s; initially 200.
              */
             servo?: number | null;
             /**
              * Format: double
-             * @description Its acceleration, in degrees/s2; 200 at first.
+             * @description The acceleration of the servo, in degrees/s2; initially 200.
              */
             servo_acceleration?: number | null;
             /**
              * Format: double
-             * @description Along a line, in mm/s; 100 at first.
+             * @description The speed along a line, in mm/s; initially 100.
              */
             line?: number | null;
             /**
              * Format: double
-             * @description The acceleration along a line, in mm/s2; 200 at first.
+             * @description The acceleration along a line, in mm/s2; initially 200.
              */
             line_acceleration?: number | null;
             /**
              * Format: double
-             * @description How high a JUMP lifts, in mm, 0 to 300. An arm that was just switched on lifts by 10 or 20 mm, depending on
-             *     its firmware (note N11): once one of the speeds above is set, without this it is 20.
+             * @description The lift of a JUMP, in mm, 0 to 300. After power-up it is 10 or 20 mm, depending on the
+             *     firmware (note N11); setting one of the speeds above without this sets it to 20.
              */
             jump_height?: number | null;
         };
@@ -4038,93 +4065,98 @@ export interface components {
         /** @description One name, or several. */
         Names: string | string[];
         /**
-         * @description A step. Exactly one of `go`, `laser`, `wait`, `barrier`, `speed`, `tool`, `repeat`, `each`, `call`, `arc`, `circle`
-         *     and `drawing` says what it does; or it has only `suction`, `gripper` and `pause`, which act where the arm is.
+         * @description A step. Exactly one of `go`, `laser`, `wait`, `barrier`, `speed`, `tool`, `repeat`, `each`,
+         *     `call`, `arc`, `circle` and `drawing` selects the action; a step with only `suction`, `gripper`
+         *     and `pause` acts at the current position.
          */
         Step: {
             /** @description Goes to a place. */
             go?: components["schemas"]["Place3"] | null;
-            /** @description The way there: `jump` (as without it), `movl` in a straight line, or `movj` by the joints. */
+            /** @description The path type: `jump` (default), `movl` in a straight line, or `movj` by the joints. */
             path?: components["schemas"]["MovingMode"] | null;
-            /** @description So far from the place, in mm along the axes of its frame. */
+            /** @description The offset from the place, in mm along the axes of its frame. */
             offset?: components["schemas"]["Offset"] | null;
-            /** @description Whether the pump runs from there on. */
+            /** @description Whether the pump runs from here on. */
             suction?: boolean | null;
             /**
              * Format: double
-             * @description The gripper's angle from there on, -90 to 90 degrees.
+             * @description The gripper's angle from here on, -90 to 90 degrees.
              */
             gripper?: number | null;
             /**
              * Format: double
-             * @description How long the arm waits there, 0 to 655 seconds.
+             * @description The pause, 0 to 655 seconds.
              */
             pause?: number | null;
             /** @description Switches the laser. */
             laser?: boolean | null;
-            /** @description Waits for a person, who is told this, in 1 to 200 letters. */
+            /** @description Waits for a person and shows this text of 1 to 200 characters. */
             wait?: string | null;
-            /** @description Waits for the other arms of a program for several, at the barrier of this name, in 1 to 40 letters. */
+            /**
+             * @description Waits for the other arms of a coordinated program at the barrier of this name, 1 to 40
+             *     characters.
+             */
             barrier?: string | null;
             /** @description Sets speeds. */
             speed?: components["schemas"]["Speed2"] | null;
-            /** @description Says which of the named tools is mounted. */
+            /** @description Selects the mounted tool by name. */
             tool?: string | null;
-            /** @description Does `steps` so often, or `"forever"`. */
+            /** @description Repeats `steps` this many times, or `"forever"`. */
             repeat?: components["schemas"]["Times"] | null;
-            /** @description Does `steps` for each cell of a grid, or of several side by side, by their names. */
+            /** @description Repeats `steps` for each cell of a grid, or of several grids in parallel, given by name. */
             each?: components["schemas"]["Names"] | null;
-            /** @description What `repeat` and `each` do. */
+            /** @description The steps of `repeat` and `each`. */
             steps?: components["schemas"]["Step"][] | null;
-            /** @description Does the steps of another program. */
+            /** @description Executes the steps of another program. */
             call?: string | null;
-            /** @description Goes along an arc from here to its end. */
+            /** @description Follows an arc from the current position to its end. */
             arc?: components["schemas"]["Arc"] | null;
-            /** @description Goes once around a circle from here. */
+            /** @description Follows a full circle from the current position. */
             circle?: components["schemas"]["Arc"] | null;
             /** @description Draws a file. */
             drawing?: components["schemas"]["Drawing"] | null;
         };
         /**
-         * @description An arc or a circle from where the arm is, given by two more places on it. The arm goes along it by straight
-         *     lines (MOVL), from rest to rest: a target can be sent again when a packet was lost, a vector cannot.
+         * @description An arc or a circle from the current position, given by two more places on it. The arm follows it
+         *     in straight lines (MOVL) and stops after each: a target can be resent after a lost packet, a
+         *     vector cannot.
          */
         Arc: {
-            /** @description A place on the way. */
+            /** @description A place on the arc. */
             through: components["schemas"]["Place3"];
-            /** @description Where an arc ends; the third place of a circle. */
+            /** @description The end of an arc; the third place of a circle. */
             to: components["schemas"]["Place3"];
             /**
              * Format: double
-             * @description How far the straight lines may be from the arc, 0.01 to 10 mm; 0.5 if nothing is said.
+             * @description The largest distance between the straight lines and the arc, 0.01 to 10 mm; default 0.5.
              * @default 0.5
              */
             tolerance: number;
         };
-        /** @description A drawing as a step. What reads the program prepares it, as `dobot draw` does. */
+        /** @description A drawing as a step. The reader of the program prepares it, as `dobot draw` does. */
         Drawing: {
-            /** @description The drawing's file, beside the program. */
+            /** @description The file of the drawing, relative to the program. */
             file: string;
             /**
              * Format: double
              * @description The height of the wrist at which the pen touches the paper, in mm.
              */
             pen_down: number;
-            /** @description The options of `dobot draw`, under their names in a request: `place`, `tool`, `way`, `what`. */
+            /** @description The options of `dobot draw`, with their names in a request: `place`, `tool`, `way`, `what`. */
             options?: {
                 [key: string]: unknown;
             };
         };
-        /** @description A place of a path: where the tool was, and what it did there. */
+        /** @description A place of a path: the position and the state of the tool. */
         RecordedPlace: {
             /** @description x, y and z, in millimetres in the base frame. */
             point_mm: number[];
             /**
              * Format: double
-             * @description The rotation of the tool relative to the base frame, in degrees.
+             * @description The rotation of the tool in the base frame, in degrees.
              */
             rotation_deg: number;
-            /** @description Whether the pump ran. */
+            /** @description Whether the pump runs. */
             suction: boolean;
             /**
              * Format: double
@@ -4138,50 +4170,50 @@ export interface components {
             text: string;
             /**
              * Format: uint
-             * @description How many steps it has.
+             * @description The number of steps.
              */
             steps: number;
         };
-        /** @description A program in one form that is wanted in another. */
+        /** @description A program to be converted to another format. */
         ConvertProgram: {
             /**
-             * @description Its text; a file of the vendor's programs has bytes instead.
+             * @description Its text; a file of the vendor's software has bytes instead.
              * @default null
              */
             text: string | null;
             /**
-             * @description The bytes of a file, in base64.
+             * @description The bytes of a file, in Base64.
              * @default null
              */
             data: string | null;
-            /** @description What the bytes are; a text is a program. */
+            /** @description The format of the bytes; a text is a program. */
             from?: components["schemas"]["ProgramForm"];
-            /** @description What it is to be. */
+            /** @description The target format. */
             to: components["schemas"]["ProgramForm"];
         };
-        /** @description A form of programs. */
+        /** @description The file format of a program. */
         ProgramForm: "toml" | "xml" | "play";
-        /** @description A program in the form that was asked for. */
+        /** @description A converted program. */
         ConvertedProgram: {
             /** @description The text. */
             text: string;
-            /** @description What was surprising, and what the form cannot carry. */
+            /** @description Unexpected contents, and what the target format cannot represent. */
             warnings: string[];
         };
-        /** @description A program that is to become a job. */
+        /** @description A program to be queued as a job. */
         NewProgram: {
             /** @description The program. */
             program: components["schemas"]["ProgramText"];
             /**
              * Format: uint
-             * @description The step with which it begins, counted from 1 in the order in which they are done.
+             * @description The first step to execute, counted from 1 in execution order.
              * @default 1
              */
             from_step: number;
-            /** @description How often it is done; without this as often as it says itself. */
+            /** @description The number of repetitions; by default that of the program. */
             times?: components["schemas"]["Repeat"] | null;
         };
-        /** @description How often a program is done. */
+        /** @description The number of repetitions of a program. */
         Repeat: {
             /** Format: uint64 */
             count: number;
@@ -4192,37 +4224,38 @@ export interface components {
             name: string;
             /**
              * Format: int64
-             * @description When it was begun, in milliseconds since 1970-01-01T00:00:00Z.
+             * @description Its begin, in milliseconds since 1970-01-01T00:00:00Z.
              */
             begin_ms: number;
             /**
              * Format: uint64
-             * @description How long it is, in bytes.
+             * @description Its size, in bytes.
              */
             bytes: number;
             /** @description Whether it is still being written. */
             being_written: boolean;
         };
-        /** @description Where the arm was over a stretch of a recording. */
+        /** @description The positions of the arm over a part of a recording. */
         RecordedStates: {
             /**
              * Format: int64
-             * @description When its times begin, in milliseconds since 1970-01-01T00:00:00Z; none where it holds nothing that could be read.
+             * @description The origin of its times, in milliseconds since 1970-01-01T00:00:00Z; absent if nothing could
+             *     be read.
              */
             begin_ms?: number | null;
             /**
              * Format: double
-             * @description So close together the samples stand at the most, in seconds; 0 where all that say something new are there.
+             * @description The minimum spacing of the samples, in seconds; 0 if all changes are included.
              */
             spacing_s: number;
-            /** @description What the arm told, the oldest first. Between two that are the same it did not move. */
+            /** @description The statuses, the oldest first. The arm did not move between two equal ones. */
             samples: components["schemas"]["SampleView"][];
         };
-        /** @description What the arm told at one moment. */
+        /** @description The status at one moment. */
         SampleView: {
             /**
              * Format: double
-             * @description When, in seconds since the times of the recording begin.
+             * @description The time, in seconds since the origin of the recording.
              */
             at_s: number;
             /**
@@ -4273,20 +4306,20 @@ export interface components {
              */
             gripper_deg: number;
         };
-        /** @description A drawing that is to be planned: a file, the text that the options tell or both, or a test card. */
+        /** @description A drawing to be planned: a file, the text in the options or both, or a test card. */
         NewDrawing: {
             /**
-             * @description The name of the file: its ending tells what kind it is.
+             * @description The name of the file; its extension determines the format.
              * @default null
              */
             name: string | null;
             /**
-             * @description What the file holds, in Base64 (RFC 4648).
+             * @description The contents of the file, in Base64 (RFC 4648).
              * @default null
              */
             file: string | null;
             /**
-             * @description How it is to be drawn, as the arguments of `dobot draw`.
+             * @description The options, as those of `dobot draw`.
              * @default {
              *       "what": {
              *         "text": null,
@@ -4363,8 +4396,9 @@ export interface components {
             options: components["schemas"]["Options"];
         };
         /**
-         * @description What a person asks for. [`DrawingRequest::new`] makes [`Settings`](crate::Settings) of it; `dobot draw` reads it from its
-         *     arguments, any other client from JSON:
+         * @description The options of a drawing. [`DrawingRequest::new`] converts them to
+         *     [`Settings`](crate::Settings); `dobot draw` reads them from its arguments, other clients from
+         *     JSON:
          *
          *     ```
          *     use dobot_draw::{DrawingRequest, Materials, Options, Subject};
@@ -4380,7 +4414,7 @@ export interface components {
          */
         Options: {
             /**
-             * @description What is drawn.
+             * @description What to draw
              * @default {
              *       "text": null,
              *       "font": null,
@@ -4413,7 +4447,7 @@ export interface components {
              */
             what: components["schemas"]["ContentOptions"];
             /**
-             * @description Where it goes.
+             * @description Where to draw it
              * @default {
              *       "paper_size": null,
              *       "landscape": false,
@@ -4434,7 +4468,7 @@ export interface components {
              */
             place: components["schemas"]["PlaceOptions"];
             /**
-             * @description With what it is drawn.
+             * @description The tool to draw with
              * @default {
              *       "pen": "fineliner",
              *       "laser": null,
@@ -4453,7 +4487,7 @@ export interface components {
              */
             tool: components["schemas"]["ToolOptions"];
             /**
-             * @description How it is drawn.
+             * @description How to draw it
              * @default {
              *       "tolerance": 0.05,
              *       "join": null,
@@ -4466,150 +4500,153 @@ export interface components {
              */
             way: components["schemas"]["PathOptions"];
         };
-        /** @description What is drawn. */
+        /** @description What to draw */
         ContentOptions: {
             /**
-             * @description A text, alone or below the files; \n begins a new line
+             * @description Text to draw, alone or below the files; \n starts a new line
              * @default null
              */
             text: string | null;
             /**
-             * @description The letters of `what.text`: a single-line font (sans, script, serif, gothic), or any installed font
-             *     (default: sans)
+             * @description Font of `what.text`: a single-stroke font (sans, script, serif, gothic), or any installed
+             *     font (default: sans)
              * @default null
              */
             font: string | null;
             /**
              * Format: double
-             * @description How tall the capitals of `what.text` are, in mm (default: 10)
+             * @description Capital height of `what.text`, in mm (default: 10)
              * @default null
              */
             height: number | null;
             /**
-             * @description Where the lines of `what.text` meet: left, center or right (default: left)
+             * @description Alignment of `what.text`: left, center or right (default: left)
              * @default null
              */
             align: components["schemas"]["Align"] | null;
             /**
-             * @description A test card for the laser: fields burned at these speeds in mm/s, once, twice and so on
+             * @description Burn a laser test card with a column for each of these speeds, in mm/s
              * @default null
              */
             card: number[] | null;
             /**
              * Format: uint32
-             * @description How often the lowest row of the test card is burned (default: 3)
+             * @description Number of rows of the test card: row n is burned n times (default: 3)
              * @default null
              */
             card_passes: number | null;
             /**
              * Format: double
-             * @description How wide and high the fields of the test card are, in mm (default: 6)
+             * @description Size of the fields of the test card, in mm (default: 6)
              * @default null
              */
             card_size: number | null;
             /**
              * Format: double
-             * @description How far the fields of the test card lie apart, in mm (default: 2)
+             * @description Gap between the fields of the test card, in mm (default: 2)
              * @default null
              */
             card_gap: number | null;
             /**
-             * @description What is burned below the test card (default: the name of the material, and the day)
+             * @description Label below the test card (default: the name of the material and the date)
              * @default null
              */
             card_label: string | null;
             /**
-             * @description Make layers of the colours or outermost groups of an SVG file, or of the layers of others: each is drawn
-             *     for itself, and the arm waits for its pen
+             * @description Split an SVG file into layers by colour or outermost group, other files by their layers;
+             *     each is drawn separately, and the arm waits for its pen
              * @default null
              */
             layers: components["schemas"]["LayersBy"] | null;
             /**
-             * @description Draw a layer with a pen or material of its own
+             * @description Draw a layer with its own pen or material
              * @default []
              */
             layer: components["schemas"]["LayerTool"][];
             /**
-             * @description Draw these layers only, by name: several with commas between them, or one for each `what.only`
+             * @description Draw only these layers, by name; separate several by commas, or repeat `what.only`
              * @default []
              */
             only: string[];
             /**
-             * @description Draw what lies beyond the page of an SVG file too, instead of cutting it at the page's edge
+             * @description Also draw content beyond the page of an SVG file, instead of cropping it
              * @default false
              */
             no_crop: boolean;
             /**
-             * @description Leave out what lies under filled shapes that are painted over it, white ones too, as in a picture
+             * @description Remove what is covered by filled shapes painted over it, including white ones
              * @default false
              */
             hide: boolean;
             /**
-             * @description Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
+             * @description Hatch filled areas with this line spacing, in mm (default: as suits the pen or material)
              * @default null
              */
             hatch: components["schemas"]["Spacing"] | null;
             /**
              * Format: double
-             * @description The direction of the hatching, in degrees from left to right counterclockwise
+             * @description Hatch angle, in degrees counterclockwise from left to right
              * @default 45
              */
             hatch_angle: number;
             /**
-             * @description What areas are hatched with: lines, concentric (the outline again and again, farther inside) or
-             *     spiral (the same in one line)
+             * @description Hatch style: lines, concentric (the outline repeated inwards) or spiral (concentric in a
+             *     single line)
              * @default lines
              */
             hatch_style: components["schemas"]["HatchStyle"];
             /**
              * Format: double
-             * @description How far the hatching stays away from the edge, in mm: half the width of the pen keeps the ink inside
+             * @description Distance of the hatching from the edge, in mm; half the width of the pen keeps the ink
+             *     inside
              * @default 0
              */
             hatch_inset: number;
             /**
-             * @description Hatch crosswise
+             * @description Cross-hatch
              * @default false
              */
             cross: boolean;
             /**
-             * @description How a picture becomes ink: hatch, lines, spiral, flow, stipple, tsp (one line from dot to dot) or outline
+             * @description Rendering of a picture: hatch, lines, spiral, flow, stipple, tsp (a single line through
+             *     dots) or outline
              * @default null
              */
             shade: components["schemas"]["ShadingStyle"] | null;
             /**
              * Format: double
-             * @description How far the lines or dots of a picture lie apart, or the lines of the test card, in mm on the paper
+             * @description Spacing of the lines or dots of a picture, or of the lines of the test card, in mm on the
+             *     paper
              * @default null
              */
             spacing: number | null;
             /**
              * Format: double
-             * @description Make a picture lighter, or darker below 0: from -100 to 100 percent
+             * @description Picture brightness, -100 to 100 percent
              * @default 0
              */
             brightness: number;
             /**
              * Format: double
-             * @description Set the tones of a picture farther apart, or nearer below 0: from -100 to 100 percent
+             * @description Picture contrast, -100 to 100 percent
              * @default 0
              */
             contrast: number;
             /**
              * Format: double
-             * @description Make the middle tones of a picture lighter above 1, darker below
+             * @description Picture gamma: above 1 makes the midtones lighter, below 1 darker
              * @default 1
              */
             gamma: number;
             /**
              * Format: double
-             * @description Make a picture black where it is darker than so much, and white elsewhere: between 0 (white) and 1
+             * @description Convert a picture to black and white at this darkness, between 0 (white) and 1
              * @default null
              */
             threshold: number | null;
             /**
              * Format: uint8
-             * @description How many tones beside white the styles outline and hatch tell apart, from 1 to 8 (default: 4)
+             * @description Number of tones besides white in the styles outline and hatch, 1 to 8 (default: 4)
              * @default null
              */
             levels: number | null;
@@ -4619,133 +4656,133 @@ export interface components {
              */
             invert: boolean;
         };
-        /** @description Where lines of different lengths meet. */
+        /** @description The alignment of lines. */
         Align: "left" | "center" | "right";
-        /** @description What makes a layer of an SVG file. */
+        /** @description The layers of an SVG file. */
         LayersBy: "color" | "group" | "nothing";
-        /** @description A layer that has a pen or a material of its own: `NAME=PEN`. */
+        /** @description A layer with its own pen or material: `NAME=PEN`. */
         LayerTool: {
-            /** @description The layer's name. */
+            /** @description The name of the layer. */
             name: string;
             /** @description The name of its pen or material. */
             pen: string;
         };
-        /** @description How far apart the lines of a hatching are: `auto` or millimetres. */
+        /** @description The line spacing of a hatching: `auto` or millimetres. */
         Spacing: number | components["schemas"]["Auto"];
         /** @description The word `auto`. */
         Auto: "auto";
-        /** @description The lines that an area is filled with. */
+        /** @description The style of a hatching. */
         HatchStyle: "lines" | "concentric" | "spiral";
-        /** @description What is drawn of a picture. */
+        /** @description The style of a shaded picture. */
         ShadingStyle: "outline" | "lines" | "spiral" | "flow" | "stipple" | "tsp" | "hatch";
-        /** @description Where it goes. */
+        /** @description Where to draw it */
         PlaceOptions: {
             /**
-             * @description The sheet that it goes on: a3, a4, a5, a6, letter, legal, or `210x148` in mm; the page of the file
+             * @description Sheet to draw on: a3, a4, a5, a6, letter, legal, or `210x148` in mm; the page of the file
              *     keeps its upper left corner
              * @default null
              */
             paper_size: components["schemas"]["PaperSize"] | null;
             /**
-             * @description The longer side of the sheet lies from left to right
+             * @description Place the sheet with its longer side from left to right
              * @default false
              */
             landscape: boolean;
             /**
-             * @description Where the lower left corner of the sheet lies, in mm: the one that is nearest to you behind the arm,
-             *     on the left (default: the sheet lies in the middle before the arm)
+             * @description Position of the sheet's lower left corner, in mm: the corner closest to you on the left when
+             *     you stand behind the arm (default: the sheet is centred in front of the arm)
              * @default null
              */
             corner: number[] | null;
             /**
-             * @description As large as the sheet or the drawing area allows
+             * @description Fit to the sheet or the drawing area
              * @default false
              */
             fit: boolean;
             /**
              * Format: double
-             * @description Times the true size
+             * @description Scale factor relative to the true size
              * @default null
              */
             scale: number | null;
             /**
-             * @description Where the middle of the drawing goes, or that of the sheet, in mm (default: the middle of the drawing
-             *     area)
+             * @description Centre of the drawing or the sheet, in mm (default: the centre of the drawing area)
              * @default null
              */
             at: number[] | null;
             /**
-             * @description Change left and right
+             * @description Mirror left and right
              * @default false
              */
             mirror: boolean;
             /**
-             * @description Draw copies side by side, in columns and rows as in 3x2; several files one in each cell, then from the
-             *     first again
+             * @description Draw copies in a grid of columns and rows, as in 3x2; several files fill the cells in turn
              * @default null
              */
             grid: components["schemas"]["Grid"] | null;
             /**
              * Format: double
-             * @description How far the copies or files of `place.grid` lie apart, and how far `what.text` stands below a file, in mm of the file
+             * @description Gap between the copies or files of `place.grid`, and between a file and `what.text` below
+             *     it, in mm of the file
              * @default 5
              */
             gap: number;
             /**
              * Format: double
-             * @description Turn it counterclockwise
+             * @description Rotation counterclockwise, in degrees
              * @default 0
              */
             rotate: number;
             /**
              * Format: double
-             * @description Leave so much of the sheet or the drawing area empty along its edges, in mm
+             * @description Margin of the sheet or the drawing area, in mm
              * @default 0
              */
             margin: number;
             /**
-             * @description Cut off what lies beyond the sheet or out of the arm's reach, instead of refusing the drawing
+             * @description Cut off what lies beyond the sheet or out of reach, instead of refusing the drawing
              * @default false
              */
             clip: boolean;
             /**
              * Format: double
-             * @description Z where the pen draws, in mm (default: where the arm stands; a virtual arm -40)
+             * @description Z at which the pen draws, in mm (default: the current height of the arm; -40 for a virtual
+             *     arm)
              * @default null
              */
             pen_down: number | null;
             /**
-             * @description Three points of the paper that the pen has touched, for paper that is not level; with `place.paper_size`
-             *     first the lower left corner of the sheet, then another place on its lower edge
+             * @description Three touched points of the paper, for paper that is not level; with `place.paper_size`
+             *     first the lower left corner of the sheet, then another point on its lower edge
              * @default null
              */
             paper: number[] | null;
             /**
              * Format: double
-             * @description Draw so much higher, in mm; negative presses harder
+             * @description Height offset of the pen, in mm; a negative offset presses harder
              * @default 0
              */
             offset: number;
         };
-        /** @description How large a sheet is: `a6` to `a3`, `letter`, `legal`, or width and height in mm as in `210x148`. */
+        /** @description The size of a sheet: `a6` to `a3`, `letter`, `legal`, or width and height in mm as in `210x148`. */
         PaperSize: string;
-        /** @description Copies or files in columns and rows, as in `3x2`: three beside each other, two below each other. */
+        /** @description A grid of columns and rows for copies or files, as in `3x2`: three columns and two rows. */
         Grid: string;
-        /** @description With what it is drawn. */
+        /** @description The tool to draw with */
         ToolOptions: {
             /**
-             * @description Draw with this pen
+             * @description Pen to draw with
              * @default fineliner
              */
             pen: string;
             /**
-             * @description Burn this material with the laser
+             * @description Material to burn with the laser
              * @default null
              */
             laser: string | null;
             /**
              * Format: double
-             * @description How far the pen is lifted to travel, in mm
+             * @description Lift of the pen while travelling, in mm
              * @default null
              */
             lift: number | null;
@@ -4757,49 +4794,49 @@ export interface components {
             speed: number | null;
             /**
              * Format: double
-             * @description Speed between the strokes, in mm/s
+             * @description Travel speed between strokes, in mm/s
              * @default null
              */
             travel_speed: number | null;
             /**
              * Format: uint32
-             * @description Draw or burn everything so often; a pen goes over each line so often before it is lifted
+             * @description Number of passes; a pen repeats each line before it is lifted
              * @default null
              */
             passes: number | null;
             /**
-             * @description What the laser burns so often before it goes on: a shape, or all of the layer
+             * @description What the laser repeats before continuing: each shape, or the whole layer
              * @default layer
              */
             passes_by: components["schemas"]["PassesBy"];
             /**
              * Format: double
-             * @description How wide the laser burns, in mm: closed shapes are cut larger by half of it, and holes in them smaller;
-             *     below 0 the other way round
+             * @description Width of the laser's cut, in mm: closed shapes are cut larger by half of it, and holes in
+             *     them smaller; a negative width does the opposite
              * @default 0
              */
             kerf: number;
             /**
              * Format: double
-             * @description Begin each cut so far beside the shape, in mm
+             * @description Length of the lead-in to each cut, in mm
              * @default 0
              */
             lead_in: number;
             /**
              * Format: double
-             * @description Go on so far behind where a cut began, in mm
+             * @description Distance to cut past the start point, in mm
              * @default 0
              */
             overcut: number;
             /**
              * Format: uint32
-             * @description Leave so many places of each shape uncut, so that it does not fall out
+             * @description Number of tabs that hold each shape in place
              * @default 0
              */
             tabs: number;
             /**
              * Format: double
-             * @description How wide these places are, in mm
+             * @description Width of a tab, in mm
              * @default 1
              */
             tab_width: number;
@@ -4810,191 +4847,191 @@ export interface components {
              */
             acceleration: number;
         };
-        /** @description What a laser burns several times before it goes on. */
+        /** @description What a laser repeats before it continues. */
         PassesBy: "shape" | "layer";
-        /** @description How it is drawn. */
+        /** @description How to draw it */
         PathOptions: {
             /**
              * Format: double
-             * @description How far the drawn path may leave the wanted one, in mm
+             * @description Maximum deviation of the drawn path, in mm
              * @default 0.05
              */
             tolerance: number;
             /**
              * Format: double
-             * @description Join strokes whose ends lie so near to each other, in mm (default: the tolerance)
+             * @description Join strokes whose ends are this close, in mm (default: the tolerance)
              * @default null
              */
             join: number | null;
             /**
-             * @description Leave out what lies on other lines, and of shapes to cut out only whole ones
+             * @description Remove duplicate lines; of shapes to cut out, only complete duplicates
              * @default false
              */
             drop_doubles: boolean;
             /**
-             * @description Draw in the order of the file
+             * @description Keep the stroke order of the file
              * @default false
              */
             keep_order: boolean;
             /**
              * Format: uint32
-             * @description How long to look for the shortest way with the pen up: so many tries, fewer from 10,000 strokes on
+             * @description Number of attempts to shorten the pen-up travel; fewer from 10,000 strokes on
              * @default 80000
              */
             tries: number;
             /**
              * Format: uint64
-             * @description Look elsewhere: the same number gives the same order
+             * @description Random seed for the stroke order; the same seed gives the same order
              * @default 1
              */
             seed: number;
             /**
-             * @description Begin later: at a layer, a stroke or a share of the ink, as in layer:red, stroke:120 or 40%
+             * @description Resume at a layer, a stroke or a share of the ink, as in layer:red, stroke:120 or 40%
              * @default null
              */
-            from: components["schemas"]["StartFrom"] | null;
+            from: components["schemas"]["ResumePoint"] | null;
         };
         /**
-         * @description Where to begin, so that a drawing can be finished that was broken off: `layer:NAME`, `stroke:NUMBER` or
-         *     a share such as `40%`.
+         * @description The resume point of an interrupted drawing: `layer:NAME`, `stroke:NUMBER` or a share such as
+         *     `40%`.
          */
-        StartFrom: string;
-        /** @description A drawing, planned or on the way to it. */
+        ResumePoint: string;
+        /** @description A drawing with the state of its plan. */
         DrawingView: {
             /**
              * Format: uint64
              * @description Its number.
              */
             drawing: number;
-            /** @description What a person calls it. */
+            /** @description Its title. */
             title: string;
-            /** @description How far it is. */
+            /** @description The phase of its planning. */
             phase: components["schemas"]["DrawingPhase"];
-            /** @description Why it cannot be planned. */
+            /** @description The reason why it cannot be planned. */
             problem?: components["schemas"]["Problem"] | null;
-            /** @description What was planned. */
+            /** @description The plan. */
             plan?: components["schemas"]["DrawingPlan"] | null;
         };
-        /** @description How far a drawing is. */
+        /** @description The phase of a drawing's planning. */
         DrawingPhase: "waiting" | "planning" | "planned" | "failed";
-        /** @description What was planned. */
+        /** @description The plan of a drawing. */
         DrawingPlan: {
             /**
              * Format: double
-             * @description How much larger than its file says it becomes.
+             * @description The scale relative to the size in the file.
              */
             scale: number;
-            /** @description Whether it burns with a laser. */
+            /** @description Whether a laser is used. */
             burns: boolean;
-            /** @description What the pen does not show as the file says. */
+            /** @description Differences between the result and the file. */
             warnings: string[];
-            /** @description Where the arm waits for a person, and what that one reads there. */
+            /** @description The pauses for a person, with their messages. */
             pauses: string[];
-            /** @description Why the arm may not draw it from where it stands. */
+            /** @description The reason why the arm may not draw it from its current position. */
             refused?: components["schemas"]["Problem"] | null;
-            /** @description All of it in time, pass by pass and vector by vector. */
+            /** @description The drawing over time, pass by pass and vector by vector. */
             timeline: components["schemas"]["Timeline"];
         };
         /**
-         * @description A drawing in time, for a page that lets a person go to any moment of it.
+         * @description The timeline of a drawing, for a page on which a person can move to any moment.
          *
          *     All numbers are millimetres in the base frame (X forward, Y to the left, Z up) and seconds from
-         *     the beginning. Tables are columns of one length, which is far smaller than rows with names.
+         *     the start. Tables are stored as columns of equal length, which is far smaller than named rows.
          *
-         *     **What is at time `t`.** The path is straight from row to row, at even speed. Find the last row
-         *     `i` with `path.t_s[i] <= t` (binary search, the column rises or stays) and go the share
-         *     `(t - t_s[i]) / (t_s[i + 1] - t_s[i])` of the way to row `i + 1`; at the last row the drawing is
-         *     over. The tool is never farther than 0.05 mm from there. On the paper are all lines up to row
-         *     `i`, and the piece from row `i` to the tool if row `i + 1` has ink 1. The pen or the laser leaves
-         *     ink just then if row `i + 1` has ink 1.
+         *     **Position at time `t`.** The path is straight between rows, at constant speed. Find the last
+         *     row `i` with `path.t_s[i] <= t` (binary search; the column never decreases) and interpolate with
+         *     the share `(t - t_s[i]) / (t_s[i + 1] - t_s[i])` to row `i + 1`; the drawing ends at the last
+         *     row. The result is within 0.05 mm of the tool. The paper shows all lines up to row `i`, and the
+         *     piece from row `i` to the tool if row `i + 1` has ink 1. The pen or the laser leaves ink at that
+         *     time if row `i + 1` has ink 1.
          *
-         *     **Which move is it.** Find the last row of `moves` with `from_s <= t`, in the same way: it ends
-         *     where the next one begins, the last one at `duration_s`.
+         *     **Move at time `t`.** Find the last row of `moves` with `from_s <= t` in the same way. A move
+         *     ends when the next one begins, the last one at `duration_s`.
          *
-         *     **What to draw.** Go through the path: a row with ink 2 begins a line (it is a dot, if none
-         *     follows), a row with ink 1 goes on with it, a row with ink 0 ends it. The colour of a line is
-         *     that of its pass (of the move at its time), or comes from `error_mm`.
+         *     **Drawing.** Iterate over the path: a row with ink 2 begins a line (a dot if no other row
+         *     follows), a row with ink 1 continues it, a row with ink 0 ends it. The colour of a line is that
+         *     of its pass (of the move at its time), or derived from `error_mm`.
          */
         Timeline: {
             /**
              * Format: uint32
-             * @description What this looks like: 1. A page refuses what it does not know.
+             * @description The version of this format: 1. A page refuses unknown versions.
              */
             version: number;
             /**
              * Format: double
-             * @description How long the drawing takes.
+             * @description The duration of the drawing.
              */
             duration_s: number;
             /**
              * Format: double
-             * @description How often the arm was looked at; only what is needed is kept in `path`.
+             * @description The sampling interval; `path` contains only the necessary samples.
              */
             tick_s: number;
-            /** @description What holds all of the path: the least and the most of X, Y and Z. */
+            /** @description The bounds of the path: minimum and maximum of X, Y and Z. */
             bounds_mm: number[][];
-            /** @description The passes in their order. */
+            /** @description The passes in order. */
             passes: components["schemas"]["PassFigures"][];
-            /** @description What the tool does, one after the other. */
+            /** @description The moves of the tool, in order. */
             moves: components["schemas"]["Moves"];
-            /** @description Where the tool is, and what it leaves. */
+            /** @description The path of the tool and its ink. */
             path: components["schemas"]["Path"];
         };
-        /** @description The figures of a pass. */
+        /** @description The statistics of a pass. */
         PassFigures: {
-            /** @description What it is called. */
+            /** @description The name. */
             name: string;
-            /** @description Red, green and blue, where the file tells a colour. */
+            /** @description Red, green and blue, if the file specifies a colour. */
             color?: number[] | null;
-            /** @description What draws: `pen` or `laser`. */
+            /** @description The tool: `pen` or `laser`. */
             tool: components["schemas"]["Tool"];
             /**
              * Format: uint
-             * @description How many strokes, each as often as it is drawn.
+             * @description The number of strokes, counting repetitions.
              */
             strokes: number;
             /**
              * Format: uint
-             * @description How many vectors, and so packets.
+             * @description The number of vectors, which is the number of packets.
              */
             vectors: number;
             /**
              * Format: double
-             * @description How long its lines on the paper are, in mm.
+             * @description The length of its lines on the paper, in mm.
              */
             ink_mm: number;
             /**
              * Format: double
-             * @description How far the tool goes without leaving ink, the way to its first stroke included, in mm.
+             * @description The length of the tool's path without ink, including the way to its first stroke, in mm.
              */
             travel_mm: number;
             /**
              * Format: double
-             * @description From the end of the pass before to its own, in seconds.
+             * @description The time from the end of the pass before to its own end, in seconds.
              */
             time_s: number;
             /**
              * Format: double
-             * @description How far its ink lies from the wanted path at most, in mm.
+             * @description The maximum distance of its ink from the wanted path, in mm.
              */
             error_mm: number;
         };
-        /** @description What the tool does, one row for each. */
+        /** @description The moves of the tool, one row each. */
         Moves: {
-            /** @description What the numbers in `kind` mean. */
+            /** @description The names of the numbers in `kind`. */
             kinds: string[];
-            /** @description What it does, as an index in `kinds`. */
+            /** @description The kind of move, as an index in `kinds`. */
             kind: number[];
-            /** @description In which pass, as an index in `passes`. */
+            /** @description The pass, as an index in `passes`. */
             pass: number[];
-            /** @description For which stroke, from 0, counted through all passes. */
+            /** @description The stroke, from 0, counted through all passes. */
             stroke: number[];
-            /** @description When it begins. */
+            /** @description The start time. */
             from_s: number[];
         };
-        /** @description Where the tool is, one row for each moment that matters. */
+        /** @description The path of the tool, one row per relevant moment. */
         Path: {
-            /** @description When. */
+            /** @description The time. */
             t_s: number[];
             /** @description Forward. */
             x_mm: number[];
@@ -5002,63 +5039,64 @@ export interface components {
             y_mm: number[];
             /** @description Up. */
             z_mm: number[];
-            /** @description 0: no ink; 1: a line from the row before to here; 2: a dot, with which a line may begin. */
+            /** @description 0: no ink; 1: a line from the row before; 2: a dot, which may begin a line. */
             ink: number[];
-            /** @description How far the ink here lies from the wanted path; 0 where there is none. */
+            /** @description The distance of the ink from the wanted path; 0 without ink. */
             error_mm: number[];
         };
-        /** @description What of a drawing is to be a job. */
+        /** @description The part of a drawing to be queued as a job. */
         DrawingJob: {
-            /** @description Which part. */
+            /** @description The part. */
             part?: components["schemas"]["DrawingPart"];
         };
-        /** @description What of a drawing a job is to do. */
+        /** @description The part of a drawing that a job draws. */
         DrawingPart: "whole" | "frame";
         /** @description A pen, or a material for the laser. */
         MaterialView: {
             /** @description Its name. */
             name: string;
-            /** @description What draws on it: `pen` or `laser`. */
+            /** @description Its tool: `pen` or `laser`. */
             tool: components["schemas"]["Tool"];
         };
-        /** @description A format of files that can be drawn. */
+        /** @description A file format. */
         Format: {
             /** @description The name, as in `HP-GL`. */
             name: string;
-            /** @description The extensions of its files in lower case, without dots; the usual one first. */
+            /** @description The file name extensions in lower case, without dots; the usual one first. */
             extensions: string[];
             /** @description The MIME type. */
             mime_type: string;
-            /** @description What its files hold. */
+            /** @description The content of its files. */
             contents: components["schemas"]["Contents"];
         };
-        /** @description What the files of a format hold. */
+        /** @description The content of the files of a format. */
         Contents: "page" | "shapes" | "lines" | "picture";
         /** @description A token, without its secret. */
         TokenView: {
-            /** @description Who it is for: 1 to 40 letters, digits, dots, dashes and spaces. */
+            /** @description Its name: 1 to 40 letters, digits, dots, dashes and spaces. */
             name: string;
-            /** @description What its holder may do. */
+            /** @description The role of its holder. */
             role: components["schemas"]["Role"];
             /**
-             * @description Whether it is for several people, each of whom is who he calls himself; any other one is that of one person, by its name.
+             * @description Whether it is shared by several people, each identified by the name that they give; any
+             *     other token belongs to one person, identified by its name.
              * @default false
              */
             shared: boolean;
         };
-        /** @description What a client may do; each role may do what those before it may. */
+        /** @description The role of a client; each role includes the ones before it. */
         Role: "watch" | "queue" | "control" | "admin";
-        /** @description A token that was just made. */
+        /** @description A newly created token. */
         NewToken: {
-            /** @description Who it is for. */
+            /** @description Its name. */
             name: string;
-            /** @description What its holder may do. */
+            /** @description The role of its holder. */
             role: components["schemas"]["Role"];
-            /** @description What the holder shows; nobody is shown it again. */
+            /** @description The secret, which is not shown again. */
             secret: string;
         };
         /**
-         * @description All that can be known of a world at a moment, to be kept, sent and drawn. Lengths are told to a
+         * @description The complete state of a world at a moment, to be stored, sent and drawn. Lengths are rounded to a
          *     thousandth of a millimetre.
          */
         WorldState: {
@@ -5067,9 +5105,9 @@ export interface components {
              * @description The time, in seconds since power-up.
              */
             time_s: number;
-            /** @description Where the arm really is; nothing where it has not been told yet. */
+            /** @description The true state of the arm; `None` before the first update. */
             arm?: components["schemas"]["TrueArm"] | null;
-            /** @description What is mounted at its end. */
+            /** @description The mounted tool. */
             tool: components["schemas"]["WorldTool"];
             /**
              * Format: double
@@ -5078,28 +5116,25 @@ export interface components {
             table_z_mm: number;
             /** @description The paper. */
             paper?: components["schemas"]["Paper"] | null;
-            /** @description The objects, those in the grip where they are now. */
+            /** @description The objects at their current positions. */
             objects: components["schemas"]["WorldObject"][];
-            /**
-             * @description The names of the objects that move with the tool: the one in its grip first, then those
-             *     that stand on it.
-             */
+            /** @description The names of the objects that move with the tool: the gripped one first, then those on it. */
             held: string[];
             /** @description The ink, in the order in which it was drawn. */
             strokes: components["schemas"]["InkStroke"][];
-            /** @description What the laser burned on its way. */
+            /** @description The lines burned by the laser. */
             burns: components["schemas"]["Burn"][];
-            /** @description What the laser burned where it stood. */
+            /** @description The holes burned by the standing laser. */
             holes: components["schemas"]["Hole"][];
             /**
              * Format: uint64
-             * @description How many events there were.
+             * @description The total number of events.
              */
             event_count: number;
-            /** @description The last of them, at most 100, the oldest first. */
+            /** @description The last events, at most 100, oldest first. */
             events: components["schemas"]["Happened"][];
         };
-        /** @description Where an arm really is and what acts at its tool. */
+        /** @description The true pose of an arm and its actuators. */
         TrueArm: {
             /**
              * Format: double
@@ -5138,7 +5173,7 @@ export interface components {
             z_mm: number;
             /**
              * Format: double
-             * @description How the tool is turned in the base frame.
+             * @description The rotation of the tool in the base frame.
              */
             rotation_deg: number;
             /**
@@ -5146,7 +5181,7 @@ export interface components {
              * @description The height of the tip above the table.
              */
             tip_mm: number;
-            /** @description Whether the pump runs. */
+            /** @description Whether the pump is on. */
             pump: boolean;
             /** @description Whether the laser is on. */
             laser: boolean;
@@ -5157,16 +5192,15 @@ export interface components {
             gripper_deg: number;
             /**
              * Format: double
-             * @description How far the fingers of a gripper are apart; 0 with another tool.
+             * @description The opening of a gripper's fingers; 0 with another tool.
              */
             opening_mm: number;
         };
         /**
          * @description The tool of a scene.
          *
-         *     Heights are measured where a person measures them: the arm is lowered until the tip touches the
-         *     table, and the z that the arm tells then is `down_z_mm`. From there the height of the tip above
-         *     the table is z less `down_z_mm`, wherever the wrist and the table really are.
+         *     Heights are measured at the table: lower the arm until the tip touches the table; the z that the
+         *     arm then reports is `down_z_mm`. The height of the tip above the table is z less `down_z_mm`.
          */
         WorldTool: {
             /**
@@ -5176,20 +5210,19 @@ export interface components {
             down_z_mm: number;
             /**
              * Format: double
-             * @description How far the tip may be pressed into something before that counts as a collision: a pen has
-             *     a spring, a cup is soft.
+             * @description The compliance of the tip before a collision is reported: a pen has a spring, a cup is soft.
              */
             give_mm: number;
-            /** @description Which tool it is, and how it acts on the scene. */
+            /** @description The kind of tool. */
             kind: components["schemas"]["ToolAction"];
         };
-        /** @description How a tool acts on the scene. */
+        /** @description The kind of a tool and its effect on the scene. */
         ToolAction: {
             /** @constant */
             type: "pen";
             /**
              * Format: double
-             * @description How wide its line is.
+             * @description The line width.
              */
             width_mm: number;
         } | {
@@ -5197,17 +5230,17 @@ export interface components {
             type: "laser";
             /**
              * Format: double
-             * @description From its tip down to its focus.
+             * @description The distance from its tip down to its focus.
              */
             focus_mm: number;
             /**
              * Format: double
-             * @description How far above and below the focus it still burns.
+             * @description The range above and below the focus in which it burns.
              */
             depth_mm: number;
             /**
              * Format: double
-             * @description Its power, in watts; the protocol knows on and off only.
+             * @description Its power, in watts; the protocol has on and off only.
              */
             power_w: number;
         } | {
@@ -5215,7 +5248,7 @@ export interface components {
             type: "suction_cup";
             /**
              * Format: double
-             * @description How wide it is: it holds only what it covers as a whole.
+             * @description The diameter; it holds only objects that it covers completely.
              */
             diameter_mm: number;
             /**
@@ -5228,12 +5261,12 @@ export interface components {
             type: "gripper";
             /**
              * Format: double
-             * @description Between the fingers with the servo at 0 degrees.
+             * @description The opening with the servo at 0 degrees.
              */
             open_mm: number;
             /**
              * Format: double
-             * @description Between the fingers with the servo at 90 degrees.
+             * @description The opening with the servo at 90 degrees.
              */
             closed_mm: number;
             /**
@@ -5249,29 +5282,29 @@ export interface components {
             /** @description Its corner with the largest X and Y. */
             to_mm: number[];
         };
-        /** @description A thing on the table, or in the grip of the tool. */
+        /** @description An object on the table or held by the tool. */
         WorldObject: {
-            /** @description What it is called; no other object is. */
+            /** @description The unique name. */
             name: string;
-            /** @description Its shape and size. */
+            /** @description The shape and size. */
             shape: components["schemas"]["Shape"];
             /**
              * Format: double
-             * @description What it weighs, in grams.
+             * @description The mass in grams.
              */
             mass_g: number;
-            /** @description Its colour, as `#rrggbb`. */
+            /** @description The colour, as `#rrggbb`. */
             color: string;
-            /** @description Where its middle is. */
+            /** @description The centre. */
             at_mm: number[];
             /**
              * Format: double
-             * @description How it is turned about the vertical, counter-clockwise.
+             * @description The rotation about the vertical, counter-clockwise.
              */
             turn_deg: number;
             /**
              * Format: double
-             * @description How high its underside is above the table.
+             * @description The height of its underside above the table.
              */
             bottom_mm: number;
         };
@@ -5286,12 +5319,12 @@ export interface components {
             type: "cylinder";
             /**
              * Format: double
-             * @description How wide it is.
+             * @description The diameter.
              */
             diameter_mm: number;
             /**
              * Format: double
-             * @description How tall it is.
+             * @description The height.
              */
             height_mm: number;
         };
@@ -5330,11 +5363,11 @@ export interface components {
              */
             time_s: number;
         };
-        /** @description Something that happened, and when. */
+        /** @description An event with its time. */
         Happened: {
             /**
              * Format: double
-             * @description When, in seconds since power-up.
+             * @description The time in seconds since power-up.
              */
             at_s: number;
         } & ({
@@ -5344,7 +5377,7 @@ export interface components {
             object: string;
             /**
              * Format: uint
-             * @description How many others stand on it.
+             * @description The number of objects on it.
              */
             with: number;
         } | {
@@ -5354,12 +5387,12 @@ export interface components {
             object: string;
             /**
              * Format: double
-             * @description What it weighs, with all that stands on it.
+             * @description The mass including all objects on it.
              */
             mass_g: number;
             /**
              * Format: double
-             * @description What the tool lifts.
+             * @description The load limit of the tool.
              */
             lifts_g: number;
         } | {
@@ -5369,7 +5402,7 @@ export interface components {
             object: string;
             /**
              * Format: double
-             * @description How far the cup stands out.
+             * @description The overhang of the cup.
              */
             by_mm: number;
         } | {
@@ -5377,41 +5410,41 @@ export interface components {
             event: "dropped";
             /** @description The object. */
             object: string;
-            /** @description What it came to rest on. */
+            /** @description The object or surface it landed on. */
             onto: string;
             /**
              * Format: double
-             * @description How far it fell.
+             * @description The height of its fall.
              */
             fell_mm: number;
         } | {
             /** @constant */
             event: "collided";
-            /** @description The tool, or the object that it holds. */
+            /** @description The tool or the held object. */
             what: string;
-            /** @description What is in the way. */
+            /** @description The obstacle. */
             with: string;
             /**
              * Format: double
-             * @description How deep.
+             * @description The depth.
              */
             depth_mm: number;
-            /** @description Where. */
+            /** @description The position. */
             at_mm: number[];
         } | {
             /** @constant */
             event: "burns_on_the_spot";
-            /** @description Where. */
+            /** @description The position. */
             at_mm: number[];
             /**
              * Format: double
-             * @description For how long it has by now.
+             * @description The duration until now.
              */
             time_s: number;
         } | {
             /** @constant */
             event: "off_paper";
-            /** @description Where. */
+            /** @description The position. */
             at_mm: number[];
         } | {
             /** @constant */
@@ -5422,47 +5455,51 @@ export interface components {
             /** @description Its TOML text, as those of `examples/scenes`. */
             scene: string;
         };
-        /** @description What is to go wrong. */
+        /** @description The new faults. */
         NewFaults: {
-            /** @description The faults, as `dobot arm --fault` takes them; times count from now. */
+            /** @description The faults, in the format of `dobot arm --fault`; times count from now. */
             faults: string[];
             /**
              * Format: uint64
-             * @description What chance begins with: the same faults with the same seed do the same.
+             * @description The random seed: the same faults with the same seed have the same effect.
              * @default 0
              */
             seed: number;
         };
         /** @description A fleet, as one of its stations sees it. */
         FleetView: {
-            /** @description What the station that tells this is called in the fleet. */
+            /** @description The fleet name of the reporting station. */
             name: string;
             /**
              * Format: double
-             * @description The time since that station started, in seconds.
+             * @description The time since the reporting station started, in seconds.
              */
             at_s: number;
-            /** @description All stations that have been seen, this one among them, by name. */
+            /** @description All stations seen, including this one, by name. */
             members: components["schemas"]["Member"][];
         };
         /** @description A station of a fleet, as another one sees it. */
         Member: {
-            /** @description What it is called, as in `desk-3`. */
+            /** @description The fleet name, as in `desk-3`. */
             name: string;
-            /** @description The number that it goes by as long as its data live, 32 hexadecimal digits: two stations may claim one name. */
+            /**
+             * @description The station's id, 32 hexadecimal digits, valid as long as its data folder exists: two
+             *     stations may claim the same name.
+             */
             id: string;
-            /** @description Whether it is the station that tells this. */
+            /** @description Whether this is the reporting station. */
             here: boolean;
-            /** @description Whether it can be reached. */
+            /** @description Whether the station can be reached. */
             presence: components["schemas"]["Presence"];
             /**
              * Format: double
-             * @description When it was heard last, in seconds since the start of the station that tells this: by no other clock.
+             * @description When it was last heard, in seconds since the reporting station started (no other clock is
+             *     involved).
              */
             heard_at_s: number;
-            /** @description What it is; absent until it has told. */
+            /** @description A description of the station; absent until it has sent one. */
             about?: components["schemas"]["MemberAbout"] | null;
-            /** @description What it told last; absent until it has told anything. */
+            /** @description The last state it sent; absent until it has sent one. */
             state?: components["schemas"]["State"] | null;
         };
         /** @description Whether a station of a fleet can be reached. */
@@ -5475,98 +5512,98 @@ export interface components {
         } | {
             /** @constant */
             type: "refused";
-            /** @description Why, and what to do. */
+            /** @description The reason, and what to do. */
             problem: components["schemas"]["Problem"];
         };
-        /** @description What a station of a fleet is. */
+        /** @description A description of a fleet station. */
         MemberAbout: {
-            /** @description The version of its program. */
+            /** @description The program version. */
             version: string;
-            /** @description Where its own page is, as others reach it; absent where it is for its own machine only. */
+            /** @description The address of its page for other machines; absent if it serves its own machine only. */
             page?: string | null;
-            /** @description The groups that it belongs to, as in `room-2`. */
+            /** @description The station's groups, as in `room-2`. */
             groups: string[];
-            /** @description What it has for work, as in `pen`, `laser`, `a5`. */
+            /** @description The equipment it offers for jobs, as in `pen`, `laser`, `a5`. */
             offers: string[];
-            /** @description Whether its arm is a virtual one. */
+            /** @description Whether its arm is virtual. */
             is_virtual: boolean;
-            /** @description What it does with work of the fleet; absent where it takes none. */
+            /** @description How it handles fleet jobs; absent if it accepts none. */
             takes_work?: components["schemas"]["TakesWork"] | null;
             /**
              * Format: uint16
-             * @description How many virtual arms it gives to those without an arm; absent where it gives none.
+             * @description The number of virtual arms it hosts for members without an arm; absent if none.
              */
             gives_arms?: number | null;
-            /** @description The station that gave this virtual arm to somebody; absent where it is no such arm. */
+            /** @description The station that hosts this virtual arm; absent for any other arm. */
             given_by?: string | null;
         };
-        /** @description What a station does with the work of its fleet. */
+        /** @description How a station handles fleet jobs. */
         TakesWork: "queue" | "start";
-        /** @description Whom to stop. */
+        /** @description A stop of several stations. */
         FleetStop: {
             /**
-             * @description Which stations; all where it is not said.
+             * @description The stations; all if absent.
              * @default all
              */
             to: components["schemas"]["Recipients"];
-            /** @description Why, for those who find their arm stopped. */
+            /** @description The reason, shown at the stopped arms. */
             reason?: string | null;
         };
-        /** @description Which stations of a fleet. */
+        /** @description The stations of a fleet that a request goes to. */
         Recipients: "all" | {
             group: string;
         } | {
             members: string[];
         };
-        /** @description What one station of a fleet answered. */
+        /** @description The answer of one fleet station. */
         MemberAnswer: {
-            /** @description What it is called. */
+            /** @description The fleet name. */
             member: string;
-            /** @description The number that it goes by. */
+            /** @description The station's id. */
             id: string;
-            /** @description Its answer; where none came, a problem says so: what was asked may have been done all the same. */
+            /** @description The answer, or a problem if none came: the request may still have been carried out. */
             answer: components["schemas"]["ApiAnswer"];
             /**
              * Format: double
-             * @description How long the answer took, in milliseconds.
+             * @description The time until the answer, in milliseconds.
              */
             took_ms: number;
         };
-        /** @description What a station answers. */
+        /** @description A station's answer to an API request. */
         ApiAnswer: {
             /**
              * Format: uint16
-             * @description The status of HTTP.
+             * @description The HTTP status.
              */
             status: number;
-            /** @description The body: JSON, a problem where the status is 400 or above, and a text where it is no JSON. */
+            /** @description The body: JSON; a problem if the status is 400 or above; a string if it is not JSON. */
             body: unknown;
         };
-        /** @description A request to several stations at once. */
+        /** @description A request to several stations. */
         FleetRequest: {
-            /** @description Which stations. */
+            /** @description The stations. */
             to: components["schemas"]["Recipients"];
             /** @description The method, as in `POST`. */
             method: string;
             /** @description The path with its query, as in `/api/v1/jobs/pause`. */
             path: string;
             /**
-             * @description The token of a lease of the one station that is asked.
+             * @description The token of a lease, if one station is addressed.
              * @default null
              */
             lease: string | null;
             /**
-             * @description What the sender calls this request.
+             * @description The sender's key of this request.
              * @default null
              */
             key: string | null;
             /**
-             * @description The body, where there is one.
+             * @description The body, if any.
              * @default null
              */
             body: unknown;
         };
-        /** @description A drawing or a program for any arm: one of both. */
+        /** @description A drawing or a program for any arm. */
         FleetWork: {
             /**
              * @description A drawing; the station that takes it plans it for its own arm.
@@ -5574,126 +5611,130 @@ export interface components {
              */
             drawing: components["schemas"]["NewDrawing"] | null;
             /**
-             * @description A job. Its places are those of this station's arm: one that is calibrated otherwise does not take it.
+             * @description A job. Its positions are those of this station's arm: an arm with another calibration
+             *     refuses it.
              * @default null
              */
             job: components["schemas"]["NewJob"] | null;
             /**
-             * @description What an arm has to have for it, as in `["pen", "a5"]`.
+             * @description The features that an arm must offer, as in `["pen", "a5"]`.
              * @default []
              */
             needs: string[];
             /**
-             * @description Whose it is; without it, that of whoever submits it.
+             * @description The student who owns it; by default the caller.
              * @default null
              */
             student: string | null;
             /**
-             * @description The group of that one.
+             * @description The student's group.
              * @default null
              */
             group: string | null;
         };
-        /** @description A drawing or a program that any arm of the fleet may do, once. */
+        /** @description A fleet job: a drawing or a program that one arm of the fleet runs once. */
         WorkView: {
-            /** @description What it goes by: 32 hexadecimal digits. */
+            /** @description The id: 32 hexadecimal digits. */
             id: string;
-            /** @description What a person calls it. */
+            /** @description The title. */
             title: string;
-            /** @description Whose it is. */
+            /** @description The student. */
             student: string;
-            /** @description The group of that one. */
+            /** @description The student's group. */
             group?: string | null;
-            /** @description What an arm has to have for it, as in `pen`, `a5`. */
+            /** @description The equipment the arm must have, as in `pen`, `a5`. */
             needs: string[];
             /**
              * Format: int64
              * @description When it was submitted, in milliseconds since 1970-01-01T00:00:00Z.
              */
             submitted_ms: number;
-            /** @description How far it is. */
+            /** @description The phase. */
             phase: components["schemas"]["WorkPhase"];
             /**
-             * @description Why nobody knows whether it is or will be drawn: it is in doubt, and no other arm gets it until that is known or a
-             *     person decides so.
+             * @description Why it is unknown whether it is or will be drawn: no other arm gets it until that is known
+             *     or a person decides.
              */
             doubt?: string | null;
             /** @description Why it waits, or how it ended. */
             reason?: string | null;
-            /** @description The station that was offered it, or has it. */
+            /** @description The station that was offered it or has it. */
             member?: components["schemas"]["WorkMember"] | null;
-            /** @description The job there, as it was heard of last. */
+            /** @description The job at that station, as last reported. */
             job?: components["schemas"]["JobView"] | null;
-            /** @description The stations from which a person has taken it, and what may have been drawn there. */
+            /** @description The stations from which a person has withdrawn it, and what may have been drawn there. */
             before?: components["schemas"]["WorkBefore"][];
         };
-        /** @description How far work for any arm is. */
+        /** @description The phase of a fleet job. */
         WorkPhase: "waiting" | "offered" | "taken" | "done" | "failed" | "cancelled";
-        /** @description A station that work was offered to. */
+        /** @description A station that a fleet job was offered to. */
         WorkMember: {
-            /** @description What it is called. */
+            /** @description The fleet name. */
             name: string;
-            /** @description The number that it goes by. */
+            /** @description The station's id. */
             id: string;
         };
-        /** @description A station from which a person has taken work that was in doubt or had failed. */
+        /** @description A station from which a person has withdrawn a fleet job that was in doubt or had failed. */
         WorkBefore: {
-            /** @description Which. */
+            /** @description The station. */
             member: components["schemas"]["WorkMember"];
-            /** @description What of it may have been drawn there, in words. */
+            /** @description What may have been drawn there, in words. */
             drawn: string;
-            /** @description Whether that station has answered since, so that nothing more of it is drawn there. */
+            /** @description Whether that station has answered since, so nothing more is drawn there. */
             is_settled: boolean;
         };
-        /** @description Work that a station offers: a drawing or a job. */
+        /** @description A job that a station offers: a drawing or a list of commands. */
         FleetOffer: {
-            /** @description What the station is called. */
+            /** @description The name of the offering station. */
             by: string;
-            /** @description Whose it is. */
+            /** @description The student who owns the job. */
             student: string;
             /** @description A drawing, which is planned here. */
             drawing?: components["schemas"]["NewDrawing"] | null;
             /** @description A job. */
             job?: components["schemas"]["NewJob"] | null;
-            /** @description The calibration of the arm that the job's places are meant for, as ten numbers. */
+            /** @description The calibration of the arm for which the job's positions were computed, as ten numbers. */
             made_for?: number[] | null;
         };
-        /** @description The virtual arms that a station gives to those without an arm. */
+        /** @description The virtual arms that a station hosts for members without an arm. */
         GivenArms: {
             /**
              * Format: uint16
-             * @description So many it gives at a time.
+             * @description The maximum number at a time.
              */
             most: number;
             /**
              * Format: uint64
-             * @description One that nobody looks at ends after so long, in seconds.
+             * @description The time after which an arm that no client watches ends, in seconds.
              */
             unused_s: number;
-            /** @description Those that are given. */
+            /** @description The hosted arms. */
             arms: components["schemas"]["GivenArm"][];
         };
-        /** @description A virtual arm that somebody was given: a station of the fleet like any other one. */
+        /** @description A hosted virtual arm: a fleet station like any other. */
         GivenArm: {
-            /** @description What it is called in the fleet. */
+            /** @description The fleet name. */
             name: string;
-            /** @description Where its page is. */
+            /** @description The address of its page. */
             page: string;
         };
-        /** @description A virtual arm that is wanted. */
+        /** @description A request for a virtual arm. */
         WantedVirtualArm: {
-            /** @description What it is to be called in the fleet: 1 to 40 small letters of English, digits and hyphens, the first one a letter. */
+            /**
+             * @description Its name in the fleet: 1 to 40 lowercase letters a to z, digits and hyphens, beginning with
+             *     a letter.
+             */
             name: string;
         };
-        /** @description What the station sends over the WebSocket. */
+        /** @description A message from the station over the WebSocket. */
         ToClient: {
-            /** @description What the client has to know. */
+            /** @description Information for the client. */
             hello: components["schemas"]["Hello"];
         } | {
             /** @description The state. */
             state: components["schemas"]["State"];
         } | {
-            /** @description What. */
+            /** @description The notice. */
             notice: components["schemas"]["Notice"];
         } | {
             /**
@@ -5709,17 +5750,18 @@ export interface components {
              * @description The number of the request, if it could be read.
              */
             id?: number | null;
-            /** @description What is wrong. */
+            /** @description The problem. */
             problem: components["schemas"]["Problem"];
         };
-        /** @description What a client has to know. */
+        /** @description Information for a client that has connected. */
         Hello: {
             /** @description The client's number. */
             client: components["schemas"]["ClientId"];
-            /** @description What it may do. */
+            /** @description The client's role. */
             role: components["schemas"]["Role"];
             /**
-             * @description By which name time slots know it: that of its token where this is one person's, or else what the client calls itself.
+             * @description The person the client counts as for time slots: the name of its token if the token belongs
+             *     to a person, otherwise the client's name.
              * @default
              */
             person: string;
@@ -5727,49 +5769,50 @@ export interface components {
             version: string;
             /**
              * Format: double
-             * @description How long a jog button stays pressed without being said again, in seconds.
+             * @description The dead-man time: how long a jog button stays pressed without a repeated request, in
+             *     seconds.
              */
             dead_man_s: number;
         };
-        /** @description A packet that has passed between the station and the arm. */
+        /** @description A packet between the station and the arm. */
         PacketView: {
             /** @constant */
             direction: "to_arm";
             /**
              * Format: double
-             * @description When, in seconds since the station started.
+             * @description The time, in seconds since the station started.
              */
             at_s: number;
-            /** @description Its 42 bytes, as hex digits. */
+            /** @description Its 42 bytes, in hexadecimal digits. */
             bytes: string;
-            /** @description What it means, by the dialect of the arm; nothing where it means nothing. */
+            /** @description The command, by the dialect of the arm; absent if it is invalid. */
             command?: components["schemas"]["Command"] | null;
-            /** @description Why it means nothing. */
+            /** @description The reason why it is invalid. */
             problem?: string | null;
         } | {
             /** @constant */
             direction: "from_arm";
             /**
              * Format: double
-             * @description When, in seconds since the station started.
+             * @description The time, in seconds since the station started.
              */
             at_s: number;
-            /** @description Its 42 bytes, as hex digits. */
+            /** @description Its 42 bytes, in hexadecimal digits. */
             bytes: string;
-            /** @description What it means. */
+            /** @description The status. */
             status?: components["schemas"]["Status"] | null;
         };
-        /** @description What a client sends over the WebSocket. */
+        /** @description A message from a client over the WebSocket. */
         FromClient: {
             /**
              * Format: uint64
-             * @description A number by which the client recognises the answer.
+             * @description A number, repeated in the answer.
              */
             id: number;
-            /** @description What it asks for. */
+            /** @description The request. */
             request: components["schemas"]["Request"];
         };
-        /** @description What a client can ask of the station. */
+        /** @description A request to the station. */
         Request: {
             /** @constant */
             type: "command";
@@ -5785,12 +5828,12 @@ export interface components {
             type: "near";
             /**
              * Format: double
-             * @description Forward of the axis of the base, in mm.
+             * @description The distance forward of the base axis, in mm.
              */
             x_mm: number;
             /**
              * Format: double
-             * @description To the left of it, in mm.
+             * @description The distance to the left of the base axis, in mm.
              */
             y_mm: number;
             /**
@@ -5818,15 +5861,15 @@ export interface components {
             button: components["schemas"]["Button"];
             /**
              * Format: float
-             * @description How far, in mm or degrees.
+             * @description The distance, in mm or degrees.
              */
             by: number;
         } | {
             /** @constant */
             type: "stop";
             /**
-             * @description Why, for those who find the arm stopped. What is longer than 200 characters is cut: a stop
-             *     is not refused.
+             * @description The reason, shown while the arm is stopped. Text beyond 200 characters is cut: a stop is
+             *     never refused.
              */
             reason?: string | null;
         } | {
@@ -5844,7 +5887,7 @@ export interface components {
         } | {
             /** @constant */
             type: "grant_lease";
-            /** @description Who gets it. */
+            /** @description The client that gets control. */
             to: components["schemas"]["ClientId"];
         } | {
             /** @constant */
@@ -5852,7 +5895,7 @@ export interface components {
         } | {
             /** @constant */
             type: "lock";
-            /** @description Why, for those who want to move the arm, as in "eyes on me". What is longer than 200 characters is cut. */
+            /** @description The reason, shown to clients, as in "eyes on me". Text beyond 200 characters is cut. */
             message?: string | null;
         } | {
             /** @constant */
@@ -5860,7 +5903,7 @@ export interface components {
         } | {
             /** @constant */
             type: "set_slots";
-            /** @description The slots, in any order: up to 200, none of which overlaps another one. */
+            /** @description The slots, in any order: at most 200, not overlapping. */
             slots: components["schemas"]["TimeSlot"][];
         } | {
             /** @constant */
@@ -5868,14 +5911,14 @@ export interface components {
         } | {
             /** @constant */
             type: "message";
-            /** @description What. What is longer than 200 characters is cut. */
+            /** @description The message. Text beyond 200 characters is cut. */
             text: string;
         } | {
             /** @constant */
             type: "arm_laser";
             /**
              * Format: double
-             * @description For how long, in seconds.
+             * @description The duration, in seconds.
              */
             for_s: number;
         } | {
@@ -5890,7 +5933,7 @@ export interface components {
         } | {
             /** @constant */
             type: "calibrate";
-            /** @description What is known of the arm; nothing takes it to be as drawn. */
+            /** @description The calibration; without one the arm is assumed to match the drawing. */
             calibration?: components["schemas"]["CalibrationFile"] | null;
         } | {
             /** @constant */
@@ -5906,8 +5949,8 @@ export interface components {
             /** @description The job. */
             job: components["schemas"]["NewJob"];
             /**
-             * @description What the sender calls this request, 1 to 64 visible characters: sent again with the same key, it queues no
-             *     other job.
+             * @description The idempotency key, 1 to 64 visible characters: a request repeated with the same key
+             *     queues no second job.
              */
             key?: string | null;
         } | {
@@ -5915,7 +5958,7 @@ export interface components {
             type: "start_job";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The job number.
              */
             job: number;
         } | {
@@ -5923,7 +5966,7 @@ export interface components {
             type: "confirm_job";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The job number.
              */
             job: number;
         } | {
@@ -5931,7 +5974,7 @@ export interface components {
             type: "step_job";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The job number.
              */
             job: number;
         } | {
@@ -5942,7 +5985,7 @@ export interface components {
             type: "set_job_speed";
             /**
              * Format: double
-             * @description In percent of the planned speed.
+             * @description The speed, in percent of the planned speed.
              */
             percent: number;
         } | {
@@ -5950,7 +5993,7 @@ export interface components {
             type: "set_job_height";
             /**
              * Format: double
-             * @description How far above the plan, in millimetres; below 0 is lower.
+             * @description The height offset from the plan, in millimetres; negative is lower.
              */
             offset_mm: number;
         } | {
@@ -5958,7 +6001,7 @@ export interface components {
             type: "cancel_job";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The job number.
              */
             job: number;
         } | {
@@ -5966,12 +6009,12 @@ export interface components {
             type: "queue_again";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The job number.
              */
             job: number;
             /**
-             * @description What the sender calls this request, 1 to 64 visible characters: sent again with the same key, it queues no
-             *     other job.
+             * @description The idempotency key, 1 to 64 visible characters: a request repeated with the same key
+             *     queues no second job.
              */
             key?: string | null;
         } | {
@@ -5979,12 +6022,12 @@ export interface components {
             type: "move_job";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The job number.
              */
             job: number;
             /**
              * Format: uint64
-             * @description The number of the other one; without it the job comes last.
+             * @description The number of the other job; without it, the job moves to the end.
              */
             before?: number | null;
         } | {
@@ -5992,7 +6035,7 @@ export interface components {
             type: "forget_job";
             /**
              * Format: uint64
-             * @description Its number.
+             * @description The job number.
              */
             job: number;
         };
@@ -6014,7 +6057,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description the page, or a file that it is made of */
+            /** @description the page, or one of its files */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -6032,7 +6075,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6044,7 +6087,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6095,7 +6138,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6107,7 +6150,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6160,7 +6203,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6172,7 +6215,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6232,7 +6275,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6244,7 +6287,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6295,7 +6338,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6307,7 +6350,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6358,7 +6401,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6370,7 +6413,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6421,7 +6464,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6433,7 +6476,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6498,7 +6541,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6510,7 +6553,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -6532,10 +6575,10 @@ export interface operations {
                 };
             };
             /**
-             * @description - `job-running`: a job has the arm
-             *     - `detecting`: the arm is finding out its dialect
-             *     - `still-moving`: the arm still moves
-             *     - `lease-gone`: the lease token is not valid any more
+             * @description - `job-running`: a job is using the arm
+             *     - `detecting`: the dialect is being detected
+             *     - `still-moving`: the arm is still moving
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -6564,8 +6607,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-policy`: the text is no policy
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-policy`: the policy is invalid
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -6633,7 +6676,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6645,7 +6688,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6728,7 +6771,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6740,7 +6783,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -6761,7 +6804,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -6789,8 +6832,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-policy`: the text is no policy
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-policy`: the policy is invalid
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -6825,11 +6868,11 @@ export interface operations {
     get_ws: {
         parameters: {
             query?: {
-                /** @description The most states in a second, 0 to 1000; without it every one comes (12.5 in a second, and those with events) */
+                /** @description Maximum number of states per second, 0 to 1000 (default: every state, 12.5 per second and those with events) */
                 states?: number;
-                /** @description Whether notices come; true without it */
+                /** @description Whether to send notices (default: true) */
                 notices?: boolean;
-                /** @description What the client calls itself, in 1 to 60 characters */
+                /** @description Name of the client, 1 to 60 characters */
                 name?: string;
             };
             header?: never;
@@ -6854,7 +6897,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6866,7 +6909,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6938,7 +6981,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -6950,7 +6993,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -6992,7 +7035,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description the figures */
+            /** @description the metrics */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -7010,7 +7053,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -7022,7 +7065,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -7049,9 +7092,9 @@ export interface operations {
     get_events: {
         parameters: {
             query?: {
-                /** @description The most states in a second, 0 to 1000; without it every one comes (12.5 in a second, and those with events) */
+                /** @description Maximum number of states per second, 0 to 1000 (default: every state, 12.5 per second and those with events) */
                 states?: number;
-                /** @description Whether notices come; true without it */
+                /** @description Whether to send notices (default: true) */
                 notices?: boolean;
             };
             header?: never;
@@ -7078,7 +7121,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -7090,7 +7133,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -7153,7 +7196,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -7165,7 +7208,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -7234,7 +7277,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the arm is where the command leads (with `wait`) */
+            /** @description the arm has reached the target (with `wait`) */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -7243,7 +7286,7 @@ export interface operations {
                     "application/json": components["schemas"]["Reply"];
                 };
             };
-            /** @description the command waits for its turn */
+            /** @description the command is queued */
             202: {
                 headers: {
                     [name: string]: unknown;
@@ -7261,7 +7304,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -7273,7 +7316,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -7297,14 +7340,14 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `stopped`: the arm is stopped
-             *     - `still-moving`: the arm still moves
+             *     - `still-moving`: the arm is still moving
              *     - `laser-disarmed`: the laser is disarmed
-             *     - `job-running`: a job has the arm
-             *     - `detecting`: the arm is finding out its dialect
-             *     - `not-reached`: the command was taken, but the arm is not where it leads
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `job-running`: a job is using the arm
+             *     - `detecting`: the dialect is being detected
+             *     - `not-reached`: the arm did not reach the end of the command
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -7333,10 +7376,10 @@ export interface operations {
                 };
             };
             /**
-             * @description - `command`: the command is not sent
+             * @description - `command`: the command cannot be sent
              *     - `policy`: the policy does not allow this
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -7347,7 +7390,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -7406,7 +7449,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the whole way is allowed */
+            /** @description the whole path is allowed */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -7424,7 +7467,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -7436,7 +7479,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -7458,9 +7501,9 @@ export interface operations {
                 };
             };
             /**
-             * @description - `still-moving`: the arm still moves
+             * @description - `still-moving`: the arm is still moving
              *     - `laser-disarmed`: the laser is disarmed
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -7489,10 +7532,10 @@ export interface operations {
                 };
             };
             /**
-             * @description - `command`: the command is not sent
+             * @description - `command`: the command cannot be sent
              *     - `policy`: the policy does not allow this
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -7552,7 +7595,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description what it would be near to, by 20 mm or 5 degrees */
+            /** @description the limits and zones within 20 mm or 5 degrees */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -7570,7 +7613,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -7582,7 +7625,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -7603,7 +7646,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -7632,7 +7675,7 @@ export interface operations {
             };
             /**
              * @description - `policy`: the policy does not allow this
-             *     - `invalid`: a field is not as it has to be
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -7708,7 +7751,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -7720,7 +7763,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -7744,13 +7787,13 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `stopped`: the arm is stopped
-             *     - `still-moving`: the arm still moves
+             *     - `still-moving`: the arm is still moving
              *     - `laser-disarmed`: the laser is disarmed
-             *     - `job-running`: a job has the arm
-             *     - `detecting`: the arm is finding out its dialect
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `job-running`: a job is using the arm
+             *     - `detecting`: the dialect is being detected
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -7779,10 +7822,10 @@ export interface operations {
                 };
             };
             /**
-             * @description - `command`: the command is not sent
+             * @description - `command`: the command cannot be sent
              *     - `policy`: the policy does not allow this
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -7793,7 +7836,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -7856,7 +7899,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -7868,7 +7911,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -7892,8 +7935,8 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `slot`: the arm is reserved for another student
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -7921,7 +7964,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -7978,7 +8021,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the step waits for its turn */
+            /** @description the step is queued */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -7996,7 +8039,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -8008,7 +8051,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -8032,13 +8075,13 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `stopped`: the arm is stopped
-             *     - `still-moving`: the arm still moves
+             *     - `still-moving`: the arm is still moving
              *     - `laser-disarmed`: the laser is disarmed
-             *     - `job-running`: a job has the arm
-             *     - `detecting`: the arm is finding out its dialect
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `job-running`: a job is using the arm
+             *     - `detecting`: the dialect is being detected
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -8067,10 +8110,10 @@ export interface operations {
                 };
             };
             /**
-             * @description - `command`: the command is not sent
+             * @description - `command`: the command cannot be sent
              *     - `policy`: the policy does not allow this
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -8081,7 +8124,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -8148,7 +8191,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -8160,7 +8203,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -8181,7 +8224,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -8209,8 +8252,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             * @description - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -8281,7 +8324,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -8293,7 +8336,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -8315,8 +8358,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `still-moving`: the arm still moves
-             *     - `lease-gone`: the lease token is not valid any more
+             * @description - `still-moving`: the arm is still moving
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -8344,7 +8387,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -8418,7 +8461,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -8430,7 +8473,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -8454,8 +8497,8 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `slot`: the arm is reserved for another student
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -8483,7 +8526,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -8553,7 +8596,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -8565,7 +8608,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -8588,7 +8631,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -8616,7 +8659,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -8669,7 +8712,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description a lease token, for when control is granted */
+            /** @description a lease token, valid when control is granted */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -8687,7 +8730,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -8699,7 +8742,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -8722,8 +8765,8 @@ export interface operations {
             };
             /**
              * @description - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `slot`: the arm is reserved for another student
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -8751,7 +8794,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -8807,7 +8850,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description who has control now */
+            /** @description the new lease holder */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -8825,7 +8868,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -8837,7 +8880,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -8860,10 +8903,10 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
-             *     - `not-asking`: nobody asks for control
+             *     - `not-asking`: the client has not asked for control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `slot`: the arm is reserved for another student
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -8891,7 +8934,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -8962,7 +9005,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -8974,7 +9017,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -8995,7 +9038,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -9022,7 +9065,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -9096,7 +9139,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -9108,7 +9151,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -9129,7 +9172,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -9156,7 +9199,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -9205,7 +9248,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the arm is not locked */
+            /** @description the arm is unlocked */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -9223,7 +9266,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -9235,7 +9278,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -9256,7 +9299,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -9283,7 +9326,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -9341,7 +9384,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -9353,7 +9396,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -9429,7 +9472,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -9441,7 +9484,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -9462,7 +9505,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -9490,8 +9533,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-slots`: the time slots cannot be so
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-slots`: the time slots are invalid
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -9541,7 +9584,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description there are none */
+            /** @description no time slots are left */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -9559,7 +9602,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -9571,7 +9614,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -9592,7 +9635,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -9619,7 +9662,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -9672,7 +9715,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description it is told */
+            /** @description the message is sent */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -9690,7 +9733,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -9702,7 +9745,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -9723,7 +9766,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -9750,7 +9793,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -9808,7 +9851,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -9820,7 +9863,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -9869,7 +9912,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description it is told */
+            /** @description the reported progress */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -9887,7 +9930,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -9900,7 +9943,7 @@ export interface operations {
             };
             /**
              * @description - `role`: the role does not allow this
-             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -9920,7 +9963,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -9947,7 +9990,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -9957,7 +10000,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -10021,7 +10064,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -10033,7 +10076,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -10057,9 +10100,9 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `stopped`: the arm is stopped
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -10088,9 +10131,9 @@ export interface operations {
                 };
             };
             /**
-             * @description - `out-of-range`: a number is not allowed
+             * @description - `out-of-range`: a number is out of range
              *     - `policy`: the policy does not allow this
-             *     - `invalid`: a field is not as it has to be
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -10161,7 +10204,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -10173,7 +10216,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -10197,8 +10240,8 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `slot`: the arm is reserved for another student
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -10226,7 +10269,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -10296,7 +10339,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -10308,7 +10351,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -10332,8 +10375,8 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `slot`: the arm is reserved for another student
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -10361,7 +10404,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -10435,7 +10478,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -10447,7 +10490,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -10471,9 +10514,9 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
-             *     - `job-running`: a job has the arm
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `slot`: the arm is reserved for another student
+             *     - `job-running`: a job is using the arm
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -10501,7 +10544,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -10550,7 +10593,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description what was found, and by which evidence */
+            /** @description the dialect, with the evidence */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10568,7 +10611,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -10580,7 +10623,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -10604,13 +10647,13 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `stopped`: the arm is stopped
-             *     - `still-moving`: the arm still moves
+             *     - `still-moving`: the arm is still moving
              *     - `laser-disarmed`: the laser is disarmed
-             *     - `job-running`: a job has the arm
-             *     - `detecting`: the arm is finding out its dialect
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `job-running`: a job is using the arm
+             *     - `detecting`: the dialect is being detected
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -10639,11 +10682,11 @@ export interface operations {
                 };
             };
             /**
-             * @description - `command`: the command is not sent
+             * @description - `command`: the command cannot be sent
              *     - `policy`: the policy does not allow this
-             *     - `out-of-range`: a number is not allowed
-             *     - `dialect-not-found`: the dialect was not found
-             *     - `invalid`: a field is not as it has to be
+             *     - `out-of-range`: a number is out of range
+             *     - `dialect-not-found`: the dialect could not be detected
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -10654,7 +10697,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -10690,7 +10733,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description what is known */
+            /** @description the calibrations */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10708,7 +10751,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -10720,7 +10763,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -10776,7 +10819,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description what is known now */
+            /** @description the new calibration */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10794,7 +10837,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -10806,7 +10849,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -10828,10 +10871,10 @@ export interface operations {
                 };
             };
             /**
-             * @description - `job-running`: a job has the arm
-             *     - `detecting`: the arm is finding out its dialect
-             *     - `still-moving`: the arm still moves
-             *     - `lease-gone`: the lease token is not valid any more
+             * @description - `job-running`: a job is using the arm
+             *     - `detecting`: the dialect is being detected
+             *     - `still-moving`: the arm is still moving
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -10860,8 +10903,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             * @description - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -10932,7 +10975,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -10944,7 +10987,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -10968,13 +11011,13 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `stopped`: the arm is stopped
-             *     - `still-moving`: the arm still moves
+             *     - `still-moving`: the arm is still moving
              *     - `laser-disarmed`: the laser is disarmed
-             *     - `job-running`: a job has the arm
-             *     - `detecting`: the arm is finding out its dialect
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `job-running`: a job is using the arm
+             *     - `detecting`: the dialect is being detected
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -11003,10 +11046,10 @@ export interface operations {
                 };
             };
             /**
-             * @description - `command`: the command is not sent
+             * @description - `command`: the command cannot be sent
              *     - `policy`: the policy does not allow this
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -11017,7 +11060,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -11112,7 +11155,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description what they tell */
+            /** @description the fit */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -11130,7 +11173,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -11142,7 +11185,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -11163,7 +11206,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -11191,8 +11234,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-touches`: the touches tell no calibration
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-touches`: no calibration fits the touched points
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -11262,7 +11305,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description how it lies */
+            /** @description the paper */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -11280,7 +11323,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -11292,7 +11335,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -11313,7 +11356,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -11341,8 +11384,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-touches`: the touches tell no calibration
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-touches`: no calibration fits the touched points
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -11460,7 +11503,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -11472,7 +11515,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -11493,7 +11536,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -11521,8 +11564,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-touches`: the touches tell no calibration
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-touches`: no calibration fits the touched points
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -11581,7 +11624,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -11593,7 +11636,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -11644,7 +11687,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -11656,7 +11699,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -11683,9 +11726,9 @@ export interface operations {
     get_jobs: {
         parameters: {
             query?: {
-                /** @description How many at the most, 1 to 1000; without it all */
+                /** @description Maximum number of items, 1 to 1000 (default: all) */
                 limit?: number;
-                /** @description The number or name of the last one of the page before; the header Link has the address of the next page */
+                /** @description Number or name of the last item of the previous page; the header Link contains the address of the next page */
                 after?: string;
             };
             header?: never;
@@ -11712,7 +11755,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -11724,7 +11767,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -11735,7 +11778,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `out-of-range`: a number is not allowed */
+            /** @description - `out-of-range`: a number is out of range */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -11781,7 +11824,7 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
-                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                /** @description The sender's key of this request: repeated with the same key it queues no second job and returns the existing one */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -11813,7 +11856,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is queued; the header Location names it */
+            /** @description the job is queued; the header Location contains its path */
             201: {
                 headers: {
                     [name: string]: unknown;
@@ -11831,7 +11874,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -11843,7 +11886,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -11864,7 +11907,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -11892,12 +11935,12 @@ export interface operations {
                 };
             };
             /**
-             * @description - `key-reused`: the key was that of another request
-             *     - `bad-job`: the job cannot be done
+             * @description - `key-reused`: the key was used for another request
+             *     - `bad-job`: the job cannot run
              *     - `policy`: the policy does not allow this
-             *     - `command`: the command is not sent
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             *     - `command`: the command cannot be sent
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -11908,7 +11951,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -11970,7 +12013,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -11982,7 +12025,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -12044,7 +12087,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is over */
+            /** @description the job has ended */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -12062,7 +12105,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -12074,7 +12117,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -12107,9 +12150,9 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `job-phase`: the job does not allow this now
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -12137,7 +12180,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -12206,7 +12249,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -12218,7 +12261,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -12238,7 +12281,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `bad-job`: the job cannot be done */
+            /** @description - `bad-job`: the job cannot run */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -12284,7 +12327,7 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
-                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                /** @description The sender's key of this request: repeated with the same key it queues no second job and returns the existing one */
                 "Idempotency-Key"?: string;
             };
             path: {
@@ -12300,7 +12343,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is queued; the header Location names it */
+            /** @description the job is queued; the header Location contains its path */
             201: {
                 headers: {
                     [name: string]: unknown;
@@ -12318,7 +12361,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -12330,7 +12373,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -12360,7 +12403,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -12388,12 +12431,12 @@ export interface operations {
                 };
             };
             /**
-             * @description - `key-reused`: the key was that of another request
-             *     - `bad-job`: the job cannot be done
+             * @description - `key-reused`: the key was used for another request
+             *     - `bad-job`: the job cannot run
              *     - `policy`: the policy does not allow this
-             *     - `command`: the command is not sent
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             *     - `command`: the command cannot be sent
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -12404,7 +12447,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -12461,7 +12504,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job has its place */
+            /** @description the job is moved */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -12479,7 +12522,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -12491,7 +12534,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -12523,7 +12566,7 @@ export interface operations {
             };
             /**
              * @description - `job-phase`: the job does not allow this now
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -12551,7 +12594,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -12611,7 +12654,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is forgotten */
+            /** @description the job is deleted */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -12629,7 +12672,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -12641,7 +12684,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -12673,7 +12716,7 @@ export interface operations {
             };
             /**
              * @description - `job-phase`: the job does not allow this now
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -12701,7 +12744,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -12779,7 +12822,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -12791,7 +12834,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -12824,16 +12867,16 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `stopped`: the arm is stopped
-             *     - `still-moving`: the arm still moves
+             *     - `still-moving`: the arm is still moving
              *     - `laser-disarmed`: the laser is disarmed
-             *     - `job-running`: a job has the arm
-             *     - `detecting`: the arm is finding out its dialect
+             *     - `job-running`: a job is using the arm
+             *     - `detecting`: the dialect is being detected
              *     - `job-phase`: the job does not allow this now
-             *     - `cannot-resume`: the job cannot be gone on with
+             *     - `cannot-resume`: the job cannot be resumed
              *     - `needs-a-person`: a person has to confirm this
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -12862,11 +12905,11 @@ export interface operations {
                 };
             };
             /**
-             * @description - `command`: the command is not sent
+             * @description - `command`: the command cannot be sent
              *     - `policy`: the policy does not allow this
-             *     - `out-of-range`: a number is not allowed
-             *     - `bad-job`: the job cannot be done
-             *     - `invalid`: a field is not as it has to be
+             *     - `out-of-range`: a number is out of range
+             *     - `bad-job`: the job cannot run
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -12877,7 +12920,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -12933,7 +12976,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job may go on */
+            /** @description the job can be resumed */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -12951,7 +12994,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -12963,7 +13006,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -12987,8 +13030,8 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `slot`: the arm is reserved for another student
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -13016,7 +13059,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -13067,7 +13110,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the step is under way */
+            /** @description the step is running */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -13085,7 +13128,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -13097,7 +13140,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -13130,16 +13173,16 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `stopped`: the arm is stopped
-             *     - `still-moving`: the arm still moves
+             *     - `still-moving`: the arm is still moving
              *     - `laser-disarmed`: the laser is disarmed
-             *     - `job-running`: a job has the arm
-             *     - `detecting`: the arm is finding out its dialect
+             *     - `job-running`: a job is using the arm
+             *     - `detecting`: the dialect is being detected
              *     - `job-phase`: the job does not allow this now
-             *     - `cannot-resume`: the job cannot be gone on with
+             *     - `cannot-resume`: the job cannot be resumed
              *     - `needs-a-person`: a person has to confirm this
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -13168,11 +13211,11 @@ export interface operations {
                 };
             };
             /**
-             * @description - `command`: the command is not sent
+             * @description - `command`: the command cannot be sent
              *     - `policy`: the policy does not allow this
-             *     - `out-of-range`: a number is not allowed
-             *     - `bad-job`: the job cannot be done
-             *     - `invalid`: a field is not as it has to be
+             *     - `out-of-range`: a number is out of range
+             *     - `bad-job`: the job cannot run
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -13183,7 +13226,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -13255,7 +13298,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -13267,7 +13310,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -13291,9 +13334,9 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `no-job-runs`: no job is running
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -13321,7 +13364,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -13383,7 +13426,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job goes at this speed */
+            /** @description the job runs at this speed */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -13401,7 +13444,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -13413,7 +13456,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -13437,12 +13480,12 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `no-job-runs`: no job is running
-             *     - `still-moving`: the arm still moves
+             *     - `still-moving`: the arm is still moving
              *     - `no-vectors`: the job has no vectors
-             *     - `cannot-resume`: the job cannot be gone on with
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `cannot-resume`: the job cannot be resumed
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -13471,8 +13514,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             * @description - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -13526,7 +13569,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is drawn at this height */
+            /** @description the job runs at this height */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -13544,7 +13587,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -13556,7 +13599,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -13580,12 +13623,12 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
-             *     - `slot`: it is the time of somebody else
+             *     - `slot`: the arm is reserved for another student
              *     - `no-job-runs`: no job is running
-             *     - `still-moving`: the arm still moves
+             *     - `still-moving`: the arm is still moving
              *     - `no-vectors`: the job has no vectors
-             *     - `cannot-resume`: the job cannot be gone on with
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `cannot-resume`: the job cannot be resumed
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -13614,9 +13657,9 @@ export interface operations {
                 };
             };
             /**
-             * @description - `out-of-range`: a number is not allowed
+             * @description - `out-of-range`: a number is out of range
              *     - `policy`: the policy does not allow this
-             *     - `invalid`: a field is not as it has to be
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -13670,7 +13713,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description what was found; a program with problems is answered so, too */
+            /** @description the report, also of a program with problems */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -13688,7 +13731,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -13700,7 +13743,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -13721,7 +13764,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -13748,7 +13791,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -13829,7 +13872,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -13841,7 +13884,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -13862,7 +13905,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -13890,9 +13933,9 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-program`: the program cannot be done
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-program`: the program cannot run
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -13965,7 +14008,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -13977,7 +14020,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -13998,7 +14041,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -14026,8 +14069,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-program`: the program cannot be done
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-program`: the program cannot run
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -14065,7 +14108,7 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
-                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                /** @description The sender's key of this request: repeated with the same key it queues no second job and returns the existing one */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -14088,7 +14131,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is queued; the header Location names it */
+            /** @description the job is queued; the header Location contains its path */
             201: {
                 headers: {
                     [name: string]: unknown;
@@ -14106,7 +14149,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -14118,7 +14161,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -14139,7 +14182,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -14167,13 +14210,13 @@ export interface operations {
                 };
             };
             /**
-             * @description - `key-reused`: the key was that of another request
-             *     - `bad-program`: the program cannot be done
-             *     - `bad-job`: the job cannot be done
+             * @description - `key-reused`: the key was used for another request
+             *     - `bad-program`: the program cannot run
+             *     - `bad-job`: the job cannot run
              *     - `policy`: the policy does not allow this
-             *     - `command`: the command is not sent
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             *     - `command`: the command cannot be sent
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -14184,7 +14227,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -14220,9 +14263,9 @@ export interface operations {
     get_recordings: {
         parameters: {
             query?: {
-                /** @description How many at the most, 1 to 1000; without it all */
+                /** @description Maximum number of items, 1 to 1000 (default: all) */
                 limit?: number;
-                /** @description The number or name of the last one of the page before; the header Link has the address of the next page */
+                /** @description Number or name of the last item of the previous page; the header Link contains the address of the next page */
                 after?: string;
             };
             header?: never;
@@ -14249,7 +14292,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -14261,7 +14304,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -14272,7 +14315,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `out-of-range`: a number is not allowed */
+            /** @description - `out-of-range`: a number is out of range */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -14341,7 +14384,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -14353,7 +14396,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -14407,11 +14450,11 @@ export interface operations {
     get_recordings_name_states: {
         parameters: {
             query?: {
-                /** @description From when on, in seconds since the times of the recording begin; 0 without it */
+                /** @description Begin, in seconds since the origin of the recording (default: 0) */
                 from_s?: number;
-                /** @description Until when; without it to the end */
+                /** @description End (default: the end of the recording) */
                 to_s?: number;
-                /** @description How many samples at the most, 2 to 5000; 2000 without it */
+                /** @description Maximum number of samples, 2 to 5000 (default: 2000) */
                 most?: number;
             };
             header?: never;
@@ -14422,7 +14465,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description where the arm was */
+            /** @description the positions of the arm */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -14440,7 +14483,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -14452,7 +14495,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -14472,7 +14515,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `out-of-range`: a number is not allowed */
+            /** @description - `out-of-range`: a number is out of range */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -14545,7 +14588,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description it is being planned; the header Location names it */
+            /** @description the drawing is being planned; the header Location contains its path */
             202: {
                 headers: {
                     [name: string]: unknown;
@@ -14563,7 +14606,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -14575,7 +14618,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -14596,7 +14639,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -14625,7 +14668,7 @@ export interface operations {
             };
             /**
              * @description - `bad-drawing`: it cannot be drawn
-             *     - `invalid`: a field is not as it has to be
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -14636,7 +14679,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -14689,7 +14732,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -14701,7 +14744,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -14745,7 +14788,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description it is forgotten */
+            /** @description the drawing is deleted */
             204: {
                 headers: {
                     [name: string]: unknown;
@@ -14761,7 +14804,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -14773,7 +14816,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -14812,7 +14855,7 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
-                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                /** @description The sender's key of this request: repeated with the same key it queues no second job and returns the existing one */
                 "Idempotency-Key"?: string;
             };
             path: {
@@ -14832,7 +14875,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is queued; the header Location names it */
+            /** @description the job is queued; the header Location contains its path */
             201: {
                 headers: {
                     [name: string]: unknown;
@@ -14850,7 +14893,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -14862,7 +14905,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -14894,7 +14937,7 @@ export interface operations {
             };
             /**
              * @description - `drawing-phase`: the drawing is not planned yet
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -14923,13 +14966,13 @@ export interface operations {
                 };
             };
             /**
-             * @description - `key-reused`: the key was that of another request
+             * @description - `key-reused`: the key was used for another request
              *     - `bad-drawing`: it cannot be drawn
-             *     - `bad-job`: the job cannot be done
+             *     - `bad-job`: the job cannot run
              *     - `policy`: the policy does not allow this
-             *     - `command`: the command is not sent
-             *     - `out-of-range`: a number is not allowed
-             *     - `invalid`: a field is not as it has to be
+             *     - `command`: the command cannot be sent
+             *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -14940,7 +14983,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -15000,7 +15043,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15012,7 +15055,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -15063,7 +15106,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15075,7 +15118,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -15126,7 +15169,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15138,7 +15181,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -15212,7 +15255,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15224,7 +15267,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -15247,7 +15290,7 @@ export interface operations {
             };
             /**
              * @description - `token-taken`: another token has this name
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -15277,7 +15320,7 @@ export interface operations {
             };
             /**
              * @description - `token-name`: no token can have this name
-             *     - `invalid`: a field is not as it has to be
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -15329,7 +15372,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description the tokens that are left */
+            /** @description the remaining tokens */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -15347,7 +15390,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15359,7 +15402,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -15404,7 +15447,7 @@ export interface operations {
     get_world: {
         parameters: {
             query?: {
-                /** @description Of ink and burns only those from this one on, counted from 0; the last one may still grow */
+                /** @description Index of the first line of ink and burns, counted from 0; the last line may still grow */
                 strokes_from?: number;
             };
             header?: never;
@@ -15431,7 +15474,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15443,7 +15486,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -15454,7 +15497,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `not-virtual`: the arm is no virtual one of this station */
+            /** @description - `not-virtual`: the arm is not a virtual arm of this station */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -15516,7 +15559,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15528,7 +15571,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -15550,8 +15593,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `not-virtual`: the arm is no virtual one of this station
-             *     - `lease-gone`: the lease token is not valid any more
+             * @description - `not-virtual`: the arm is not a virtual arm of this station
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -15580,8 +15623,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-scene`: the text is no scene
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-scene`: the scene is invalid
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -15640,7 +15683,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15652,7 +15695,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -15663,7 +15706,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `not-virtual`: the arm is no virtual one of this station */
+            /** @description - `not-virtual`: the arm is not a virtual arm of this station */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -15729,7 +15772,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15741,7 +15784,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -15763,8 +15806,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `not-virtual`: the arm is no virtual one of this station
-             *     - `lease-gone`: the lease token is not valid any more
+             * @description - `not-virtual`: the arm is not a virtual arm of this station
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -15793,8 +15836,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-fault`: that cannot go wrong so
-             *     - `invalid`: a field is not as it has to be
+             * @description - `bad-fault`: the fault is invalid
+             *     - `invalid`: a field is invalid
              */
             422: {
                 headers: {
@@ -15853,7 +15896,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15865,7 +15908,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -15925,7 +15968,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -15937,7 +15980,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -16007,7 +16050,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the answer of each */
+            /** @description the response of each */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -16025,7 +16068,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -16037,7 +16080,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -16070,7 +16113,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -16097,7 +16140,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -16146,7 +16189,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description which stations know of it */
+            /** @description the response of each */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -16164,7 +16207,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -16177,7 +16220,7 @@ export interface operations {
             };
             /**
              * @description - `role`: the role does not allow this
-             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -16206,7 +16249,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -16233,7 +16276,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -16292,7 +16335,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the answer of each */
+            /** @description the response of each */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -16310,7 +16353,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -16322,7 +16365,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -16355,7 +16398,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -16382,7 +16425,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -16440,7 +16483,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -16453,7 +16496,7 @@ export interface operations {
             };
             /**
              * @description - `role`: the role does not allow this
-             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -16473,7 +16516,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -16510,7 +16553,7 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
-                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                /** @description The sender's key of this request: repeated with the same key it queues no second job and returns the existing one */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -16546,7 +16589,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description it waits for an arm */
+            /** @description the job waits for an arm */
             201: {
                 headers: {
                     [name: string]: unknown;
@@ -16564,7 +16607,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -16577,7 +16620,7 @@ export interface operations {
             };
             /**
              * @description - `role`: the role does not allow this
-             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -16606,7 +16649,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /** @description - `lease-gone`: the lease token is no longer valid */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -16633,7 +16676,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -16643,7 +16686,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -16665,7 +16708,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `work-file`: the work cannot be written */
+            /** @description - `work-file`: the fleet job cannot be saved */
             507: {
                 headers: {
                     [name: string]: unknown;
@@ -16687,7 +16730,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description it is cancelled, or is being withdrawn */
+            /** @description the job is cancelled, or is being withdrawn */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -16705,7 +16748,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -16718,7 +16761,7 @@ export interface operations {
             };
             /**
              * @description - `role`: the role does not allow this
-             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -16731,7 +16774,7 @@ export interface operations {
             };
             /**
              * @description - `no-fleet`: this station belongs to no fleet
-             *     - `no-such-work`: there is no such work
+             *     - `no-such-work`: there is no such fleet job
              */
             404: {
                 headers: {
@@ -16741,7 +16784,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `work-phase`: this cannot be done with it now */
+            /** @description - `work-phase`: the fleet job does not allow this now */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -16750,7 +16793,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -16792,7 +16835,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description it waits for another arm */
+            /** @description the job waits for another arm */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -16810,7 +16853,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -16823,7 +16866,7 @@ export interface operations {
             };
             /**
              * @description - `role`: the role does not allow this
-             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -16836,7 +16879,7 @@ export interface operations {
             };
             /**
              * @description - `no-fleet`: this station belongs to no fleet
-             *     - `no-such-work`: there is no such work
+             *     - `no-such-work`: there is no such fleet job
              */
             404: {
                 headers: {
@@ -16846,7 +16889,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `work-phase`: this cannot be done with it now */
+            /** @description - `work-phase`: the fleet job does not allow this now */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -16855,7 +16898,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -16892,7 +16935,7 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
-                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                /** @description The sender's key of this request: repeated with the same key it queues no second job and returns the existing one */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -16925,7 +16968,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description it is taken: the job */
+            /** @description the accepted job */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -16943,7 +16986,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -16955,7 +16998,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              *     - `role`: the role does not allow this
              */
@@ -16986,10 +17029,10 @@ export interface operations {
                 };
             };
             /**
-             * @description - `arm-busy`: the arm has other work
-             *     - `work-refused`: the station does not take this work
+             * @description - `arm-busy`: the arm has another job
+             *     - `work-refused`: the station does not accept this fleet job
              *     - `drawing-phase`: the drawing is not planned yet
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -17017,7 +17060,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -17027,7 +17070,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `too-many`: too much waits already
+             * @description - `too-many`: too many commands are waiting
              *     - `too-many-requests`: too many requests
              */
             429: {
@@ -17071,7 +17114,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description it was taken: the job as it is now */
+            /** @description the accepted job in its current state */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -17089,7 +17132,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -17101,7 +17144,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -17112,7 +17155,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `no-such-work`: there is no such work */
+            /** @description - `no-such-work`: there is no such fleet job */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -17122,8 +17165,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `arm-busy`: the arm has other work
-             *     - `work-refused`: the station does not take this work
+             * @description - `arm-busy`: the arm has another job
+             *     - `work-refused`: the station does not accept this fleet job
              */
             409: {
                 headers: {
@@ -17175,7 +17218,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description it was taken before: the job as it is now */
+            /** @description the accepted job in its current state */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -17193,7 +17236,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -17205,7 +17248,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -17216,7 +17259,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `no-such-work`: there is no such work */
+            /** @description - `no-such-work`: there is no such fleet job */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -17226,8 +17269,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `arm-busy`: the arm has other work
-             *     - `work-refused`: the station does not take this work
+             * @description - `arm-busy`: the arm has another job
+             *     - `work-refused`: the station does not accept this fleet job
              */
             409: {
                 headers: {
@@ -17295,7 +17338,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -17308,7 +17351,7 @@ export interface operations {
             };
             /**
              * @description - `role`: the role does not allow this
-             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -17319,7 +17362,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `gives-no-arms`: this station gives no virtual arms */
+            /** @description - `gives-no-arms`: this station hosts no virtual arms */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -17390,7 +17433,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -17403,7 +17446,7 @@ export interface operations {
             };
             /**
              * @description - `role`: the role does not allow this
-             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -17433,10 +17476,10 @@ export interface operations {
                 };
             };
             /**
-             * @description - `gives-no-arms`: this station gives no virtual arms
+             * @description - `gives-no-arms`: this station hosts no virtual arms
              *     - `name-taken`: another station has this name
-             *     - `all-arms-given`: all virtual arms are given
-             *     - `lease-gone`: the lease token is not valid any more
+             *     - `all-arms-given`: all virtual arms are in use
+             *     - `lease-gone`: the lease token is no longer valid
              */
             409: {
                 headers: {
@@ -17464,7 +17507,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -17515,7 +17558,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description those that are left */
+            /** @description the remaining virtual arms */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -17533,7 +17576,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -17546,7 +17589,7 @@ export interface operations {
             };
             /**
              * @description - `role`: the role does not allow this
-             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -17566,7 +17609,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `gives-no-arms`: this station gives no virtual arms */
+            /** @description - `gives-no-arms`: this station hosts no virtual arms */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -17624,7 +17667,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -17636,7 +17679,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -17648,7 +17691,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `not-built`: the station is built without this
+             * @description - `not-built`: not included in this build
              *     - `unknown-path`: there is nothing at this address
              */
             404: {
@@ -17686,7 +17729,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -17729,7 +17772,7 @@ export interface operations {
                     "text/event-stream": string;
                 };
             };
-            /** @description the message is taken, and nothing is answered to it */
+            /** @description the message is accepted, without a response */
             202: {
                 headers: {
                     [name: string]: unknown;
@@ -17745,7 +17788,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -17757,7 +17800,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -17769,7 +17812,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `not-built`: the station is built without this
+             * @description - `not-built`: not included in this build
              *     - `unknown-path`: there is nothing at this address
              */
             404: {
@@ -17807,7 +17850,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -17850,7 +17893,7 @@ export interface operations {
                     "text/event-stream": string;
                 };
             };
-            /** @description the session is over */
+            /** @description the session has ended */
             202: {
                 headers: {
                     [name: string]: unknown;
@@ -17866,7 +17909,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unauthorised`: this takes a token */
+            /** @description - `unauthorised`: an access token is required */
             401: {
                 headers: {
                     /** @description How to send a token */
@@ -17878,7 +17921,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `forbidden-host`: the station does not go by this name
+             * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
@@ -17890,7 +17933,7 @@ export interface operations {
                 };
             };
             /**
-             * @description - `not-built`: the station is built without this
+             * @description - `not-built`: not included in this build
              *     - `unknown-path`: there is nothing at this address
              */
             404: {
@@ -17928,7 +17971,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /** @description - `invalid`: a field is invalid */
             422: {
                 headers: {
                     [name: string]: unknown;
