@@ -142,7 +142,7 @@ impl fmt::Display for Event {
                 write!(f, "off the paper at {}: it marks the table", place(at_mm))
             }
             Self::Lost => {
-                f.write_str("the position of the arm is unknown: its joint angles are NaN")
+                f.write_str("the position of the arm is unknown: its joint angles are not numbers")
             }
         }
     }
