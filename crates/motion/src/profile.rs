@@ -139,8 +139,8 @@ impl Profile {
     /// Plans like [`new`](Self::new), for valid numbers.
     ///
     /// The speed after accelerating over a distance `d` is `sqrt(v * v + 2 * a * d)`. The curves
-    /// from both ends meet at the peak, whose square is the mean of the squared end speeds plus `a
-    /// * distance`.
+    /// from both ends meet at the peak, whose square is the mean of the squared end speeds plus
+    /// `a * distance`.
     pub(crate) fn plan(distance: f64, start: f64, end: f64, max_speed: f64, a: f64) -> Self {
         if distance == 0.0 {
             return Self::standstill(start.min(end), a);

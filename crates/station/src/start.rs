@@ -198,7 +198,7 @@ impl Station {
         &self.notes
     }
 
-    /// DriverChannels the station: switches the laser off first, finishes the in-flight commands, then closes
+    /// Ends the station: switches the laser off first, finishes the in-flight commands, then closes
     /// the journal and the recording.
     ///
     /// # Errors

@@ -198,6 +198,7 @@ impl Refusal {
     }
 
     /// Returns the problem type and, unless the text itself says what to do, a hint.
+    #[expect(clippy::too_many_lines, reason = "a table")]
     fn row(&self) -> (ProblemKind, Option<Cow<'static, str>>) {
         // table
         let (kind, hint) = match self {

@@ -243,7 +243,7 @@ fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramEr
     ProgramError::merge(mistakes).unwrap_or(first)
 }
 
-fn values<'de>(table: DeTable<'de>) -> impl Iterator<Item = Spanned<DeValue<'de>>> {
+fn values(table: DeTable<'_>) -> impl Iterator<Item = Spanned<DeValue<'_>>> {
     table.into_iter().map(|(_, value)| value)
 }
 

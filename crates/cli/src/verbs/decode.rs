@@ -48,7 +48,7 @@ pub(crate) struct Args {
     /// File, - for standard input, or the bytes as text
     #[arg(required = true)]
     input: Vec<String>,
-    /// SenderOption of the bytes
+    /// Sender of the bytes
     #[arg(long, value_enum, default_value_t)]
     sender: SenderOption,
     /// Protocol dialect: specification or firmware-1.1 (default: show both)

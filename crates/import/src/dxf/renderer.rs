@@ -36,7 +36,7 @@ struct Copy<'l> {
     depth: u32,
     /// The layer of the INSERT, which entities on layer 0 inherit.
     layer: &'l str,
-    /// The line type of the INSERT in upper case, which entities with ByBlock inherit.
+    /// The line type of the INSERT in upper case, which entities with `ByBlock` inherit.
     line_type: &'l str,
 }
 

@@ -501,6 +501,7 @@ fn programs_have_numbers_and_an_end_and_lasers_that_are_switched_with_the_moves(
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn what_would_draw_something_else_is_refused_with_its_place() {
     let word = "expected a word such as G1 or X-2.5 (variables, formulas and subroutines are not supported; expand them in the program that made the file)";
     for (text, expected) in [

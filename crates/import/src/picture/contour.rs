@@ -30,8 +30,8 @@ pub(super) fn contours(tone: &Tone, threshold: f64) -> Vec<Stroke> {
     map.strokes()
 }
 
-/// The successor of each edge. Edge `2 * i` leads from the center of cell `i` to the right, edge `2
-/// * i + 1` down.
+/// The successor of each edge. Edge `2 * i` leads from the center of cell `i` to the right,
+/// edge `2 * i + 1` down.
 struct EdgeMap<'a> {
     tone: &'a Tone,
     threshold: f64,

@@ -350,7 +350,7 @@ mod tests {
         else {
             panic!("a command");
         };
-        let error = readings[0].command.as_ref().unwrap_err().to_string();
+        let error = readings[0].command.expect_err("it is refused").to_string();
         assert!(error.contains("big-endian"), "{error}");
     }
 

@@ -172,7 +172,7 @@ impl Served {
         self.running.fingerprint.as_deref()
     }
 
-    /// DriverChannels it: notifies all clients and finishes pending responses, within three seconds.
+    /// Ends it: notifies all clients and finishes pending responses, within three seconds.
     ///
     /// # Errors
     ///

@@ -44,7 +44,7 @@ fn ip(bytes: &[u8]) -> Option<LaxSlicedPacket<'_>> {
     LaxSlicedPacket::from_ip(bytes).ok()
 }
 
-/// Parses the contents after a header with an EtherType.
+/// Parses the contents after a header with an `EtherType`.
 fn typed(frame: &[u8], type_at: usize, header_len: usize) -> Option<LaxSlicedPacket<'_>> {
     let kind = frame.get(type_at..)?.first_chunk()?;
     let kind = EtherType(u16::from_be_bytes(*kind));
