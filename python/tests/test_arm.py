@@ -473,7 +473,7 @@ def test_an_arm_at_an_address_is_not_used_without_a_watchdog(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(dobot.Failed, match="guards"):
+    with pytest.raises(dobot.Failed, match="no watchdog"):
         dobot.connect("tcp:127.0.0.1:1")
 
 

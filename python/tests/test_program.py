@@ -151,12 +151,12 @@ def test_a_program_that_waits_for_a_person_says_so_and_goes_on() -> None:
         assert arm.status().y_mm == pytest.approx(60, abs=0.5)
         arm.resume(as_person=True)
         assert arm.status().y_mm == pytest.approx(-60, abs=0.5)
-        with pytest.raises(dobot.Failed, match="no job"):
+        with pytest.raises(dobot.Failed, match="no paused job"):
             arm.resume()
         with pytest.raises(dobot.Paused):
             arm.run(program)
         arm.cancel()
-        with pytest.raises(dobot.Failed, match="no job"):
+        with pytest.raises(dobot.Failed, match="no paused job"):
             arm.cancel()
         arm.move_to(220, 0, 20)
 
