@@ -92,7 +92,7 @@ async function createFront() {
     late(client, station, named);
     late(station, client);
   });
-  server.subscribe(0, "127.0.0.1");
+  server.listen(0, "127.0.0.1");
   await once(server, "listening");
   const { port } = server.address();
   // A station answers to its own name only.
@@ -118,7 +118,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
     // A connection that is reset ends the other one, too: the arm takes the next client only when this one is gone.
     for (const [one, other] of [[station, way], [way, station]]) one.on("error", () => {}).on("close", () => other.end());
   });
-  tap.subscribe(0, "127.0.0.1");
+  tap.listen(0, "127.0.0.1");
   await once(tap, "listening");
   // What the station's own virtual arm speaks, it knows.
   const to = virtual ? ["--virtual", "--time-factor", String(speed)] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", personality];

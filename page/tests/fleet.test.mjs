@@ -24,7 +24,7 @@ const errors = [];
 
 /** A port that is free now: the stations of this test meet there, and no others of this machine. */
 async function freePort() {
-  const server = createServer().subscribe(0, "127.0.0.1");
+  const server = createServer().listen(0, "127.0.0.1");
   await once(server, "listening");
   const { port } = server.address();
   server.close();

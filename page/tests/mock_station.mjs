@@ -103,7 +103,7 @@ export async function mockStation(members, answer = () => undefined, submitted =
     }
     return { status: 200, body: path === "/api/v1/jobs" && method === "GET" ? jobsOf(it) : { type: "done" } };
   };
-  server.subscribe(0, "127.0.0.1");
+  server.listen(0, "127.0.0.1");
   await once(server, "listening");
   return {
     asked,

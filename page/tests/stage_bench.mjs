@@ -22,7 +22,7 @@ async function answer(request, response) {
 
 /** A browser with the stage; `webgl` says whether it has WebGL. */
 export async function openStage({ viewport = SIZE, webgl = true, ...options } = {}) {
-  const server = createServer(answer).subscribe(0, "127.0.0.1");
+  const server = createServer(answer).listen(0, "127.0.0.1");
   await once(server, "listening");
   const browser = await launch();
   const context = await visitor(browser, { webgl, viewport, ...options });
