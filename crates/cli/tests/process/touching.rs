@@ -7,7 +7,7 @@ use data_encoding::BASE64;
 use dobot_arm::{Calibration, Joints, Position, Tool};
 use dobot_calibrate::SHEET_POINTS;
 use dobot_geometry::{Point, Stroke, bounds_of_strokes, deviation};
-use dobot_wire::Status;
+use dobot_wire::{Command, Status};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -41,13 +41,8 @@ struct Person {
 impl Person {
     /// Where the tip comes to rest.
     fn sees(&self) -> [f64; 3] {
-        self.sees_for(5)
-    }
-
-    /// Where the tip stays for so many statuses.
-    fn sees_for(&self, statuses: u32) -> [f64; 3] {
         let (mut last, mut same) = (None, 0);
-        while same < statuses {
+        while same < AT_REST {
             let place = tip(&self.next());
             same = if last == Some(place) { same + 1 } else { 0 };
             last = Some(place);
@@ -104,17 +99,38 @@ impl Person {
             }
             self.terminal
                 .types(KEYS[axis][usize::from(away[axis] < 0.0)]);
-            // The arm moves, unless the key came too early.
-            for _ in 0..6 {
-                if tip(&self.next()) != at {
-                    break;
-                }
-            }
+            self.sees_motion_from(at);
         }
         panic!("the tip does not come to {wanted:?}: {:?}", self.sees());
     }
 
-    fn touches(&mut self, [x, y]: [f64; 2]) {
+    /// Waits until a press moves the tip from where it was, unless the press came too early.
+    fn sees_motion_from(&self, place: [f64; 3]) {
+        let (mut is_sent, mut statuses) = (false, 0);
+        while is_sent || statuses < TOO_EARLY {
+            match self.arm.next() {
+                Passed::ToArm(_, Command::MoveJoints(_) | Command::MoveTo(_)) => is_sent = true,
+                Passed::FromArm(_, status) if is_sent && tip(&status) != place => return,
+                Passed::FromArm(..) => statuses += 1,
+                _ => {}
+            }
+        }
+    }
+
+    /// Touches a point of the sheet, and looks whether it was recorded.
+    fn touches(&mut self, number: usize, point: [f64; 2]) {
+        let s = if number == 1 { "" } else { "s" };
+        let recorded = format!("{number} point{s} touched");
+        loop {
+            self.goes_to(point);
+            self.terminal.types("\r");
+            if self.terminal.shows_one_of(&[&recorded, "not touched"]) == 0 {
+                return;
+            }
+        }
+    }
+
+    fn goes_to(&mut self, [x, y]: [f64; 2]) {
         self.presses_up();
         // Not along the limits of the arm.
         for (axis, wanted_mm) in [(0, 215.0), (1, y), (0, x), (2, PAPER_MM + 4.0)] {
@@ -122,9 +138,6 @@ impl Person {
         }
         self.presses([x, y, PAPER_MM + 1.0], 1.0);
         self.presses([x, y, PAPER_MM], 0.1);
-        // A touch is refused while the program takes the arm to move, and on a busy machine it hears of its rest later.
-        self.sees_for(200);
-        self.terminal.types("\r");
     }
 
     /// The tip leaves the paper before it goes to the next point.
@@ -138,6 +151,11 @@ impl Person {
 
 /// More than any way across the sheet takes in steps of a millimetre, on a machine so busy that every other press comes too early.
 const PRESSES: u32 = 2000;
+
+/// The tip is at rest if it stays for so many statuses.
+const AT_REST: u32 = 5;
+/// A press came too early if it sends the arm nothing within so many statuses.
+const TOO_EARLY: u32 = 200;
 
 /// Where the tip truly is.
 fn tip(status: &Status) -> [f64; 3] {
@@ -175,10 +193,14 @@ fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_shou
     };
     // Slowly: the time of this arm passes faster as the person's.
     person.terminal.types("1");
-    for point in &SHEET_POINTS[..5] {
-        person.touches(*point);
+    for (number, point) in (1..).zip(&SHEET_POINTS[..5]) {
+        person.touches(number, *point);
     }
-    person.terminal.types("wwq");
+    person.terminal.types("w");
+    person.terminal.shows_one_of(&["press w again"]);
+    person.terminal.types("w");
+    person.terminal.shows_one_of(&["saved in"]);
+    person.terminal.types("q");
     assert!(person.terminal.ends().success());
     let kept = fs::read_to_string(&found).expect("the calibration was kept");
     assert!(kept.contains("points = 5"), "{kept}");

@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::io::{Read, Write};
+use std::num::NonZero;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
@@ -29,7 +30,11 @@ pub(crate) struct Terminal {
     shown: Receiver<String>,
     /// All that was shown and not asked for yet.
     unread: String,
+    screen: vt100::Parser,
 }
+
+const ROWS: NonZero<u16> = NonZero::new(24).unwrap();
+const COLUMNS: NonZero<u16> = NonZero::new(80).unwrap();
 
 impl Terminal {
     pub(crate) fn new(command: &Command, keyboard: Keyboard) -> Self {
@@ -48,8 +53,8 @@ impl Terminal {
         grantpt(&master).expect("it is ours");
         unlockpt(&master).expect("it is ours");
         let size = Winsize {
-            ws_row: 24,
-            ws_col: 80,
+            ws_row: ROWS.get(),
+            ws_col: COLUMNS.get(),
             ws_xpixel: 0,
             ws_ypixel: 0,
         };
@@ -73,6 +78,7 @@ impl Terminal {
             keys,
             shown,
             unread: String::new(),
+            screen: vt100::Parser::new(ROWS, COLUMNS, 0),
         }
     }
 
@@ -94,10 +100,29 @@ impl Terminal {
                 .shown
                 .recv_timeout(until.saturating_duration_since(Instant::now()))
             {
-                Ok(more) => self.unread.push_str(&more),
+                Ok(more) => self.read(&more),
                 Err(_) => return false,
             }
         }
+    }
+
+    /// Waits until one of the texts is on the screen, and returns its index.
+    pub(crate) fn shows_one_of(&mut self, texts: &[&str]) -> usize {
+        loop {
+            let screen = self.screen.screen().contents();
+            if let Some(index) = texts.iter().position(|text| screen.contains(text)) {
+                return index;
+            }
+            match self.shown.recv_timeout(PATIENCE) {
+                Ok(more) => self.read(&more),
+                Err(_) => panic!("{texts:?} are missing:\n{screen}"),
+            }
+        }
+    }
+
+    fn read(&mut self, more: &str) {
+        self.screen.process(more.as_bytes());
+        self.unread.push_str(more);
     }
 
     /// What keys send.
