@@ -182,8 +182,11 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
 
 /** Confirms the pose and takes control, as a person does. */
 export async function takeControl(page) {
+  // While the 3-D view loads, the page may lose its connection for a moment.
+  await page.waitForSelector("#link-chip[data-tone=good]");
   await page.click("#confirm-pose");
   await page.click("#confirm-yes");
+  await page.waitForSelector("#confirm-pose", { state: "detached" });
   await page.click("#take");
   await page.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
   await page.waitForFunction(() => !document.querySelector("[data-axis=x_plus]").disabled);

@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 
 use clap::error::{ContextKind, ContextValue};
-use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use clap::{Command, CommandFactory, FromArgMatches};
 
 use crate::Cli;
 use crate::failure::{ErrorFormat, print_error};
@@ -28,7 +28,6 @@ pub(crate) fn command() -> Command {
 fn with_short_help(command: Command) -> Command {
     let command = command
         .allow_negative_numbers(true)
-        .mut_args(within_heading)
         .mut_subcommands(with_short_help);
     let Some(long) = command.get_after_help().map(ToString::to_string) else {
         return command;
@@ -40,39 +39,6 @@ fn with_short_help(command: Command) -> Command {
         None => command,
     }
 }
-
-/// Removes the heading of a flattened group from the options after the group.
-fn within_heading(arg: Arg) -> Arg {
-    let ids: &[&str] = match arg.get_help_heading() {
-        Some("Connection") => &CONNECTION,
-        Some("Fleet") => &FLEET,
-        _ => return arg,
-    };
-    if ids.contains(&arg.get_id().as_str()) {
-        arg
-    } else {
-        arg.help_heading(None::<&str>)
-    }
-}
-
-const CONNECTION: [&str; 8] = [
-    "to",
-    "dialect",
-    "policy",
-    "pose_confirmed",
-    "station",
-    "token",
-    "fingerprint",
-    "ca",
-];
-const FLEET: [&str; 6] = [
-    "fleet",
-    "connect",
-    "group",
-    "offers",
-    "takes_work",
-    "virtual_arms",
-];
 
 /// Parses a command line.
 pub(crate) fn parse(
@@ -145,36 +111,11 @@ fn without_far_suggestions(mut error: clap::Error) -> clap::Error {
 
 /// Reports whether a word is probably a misspelling of another one, or its beginning.
 pub(crate) fn is_near(given: &str, meant: &str) -> bool {
-    let plain = |word: &str| -> Vec<char> {
-        word.trim_start_matches('-')
-            .to_lowercase()
-            .chars()
-            .collect()
-    };
+    let plain = |word: &str| word.trim_start_matches('-').to_lowercase();
     let (given, meant) = (plain(given), plain(meant));
-    let is_beginning = given.len() >= 3 && meant.starts_with(&given);
-    is_beginning || distance(&given, &meant) <= (given.len().max(meant.len()) / 3).min(2)
-}
-
-/// The number of letters to insert, remove, replace or swap with their neighbour.
-fn distance(a: &[char], b: &[char]) -> usize {
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            rows[i][j] = if i == 0 || j == 0 {
-                i + j
-            } else {
-                let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-                let best = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    best.min(rows[i - 2][j - 2] + 1)
-                } else {
-                    best
-                }
-            };
-        }
-    }
-    rows[a.len()][b.len()]
+    let [given_len, meant_len] = [&given, &meant].map(|word| word.chars().count());
+    let is_beginning = given_len >= 3 && meant.starts_with(&given);
+    is_beginning || strsim::osa_distance(&given, &meant) <= (given_len.max(meant_len) / 3).min(2)
 }
 
 #[cfg(test)]

@@ -17,7 +17,6 @@ use crate::reach::{Station, client_name, folders};
 
 /// The arm, and the connection to it.
 #[derive(Clone, Debug, clap::Args)]
-#[command(next_help_heading = "Connection")]
 pub(crate) struct To {
     /// The arm's address.
     #[arg(
@@ -26,6 +25,7 @@ pub(crate) struct To {
         value_name = "ADDRESS",
         global = true,
         conflicts_with = "station",
+        help_heading = "Connection",
         help = "Address of the arm: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT",
         long_help = "Address of the arm: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT\n\n\
             Default: the running station, or a virtual arm in this process if no station runs."
@@ -35,13 +35,29 @@ pub(crate) struct To {
     ///
     /// Default for a virtual arm: specification. For a real arm it must be given or detected; until then,
     /// commands that depend on it are refused. A station knows the dialect of its arm.
-    #[arg(long, value_name = "DIALECT", global = true)]
+    #[arg(
+        long,
+        value_name = "DIALECT",
+        global = true,
+        help_heading = "Connection"
+    )]
     pub(crate) dialect: Option<Dialect>,
     /// Safety policy, a TOML file (default: as printed by `dobot policy`); a station has its own
-    #[arg(long, value_name = "FILE", global = true, hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "FILE",
+        global = true,
+        hide_short_help = true,
+        help_heading = "Connection"
+    )]
     pub(crate) policy: Option<PathBuf>,
     /// Confirm the arm's pose without being asked; a person must have looked since it was reset
-    #[arg(long, global = true, hide_short_help = true)]
+    #[arg(
+        long,
+        global = true,
+        hide_short_help = true,
+        help_heading = "Connection"
+    )]
     pub(crate) pose_confirmed: bool,
     #[command(flatten)]
     pub(crate) station: Station,

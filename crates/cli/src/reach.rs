@@ -10,7 +10,6 @@ use crate::failure::Failure;
 
 /// The station, as the options name it.
 #[derive(Clone, Debug, Default, clap::Args)]
-#[command(next_help_heading = "Connection")]
 pub(crate) struct Station {
     #[command(flatten)]
     options: StationOptions,

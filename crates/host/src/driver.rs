@@ -7,11 +7,13 @@ use std::collections::HashMap;
 use std::io;
 use std::time::Duration;
 
-use dobot_api::{CalibrationFile, Calibrations, ClientId, LinkPhase, News, Notice, Reply, Request};
+use dobot_api::{
+    CalibrationFile, Calibrations, ClientId, FleetWideStop, LinkPhase, News, Notice, Reply, Request,
+};
 use dobot_motion::Model;
 use dobot_safety::Policy;
 use dobot_session::Link;
-use dobot_supervisor::{Effect, Refusal, Supervisor};
+use dobot_supervisor::{Effect, Refusal, StoppedBy, Supervisor};
 use dobot_wire::{Dialect, Packet};
 use tokio::runtime::Handle;
 use tokio::sync::{mpsc, oneshot};
@@ -431,39 +433,44 @@ impl Driver {
                 let jobs = self.jobs.clone();
                 jobs.answer_offer(key, ask, model, now_ms(), reply);
             }
-            message @ (Message::FleetStop { .. }
-            | Message::FleetStops { .. }
-            | Message::FleetReset { .. }) => self.handle_fleet(now, message),
+            Message::FleetStop { origin, by, reply } => {
+                let _ = reply.send(self.stop_fleet(now, &origin, by));
+            }
+            Message::FleetStops { stops, reply } => {
+                let _ = reply.send(self.adopt_fleet_stops(now, &stops));
+            }
+            Message::FleetReset { by, reply } => {
+                let _ = reply.send(self.supervisor.handle_fleet_reset(now, &by));
+            }
             Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
             Message::Failed(text) => self.fail(text),
             Message::End => self.end(),
         }
     }
 
-    /// Handles a stop of the fleet, or its end.
-    fn handle_fleet(&mut self, now: Duration, message: Message) {
-        match message {
-            Message::FleetStop { origin, by, reply } => {
-                self.drop_held_start();
-                // With a clock before 1970, the count continues from the last stop.
-                let now_ms = u64::try_from(now_ms()).unwrap_or_default();
-                let stopped = self.supervisor.handle_fleet_stop(now, &origin, by, now_ms);
-                self.send();
-                let _ = reply.send(stopped);
-            }
-            Message::FleetStops { stops, reply } => {
-                let stopped = self.supervisor.handle_fleet_stops(now, &stops);
-                self.send();
-                if stopped.is_some() {
-                    self.drop_held_start();
-                }
-                let _ = reply.send((self.supervisor.state().fleet_stops, stopped));
-            }
-            Message::FleetReset { by, reply } => {
-                let _ = reply.send(self.supervisor.handle_fleet_reset(now, &by));
-            }
-            _ => {}
+    /// Stops the whole fleet from here. Returns the stop, and how this arm stops.
+    fn stop_fleet(&mut self, now: Duration, origin: &str, by: StoppedBy) -> (FleetWideStop, Reply) {
+        self.drop_held_start();
+        // With a clock before 1970, the count continues from the last stop.
+        let now_ms = u64::try_from(now_ms()).unwrap_or_default();
+        let stopped = self.supervisor.handle_fleet_stop(now, origin, by, now_ms);
+        self.send();
+        stopped
+    }
+
+    /// Adopts the fleet-wide stops of another station. Returns those known here, and how this arm stops
+    /// if a stop holds it.
+    fn adopt_fleet_stops(
+        &mut self,
+        now: Duration,
+        stops: &[FleetWideStop],
+    ) -> (Vec<FleetWideStop>, Option<Reply>) {
+        let stopped = self.supervisor.handle_fleet_stops(now, stops);
+        self.send();
+        if stopped.is_some() {
+            self.drop_held_start();
         }
+        (self.supervisor.state().fleet_stops, stopped)
     }
 
     fn set_policy(

@@ -225,7 +225,7 @@ impl Agents {
     }
 
     #[tool(
-        description = "Stops the arm, whoever has control. It stays stopped until a person has checked it and resets the stop.",
+        description = "Stops the arm, with or without control. It stays stopped until a person has checked it and resets the stop.",
         input_schema = schema::<StopArguments>(),
         annotations(idempotent_hint = true)
     )]

@@ -132,7 +132,7 @@ pub(crate) async fn gripper(
     ))
 }
 
-/// Stops the arm, whoever has control, and returns a text with the time until it is at rest.
+/// Stops the arm, with or without control, and returns a text with the time until it is at rest.
 pub(crate) async fn stop(station: &mut StationClient, reason: &str) -> Result<String, String> {
     let reason = Some(reason.to_owned());
     let reply = station.request(Request::Stop { reason }).await;

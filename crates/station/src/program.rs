@@ -26,7 +26,7 @@ pub enum ProgramNews {
     },
     /// The virtual serial port has a new name: a killed program left the old one locked.
     PortMoved(PathBuf),
-    /// No program can connect for now; this is retried.
+    /// The port accepts no connections; it is retried.
     Trouble(String),
 }
 

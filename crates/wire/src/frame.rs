@@ -1,5 +1,7 @@
 //! The frame: ten floats between two delimiters.
 
+use crate::table::whole_number;
+
 /// Ten floats, numbered from 1 as in the tables (Tables 2.1 and 2.3).
 ///
 /// A frame judges nothing: every bit pattern of every float survives the way from bytes to frame
@@ -78,7 +80,8 @@ impl Frame {
         let [state, ..] = swapped;
         let is_sent =
             |float: &f32| *float == 0.0 || (SMALLEST_SENT..LARGEST_SENT).contains(&float.abs());
-        (STATES.contains(&state) && swapped.iter().all(is_sent)).then_some(state)
+        let is_state = matches!(whole_number(state), Some(1..=10));
+        (is_state && swapped.iter().all(is_sent)).then_some(state)
     }
 
     /// Whether a window begins and ends as a frame does.
@@ -109,9 +112,6 @@ pub const HEADER: u8 = 0xA5;
 pub const TAIL: u8 = 0x5A;
 
 const FLOATS: usize = 10;
-
-/// The states of Table 2.2 as floats.
-const STATES: [f32; 10] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0];
 
 /// No command needs a value nearer to 0, or as large.
 const SMALLEST_SENT: f32 = 1e-4;

@@ -11,13 +11,25 @@ pub struct StationOptions {
     ///
     /// If absent, the environment variable `DOBOT_STATION` is used, then the station running on
     /// this machine: the one with this user's data folder, or the one at port 8642.
-    #[arg(id = "station", long = "station", value_name = "URL", global = true)]
+    #[arg(
+        id = "station",
+        long = "station",
+        value_name = "URL",
+        global = true,
+        help_heading = "Connection"
+    )]
     address: Option<String>,
     /// Access token, required for more than watching; prefer the environment variable `DOBOT_TOKEN`
-    #[arg(long, value_name = "TOKEN", global = true, hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "TOKEN",
+        global = true,
+        hide_short_help = true,
+        help_heading = "Connection"
+    )]
     token: Option<String>,
     /// SHA-256 digest of the station's certificate, printed when the station starts
-    #[arg(long, value_name = "DIGEST", global = true, hide_short_help = true, value_parser = fingerprint)]
+    #[arg(long, value_name = "DIGEST", global = true, hide_short_help = true, help_heading = "Connection", value_parser = fingerprint)]
     fingerprint: Option<[u8; 32]>,
     /// PEM file with the certificate of the authority that issued the station's certificate
     #[arg(
@@ -25,6 +37,7 @@ pub struct StationOptions {
         value_name = "FILE",
         global = true,
         hide_short_help = true,
+        help_heading = "Connection",
         conflicts_with = "fingerprint"
     )]
     ca: Option<PathBuf>,

@@ -24,7 +24,7 @@ Examples:
   dobot lease take --for 600     keep control for ten minutes, or until Ctrl-C
   dobot lease ask                request control, wait, and keep it until Ctrl-C
   dobot lease laser --for 600    keep control with the laser armed; wear goggles
-  dobot lease release            free control, whoever has it (administrators)
+  dobot lease release            end the control of any client (administrators)
 
 One client at a time has control; all clients may watch and may stop the arm.
 Control ends when its client ends. Commands that move the arm take control while
@@ -53,7 +53,7 @@ enum Action {
     Ask,
     /// Take control from its holder, and keep it until Ctrl-C (administrators)
     Seize,
-    /// Free control, whoever has it (administrators)
+    /// End the control of any client (administrators)
     Release,
     /// Take control and arm the laser, for a time or until Ctrl-C
     Laser {

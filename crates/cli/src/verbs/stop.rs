@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
 
-/// Stop the arm, whoever has control, or clear a stop
+/// Stop the arm, with or without control, or clear a stop
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:

@@ -131,16 +131,16 @@ fn a_default_that_does_nothing_for_this_drawing_is_left_out_and_told() {
             json!(["hatch", "hatch-angle", "kerf", "gap"])
         )
     );
-    let told = desk.draw(&[&square]).succeeds().stdout;
+    let report = desk.draw(&[&square]).succeeds().stdout;
     assert!(
-        told.contains("defaults           hatch, hatch-angle (of "),
-        "{told}"
+        report.contains("defaults           hatch, hatch-angle (of "),
+        "{report}"
     );
     assert!(
-        told.contains("kerf: it has no effect without --laser"),
-        "{told}"
+        report.contains("kerf: it has no effect without --laser"),
+        "{report}"
     );
-    assert!(told.contains("shade: it is for pictures"), "{told}");
+    assert!(report.contains("shade: it is for pictures"), "{report}");
 }
 
 #[test]

@@ -116,8 +116,8 @@ fn a_photo_and_a_text_become_ink_with_one_line_each() {
         assert!(number(&report(&outcome.stdout), "drawn_mm") > 50.0);
     }
     for blank in ["", " ", "\\n"] {
-        let told = ["error: text: ", "nothing to draw"];
-        dobot(&["draw", "--text", blank]).fails(1, &told);
+        let expected = ["error: text: ", "nothing to draw"];
+        dobot(&["draw", "--text", blank]).fails(1, &expected);
     }
 }
 
@@ -146,7 +146,7 @@ fn several_files_and_a_text_go_on_one_sheet() {
     let pages = drawn(&["--layers", "color"]);
     assert_eq!(ink(&pages), (80.0, 20.0));
     assert_eq!(number(&pages, "drawn_mm").round(), 40.0);
-    let layers = pages["layers"].as_array().expect("they are told");
+    let layers = pages["layers"].as_array().expect("the report lists them");
     let names: Vec<_> = layers.iter().map(|it| it["name"].as_str()).collect();
     assert_eq!(names, [Some("red"), Some("blue")]);
     assert_eq!(ink(&drawn(&["--grid", "2x1", "--gap", "30"])), (30.0, 20.0));
@@ -211,11 +211,11 @@ fn a_timeline_tells_every_moment_of_the_drawing() {
     let arguments = ["draw", &example("rosette.svg"), "--dry-run", "--json"];
     let outcome = dobot(&[&arguments[..], &["--timeline", file_text]].concat()).succeeds();
     let timeline = report(&fs::read_to_string(&file).expect("it was written"));
-    let told = report(&outcome.stdout);
-    let estimated_s = number(&told, "estimated_s");
-    // The timeline begins on the paper, and what is told is the way there, too.
-    assert!(estimated_s > number(&timeline, "duration_s"), "{told}");
-    let late_s = estimated_s - number(&told, "planned_s");
+    let summary = report(&outcome.stdout);
+    let estimated_s = number(&summary, "estimated_s");
+    // The timeline begins on the paper, and the report includes the way there, too.
+    assert!(estimated_s > number(&timeline, "duration_s"), "{summary}");
+    let late_s = estimated_s - number(&summary, "planned_s");
     assert!((0.0..1.0).contains(&late_s), "{late_s}");
     let moments = timeline["path"]["t_s"].as_array().expect("a column");
     assert_eq!(moments.last(), Some(&timeline["duration_s"]));
@@ -227,8 +227,8 @@ fn a_drawing_that_the_policy_refuses_is_told_with_what_a_person_can_do_about_a_d
     // Within reach, and beyond where the laser may burn.
     let beyond = ["--at", "180", "-198", "--scale", "0.3", "--dry-run"];
     let draw = ["draw", &square, "--laser", "paper-engrave", "--no-defaults"];
-    let told = dobot(&[&draw[..], &beyond].concat());
-    told.fails(
+    let refused = dobot(&[&draw[..], &beyond].concat());
+    refused.fails(
         1,
         &["laser.area allows -200 to 200 mm", "--at", "dobot policy"],
     );
@@ -254,9 +254,9 @@ fn a_drawing_that_the_policy_refuses_is_told_with_what_a_person_can_do_about_a_d
         ),
     ] {
         let draw = ["draw", &square, "--no-defaults", "--dry-run"];
-        let told = dobot(&[&draw[..], options].concat());
-        let told = told.fails(1, &[rule, helps, "dobot policy"]);
-        assert!(!told.stderr.contains("--at"), "{}", told.stderr);
+        let refused = dobot(&[&draw[..], options].concat());
+        let refused = refused.fails(1, &[rule, helps, "dobot policy"]);
+        assert!(!refused.stderr.contains("--at"), "{}", refused.stderr);
     }
 }
 
@@ -287,8 +287,8 @@ fn the_laser_burns_materials_and_the_pen_does_not() {
         ("--pen", "biro", "ballpoint", "plywood-engrave"),
         ("--laser", "steel", "plywood-engrave", "ballpoint"),
     ] {
-        let told = dobot(&["draw", &square, option, other]).fails(2, &[other, kind]);
-        assert!(!told.stderr.contains(not), "{}", told.stderr);
+        let refused = dobot(&["draw", &square, option, other]).fails(2, &[other, kind]);
+        assert!(!refused.stderr.contains(not), "{}", refused.stderr);
     }
     dobot(&["draw", "--card", "5,10"]).fails(2, &["--laser"]);
     let card = [
@@ -373,13 +373,13 @@ fn no_output_is_written_over_the_drawing_or_over_another_one() {
     for name in &names {
         for option in ["--export", "--picture", "--timeline"] {
             let refused = dobot(&[&draw[..], &[option, name]].concat());
-            let told = format!("{option} would overwrite {name}, which is also the drawing");
-            refused.fails(2, &[&told, "name another file"]);
+            let expected = format!("{option} would overwrite {name}, which is also the drawing");
+            refused.fails(2, &[&expected, "name another file"]);
         }
     }
     let both = ["--picture", &new, "--export", &new];
-    let told = format!("--export would overwrite {new}, which is also --picture");
-    dobot(&[&draw[..], &both].concat()).fails(2, &[&told]);
+    let expected = format!("--export would overwrite {new}, which is also --picture");
+    dobot(&[&draw[..], &both].concat()).fails(2, &[&expected]);
     let kept = fs::read_to_string(&drawing).expect("it is there");
     assert_eq!(kept, text);
     assert!(!Path::new(&new).exists());
@@ -475,11 +475,11 @@ fn what_will_be_drawn_is_written_for_other_programs() {
         "--export",
         name,
     ];
-    let told = dobot_reading(&asked, svg.as_bytes()).succeeds();
-    let told = report(&told.stdout);
-    assert_eq!(told["warnings"][0]["what"], "cut line");
-    assert_eq!(told["layers"][0]["strokes"], 2);
-    assert_eq!(told["sheet_mm"][0][1], 105.0);
+    let outcome = dobot_reading(&asked, svg.as_bytes()).succeeds();
+    let summary = report(&outcome.stdout);
+    assert_eq!(summary["warnings"][0]["what"], "cut line");
+    assert_eq!(summary["layers"][0]["strokes"], 2);
+    assert_eq!(summary["sheet_mm"][0][1], 105.0);
     let written = std::fs::read_to_string(&file).expect("it was written");
     assert!(
         written.contains("width=\"210mm\" height=\"148mm\""),
@@ -496,7 +496,10 @@ fn what_will_be_drawn_is_written_for_other_programs() {
     ])
     .succeeds();
     let again = number(&report(&again.stdout), "drawn_mm");
-    assert!((again - number(&told, "drawn_mm")).abs() < 0.01, "{again}");
+    assert!(
+        (again - number(&summary, "drawn_mm")).abs() < 0.01,
+        "{again}"
+    );
     dobot(&["draw", name, "--dry-run", "--export", "plan.png"]).fails(2, &[".gcode"]);
 }
 
@@ -547,7 +550,7 @@ fn a_terminal_is_told_what_is_done_and_hours_before_they_are_planned() {
     terminal.shows("warning: this takes about");
     terminal.shows("h planned");
     assert!(terminal.ends().success());
-    // A program is told the time when it is known, and nothing before.
+    // A program receives the time when it is known, and nothing before.
     let outcome = dobot(&draw).succeeds();
     assert!(
         outcome.stderr.starts_with("warning: this takes about"),
@@ -628,10 +631,10 @@ fn a_file_behind_an_option_that_takes_numbers_is_told_as_that() {
 fn what_does_nothing_is_told() {
     let square = example("square.svg");
     let hatched = dobot(&["draw", &square, "--hatch", "--dry-run"]).succeeds();
-    let told = "warning: 1 hatching without filled areas: nothing is hatched";
-    assert!(hatched.stderr.contains(told), "{}", hatched.stderr);
+    let expected = "warning: 1 hatching without filled areas: nothing is hatched";
+    assert!(hatched.stderr.contains(expected), "{}", hatched.stderr);
     let photo = example("still-life.jpg");
-    for (arguments, told) in [
+    for (arguments, expected) in [
         (
             &["draw", &square, "--gap", "9"][..],
             "--gap has no effect without --grid or --text",
@@ -645,7 +648,7 @@ fn what_does_nothing_is_told() {
             "--levels has no effect without --shade hatch or outline",
         ),
     ] {
-        dobot(arguments).fails(2, &[told]);
+        dobot(arguments).fails(2, &[expected]);
     }
 }
 
@@ -767,11 +770,11 @@ fn an_input_that_never_ends_is_not_read_for_ever() {
     outcome.fails(1, &[&["standard input"], &most[..]].concat());
     for option in ["--defaults", "--materials", "--policy", "--calibration"] {
         let square = example("square.svg");
-        let told = [
+        let expected = [
             "/dev/zero",
             "more than 1 MB",
             "check that it is the right file",
         ];
-        dobot(&["draw", &square, "--dry-run", option, "/dev/zero"]).fails(1, &told);
+        dobot(&["draw", &square, "--dry-run", option, "/dev/zero"]).fails(1, &expected);
     }
 }

@@ -56,12 +56,12 @@ fn without_a_person_a_real_arm_moves_and_burns_nothing_that_nobody_has_allowed()
         &["detect"],
         &burn[..2],
     ] {
-        let told = [
+        let expected = [
             "resets a stock arm",
             "standard input is no terminal",
             "--pose-confirmed",
         ];
-        dobot(&[moving, &to].concat()).fails(1, &told);
+        dobot(&[moving, &to].concat()).fails(1, &expected);
     }
     let unarmed = [
         "draw",
@@ -168,16 +168,16 @@ fn draw_square(address: &str) -> Outcome {
 
 #[test]
 fn an_arm_that_falls_silent_before_a_drawing_gets_laser_off_all_the_same() {
-    let (tell, told) = mpsc::channel();
+    let (sender, received) = mpsc::channel();
     let address = peer(move |mut stream| {
         // One status, never another one; and then everything that comes.
         stream.write_all(&status()).expect("it is open");
         let mut bytes = Vec::new();
         let _ = stream.read_to_end(&mut bytes);
-        let _ = tell.send(bytes);
+        let _ = sender.send(bytes);
     });
     draw_square(&address).fails(1, &["no valid status"]);
-    let commands = commands(&told.recv().expect("the peer tells"));
+    let commands = commands(&received.recv().expect("the peer sends"));
     let last = commands.last().expect("something was sent");
     assert!(is_laser_off(last), "{commands:?}");
 }

@@ -46,7 +46,7 @@ fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
     let log = stopped_and_ended(station, &folder, errors);
     let events = events(&log);
     let stop = events.iter().find(|it| it["news"] == "Stopped");
-    let stop = stop.unwrap_or_else(|| panic!("no stop is told: {log}"));
+    let stop = stop.unwrap_or_else(|| panic!("no stop is logged: {log}"));
     assert_eq!(
         (&stop["level"], &stop["target"]),
         (&"WARN".into(), &"dobot_host::driver::log".into())
@@ -87,9 +87,9 @@ fn a_service_that_cannot_start_logs_why_and_what_to_do() {
     let events = events(&outcome.stderr);
     let last = events.last().expect("it says why");
     assert_eq!(last["level"], "ERROR");
-    let told = |field: &str| last[field].as_str().unwrap_or_default().to_owned();
-    assert!(told("message").contains("nowhere.toml"), "{last}");
-    assert!(told("hint").contains("dobot policy check"), "{last}");
+    let field_of = |field: &str| last[field].as_str().unwrap_or_default().to_owned();
+    assert!(field_of("message").contains("nowhere.toml"), "{last}");
+    assert!(field_of("hint").contains("dobot policy check"), "{last}");
 }
 
 #[test]

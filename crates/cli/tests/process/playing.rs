@@ -135,9 +135,9 @@ fn every_problem_of_a_program_is_told_with_its_line_before_anything_moves() {
     for verb in ["play", "check"] {
         let outcome = dobot(&[verb, &file.path()]);
         assert_eq!(outcome.code, Some(1), "{outcome:?}");
-        let told = format!("{}{}", outcome.stdout, outcome.stderr);
+        let output = format!("{}{}", outcome.stdout, outcome.stderr);
         for part in parts {
-            assert!(told.contains(part), "{verb}: {part} is missing: {told}");
+            assert!(output.contains(part), "{verb}: {part} is missing: {output}");
         }
     }
 }
@@ -214,10 +214,10 @@ fn what_another_form_cannot_carry_is_told() {
         "[[steps]]\ngo = { base = 0, rear = 40, fore = 40 }\nsuction = true\n[[steps]]\nwait = \"put a cube down\"\n",
     );
     let points = file.folder.path().join("points.xml").display().to_string();
-    let told = dobot(&["convert", &file.path(), &points]).succeeds().stderr;
+    let output = dobot(&["convert", &file.path(), &points]).succeeds().stderr;
     assert!(
-        told.contains("warning: ") && told.contains("line 4"),
-        "{told}"
+        output.contains("warning: ") && output.contains("line 4"),
+        "{output}"
     );
 }
 

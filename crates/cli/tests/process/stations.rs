@@ -41,7 +41,7 @@ fn a_thousand_times_as_fast_no_status_is_lost_and_a_drawing_of_minutes_takes_no_
     let log = up.dobot(&["log", "--json"]).succeeds();
     let file: Value =
         serde_json::from_str(log.stdout.lines().next().expect("a recording")).expect("it is JSON");
-    let told = up
+    let output = up
         .dobot(&[
             "log",
             file["file"].as_str().expect("a path"),
@@ -50,7 +50,7 @@ fn a_thousand_times_as_fast_no_status_is_lost_and_a_drawing_of_minutes_takes_no_
             "--json",
         ])
         .succeeds();
-    let last: Value = serde_json::from_str(told.stdout.lines().rev().nth(1).expect("states"))
+    let last: Value = serde_json::from_str(output.stdout.lines().rev().nth(1).expect("states"))
         .expect("it is JSON");
     let link = &last["message"]["link"];
     assert_eq!(
@@ -119,11 +119,11 @@ fn control_that_is_asked_for_comes_when_its_holder_ends() {
 #[test]
 fn students_get_their_time_one_after_the_other_and_all_of_it_is_cleared() {
     let up = Up::new(&[]);
-    let told = |arguments: &[&str]| up.dobot(arguments).succeeds().stdout;
+    let output = |arguments: &[&str]| up.dobot(arguments).succeeds().stdout;
     let free = "no time slots; the arm is free for everyone\n";
-    assert_eq!(told(&["slots"]), free);
+    assert_eq!(output(&["slots"]), free);
     assert_eq!(
-        told(&["slots", "--each", "15m", "--group", "red", "Anna", "Ben"]),
+        output(&["slots", "--each", "15m", "--group", "red", "Anna", "Ben"]),
         "Anna (red)  now, 15:00 min left\nBen (red)  in 15:00 min, for 15:00 min\n"
     );
     let slots = up.json(&["slots"]);
@@ -131,10 +131,10 @@ fn students_get_their_time_one_after_the_other_and_all_of_it_is_cleared() {
     // What cannot be changes nothing.
     up.dobot(&["slots", "--each", "13h", "Anna", "Ben"])
         .fails(1, &["ends_in_s of Ben is 93600", "86400"]);
-    assert!(told(&["slots"]).starts_with("Anna (red)  now"));
+    assert!(output(&["slots"]).starts_with("Anna (red)  now"));
     // On this machine everyone is an administrator, in everybody's time.
     up.dobot(&["move", "220", "0", "20"]).succeeds();
-    assert_eq!(told(&["slots", "--clear"]), free);
+    assert_eq!(output(&["slots", "--clear"]), free);
 }
 
 #[test]
@@ -219,8 +219,11 @@ fn a_laser_that_is_not_armed_is_told_before_anything_is_queued() {
     assert_eq!(up.json(&["jobs"]), Value::Array(Vec::new()));
     let burned = up.dobot(&[&burn[..], &["--arm-laser", "600"]].concat());
     // No status tells where the laser was on.
-    let told = burned.succeeds().stdout;
-    assert!(told.contains("largest deviation  not measured"), "{told}");
+    let output = burned.succeeds().stdout;
+    assert!(
+        output.contains("largest deviation  not measured"),
+        "{output}"
+    );
 }
 
 #[test]
@@ -267,15 +270,15 @@ fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
     let (drawing, mut errors) = RunningProcess::with_errors(up.command(&burn));
     up.runs_a_job();
     assert_eq!(drawing.interrupt(), Some(1));
-    let mut told = String::new();
-    errors.read_to_string(&mut told).expect("it is text");
+    let mut output = String::new();
+    errors.read_to_string(&mut output).expect("it is text");
     assert!(
-        told.contains("job 1 is paused: interrupted; the laser is off"),
-        "{told}"
+        output.contains("job 1 is paused: interrupted; the laser is off"),
+        "{output}"
     );
     assert!(
-        told.contains("resume it with `dobot jobs start 1 --arm-laser SECONDS`"),
-        "{told}"
+        output.contains("resume it with `dobot jobs start 1 --arm-laser SECONDS`"),
+        "{output}"
     );
     up.dobot(&["jobs", "start", "1", "--arm-laser", "600"])
         .succeeds();
@@ -327,10 +330,10 @@ fn another_dialect_or_policy_than_the_stations_is_refused() {
 #[test]
 fn a_detection_tells_the_dialect_and_what_shows_it() {
     let up = Up::new(&["--personality", "firmware-1.1"]);
-    let told = up.dobot(&["detect"]).succeeds().stdout;
+    let output = up.dobot(&["detect"]).succeeds().stdout;
     assert!(
-        told.contains("the dialect of the arm is firmware-1.1"),
-        "{told}"
+        output.contains("the dialect of the arm is firmware-1.1"),
+        "{output}"
     );
 }
 

@@ -15,8 +15,8 @@ fn rehearsed(file: &str) -> Value {
     serde_json::from_str(&outcome.stdout).expect("it is JSON")
 }
 
-fn names(told: &Value) -> Vec<&str> {
-    let barriers = told["barriers"].as_array().expect("there are barriers");
+fn names(plan: &Value) -> Vec<&str> {
+    let barriers = plan["barriers"].as_array().expect("there are barriers");
     let names = barriers.iter().map(|it| it["barrier"].as_str());
     names.collect::<Option<_>>().expect("each has a name")
 }

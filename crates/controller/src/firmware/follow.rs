@@ -53,33 +53,18 @@ impl Follow {
         if kind != FollowKind::Joints {
             grab(frame.float(7), body);
         }
-        let outcome = self.follow(kind, frame, is_over, settings, body);
+        let outcome = if is_over {
+            TickOutcome::OVER
+        } else {
+            let planned = self.plan(kind, frame, settings, body);
+            planned.map_or_else(|outcome| outcome, |()| self.go(body))
+        };
         let servo_deg = frame.float(6);
         if kind == FollowKind::Mouse && (-90.0..=90.0).contains(&servo_deg) {
             body.set_servo(servo_deg);
             body.turn_head(servo_deg);
         }
         outcome
-    }
-
-    fn follow(
-        &mut self,
-        kind: FollowKind,
-        frame: &Frame,
-        is_over: bool,
-        settings: &mut StockSettings,
-        body: &mut Body,
-    ) -> TickOutcome {
-        if is_over {
-            return TickOutcome::OVER;
-        }
-        if !body.is_planned {
-            body.is_planned = true;
-            if let Err(outcome) = self.plan(kind, frame, settings, body) {
-                return outcome;
-            }
-        }
-        self.go(body)
     }
 
     fn go(&mut self, body: &mut Body) -> TickOutcome {
@@ -99,14 +84,17 @@ impl Follow {
         }
     }
 
-    /// Sets speeds and ticks, unless the command ends or hangs before it moves.
+    /// Sets speeds and ticks, once for each command, unless it ends or hangs before it moves.
     fn plan(
         &mut self,
         kind: FollowKind,
         frame: &Frame,
         settings: &mut StockSettings,
-        body: &Body,
+        body: &mut Body,
     ) -> Result<(), TickOutcome> {
+        if core::mem::replace(&mut body.is_planned, true) {
+            return Ok(());
+        }
         let sample = [3, 4, 5].map(|n| frame.float(n));
         self.ticks_left = 0;
         settings.joint_speeds = [FOLLOW_DEG_S; 4];

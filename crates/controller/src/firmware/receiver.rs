@@ -83,7 +83,7 @@ impl Receiver {
         self.header.is_none() || self.ring.len() >= BODY_LEN
     }
 
-    /// Searches the buffer; `None` if it contains nothing more for now.
+    /// Searches the buffer; `None` if it contains no complete packet.
     pub(crate) fn look(&mut self) -> Option<Received> {
         let header = match self.header {
             Some(header) => header,

@@ -98,7 +98,7 @@ impl SpokenWords {
         let first = |list: &[(&'static str, u16)]| {
             list.iter()
                 .copied()
-                .find(|(word, _)| contains(text, word.as_bytes()))
+                .find(|(word, _)| contains(text, word, Case::Lower))
                 .unwrap_or_default()
         };
         let (ones, tens) = VoiceOrder::NUMBERS.split_at(9);
@@ -106,11 +106,11 @@ impl SpokenWords {
         let numbers = [&HUNDREDS[..], teens, tens, ones].map(first);
         let sum = numbers.iter().map(|(_, value)| value).sum();
         // The first match counts; capitalised words are searched only if there is none.
-        let find = |spelled: fn(&str) -> [u8; LONGEST]| {
+        let find = |case| {
             let mut words = VoiceOrder::WORDS.into_iter();
-            words.find(|(word, _)| contains(text, &spelled(word)[..word.len()]))
+            words.find(|(word, _)| contains(text, word, case))
         };
-        let word = find(letters).or_else(|| find(capitalised));
+        let word = find(Case::Lower).or_else(|| find(Case::Capitalised));
         let (word, order) = word.map_or(("", None), |(word, order)| (word, order.times(sum)));
         Self {
             order,
@@ -131,25 +131,24 @@ impl SpokenWords {
     }
 }
 
-fn contains(text: &[u8], word: &[u8]) -> bool {
-    text.windows(word.len()).any(|part| part == word)
+/// How a word is spelled.
+#[derive(Clone, Copy)]
+enum Case {
+    Lower,
+    /// With a capital first letter.
+    Capitalised,
 }
 
-/// A word in lower case.
-fn letters(word: &str) -> [u8; LONGEST] {
-    let mut letters = [0; LONGEST];
-    letters[..word.len()].copy_from_slice(word.as_bytes());
-    letters
+fn contains(text: &[u8], word: &str, case: Case) -> bool {
+    let Some((&first, rest)) = word.as_bytes().split_first() else {
+        return true;
+    };
+    let first = match case {
+        Case::Lower => first,
+        Case::Capitalised => first.to_ascii_uppercase(),
+    };
+    text.windows(word.len())
+        .any(|part| part.split_first() == Some((&first, rest)))
 }
-
-/// A word with its first letter capitalised.
-fn capitalised(word: &str) -> [u8; LONGEST] {
-    let mut letters = letters(word);
-    letters[0].make_ascii_uppercase();
-    letters
-}
-
-/// The length of the longest non-number word.
-const LONGEST: usize = 7;
 
 const HUNDREDS: [(&str, u16); 1] = [("hundred", 100)];

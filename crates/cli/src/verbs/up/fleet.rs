@@ -9,11 +9,10 @@ use crate::values;
 
 /// Options of a station that joins a fleet.
 #[derive(Debug, Default, clap::Args)]
-#[command(next_help_heading = "Fleet")]
 pub(super) struct JoinArgs {
     /// Join a fleet under the first --name: this person's stations on this machine, or with the certificate in
     /// FOLDER those of the network
-    #[arg(long, value_name = "FOLDER", num_args = 0..=1, require_equals = true)]
+    #[arg(long, value_name = "FOLDER", num_args = 0..=1, require_equals = true, help_heading = "Fleet")]
     #[expect(
         clippy::option_option,
         reason = "it is given with a folder, without one, or not at all"
@@ -24,23 +23,36 @@ pub(super) struct JoinArgs {
         long,
         value_name = "ADDRESS",
         requires = "fleet",
+        help_heading = "Fleet",
         hide_short_help = true
     )]
     connect: Vec<String>,
     /// Group of the station, for example room-2; may be repeated
-    #[arg(long, value_name = "NAME", requires = "fleet", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "NAME",
+        requires = "fleet",
+        hide_short_help = true,
+        help_heading = "Fleet"
+    )]
     group: Vec<String>,
     /// Equipment for queued work, for example pen, laser or a5; may be repeated
-    #[arg(long, value_name = "WORD", requires = "fleet", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "WORD",
+        requires = "fleet",
+        hide_short_help = true,
+        help_heading = "Fleet"
+    )]
     offers: Vec<String>,
     /// Accept jobs from the fleet: `queue` (a person starts them at the arm) or `start` (start them when nobody
     /// has control) [without a value: queue]
     #[arg(long, value_name = "HOW", requires = "fleet", num_args = 0..=1, require_equals = true,
-        default_missing_value = "queue", hide_short_help = true)]
+        default_missing_value = "queue", hide_short_help = true, help_heading = "Fleet")]
     takes_work: Option<TakeWork>,
     /// Host up to this many virtual arms, 1 to 200, each with its own page, for fleet members without an arm
     /// (requires --virtual)
-    #[arg(long, value_name = "N", requires_all = ["fleet", "is_virtual"], value_parser = values::number(1..=200_u16, "arms"), hide_short_help = true)]
+    #[arg(long, value_name = "N", requires_all = ["fleet", "is_virtual"], value_parser = values::number(1..=200_u16, "arms"), hide_short_help = true, help_heading = "Fleet")]
     virtual_arms: Option<u16>,
 }
 

@@ -5,7 +5,7 @@ use dobot_api::{NotBuilt, StationAddress};
 
 use crate::http::exchange::responses::RequestFailed;
 
-/// A placeholder for the tools for agents.
+/// Answers agents that this build has no tools for them.
 #[derive(Debug)]
 pub(super) struct HttpAgents;
 
