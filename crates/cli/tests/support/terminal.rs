@@ -113,10 +113,9 @@ impl Terminal {
             if let Some(index) = texts.iter().position(|text| screen.contains(text)) {
                 return index;
             }
-            match self.shown.recv_timeout(PATIENCE) {
-                Ok(more) => self.read(&more),
-                Err(_) => panic!("{texts:?} are missing:\n{screen}"),
-            }
+            let more = self.shown.recv_timeout(PATIENCE);
+            assert!(more.is_ok(), "{texts:?} are missing:\n{screen}");
+            self.read(&more.unwrap_or_default());
         }
     }
 
