@@ -12,6 +12,7 @@ use ratatui::Frame;
 use tokio::time::Instant;
 
 use super::gamepad::{EVENT_LEN, PadEvents};
+use super::paste::{IGNORED, PasteFilter};
 use super::screen::draw;
 use super::terminal::Screen;
 use super::{Drive, Pendant};
@@ -79,15 +80,25 @@ pub(crate) async fn run<P: Panel>(
     let clock = Clock::of(station);
     let pendant = Pendant::new(station.id(), screen.keys(), station.dead_man(), drive);
     let mut panel = panel(pendant);
+    let mut filter = PasteFilter::default();
     let mut is_shown = false;
     loop {
         tokio::select! {
             biased;
             () = &mut interrupt => panel.pendant().quit(),
             event = events.next() => match event.transpose()? {
-                Some(event) => panel.handle_event(clock.now(), &event),
+                Some(event) => {
+                    for event in filter.handle_event(clock.now(), event) {
+                        panel.handle_event(clock.now(), &event);
+                    }
+                }
                 None => panel.pendant().quit(),
             },
+            () = clock.wait_until(filter.poll_wakeup()) => {
+                if let Some(event) = filter.handle_time(clock.now()) {
+                    panel.handle_event(clock.now(), &event);
+                }
+            }
             event = pad_event(&mut pad) => panel.pendant().handle_pad(clock.now(), event),
             () = tokio::time::sleep_until(screen.free_from()), if !is_shown => {
                 screen.draw(|frame| panel.draw(frame))?;
@@ -101,6 +112,9 @@ pub(crate) async fn run<P: Panel>(
             },
         }
         is_shown = false;
+        if filter.take_discarded() {
+            panel.pendant().show(IGNORED.to_owned());
+        }
         panel.pendant().handle_time(clock.now());
         send_requests(station, &mut panel, clock).await?;
         if let Some((file, text)) = panel.poll_file() {

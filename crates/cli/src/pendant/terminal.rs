@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use crossterm::event::{
-    DisableFocusChange, EnableFocusChange, KeyboardEnhancementFlags as Flags,
-    PopKeyboardEnhancementFlags, PushKeyboardEnhancementFlags,
+    DisableBracketedPaste, DisableFocusChange, EnableBracketedPaste, EnableFocusChange,
+    KeyboardEnhancementFlags as Flags, PopKeyboardEnhancementFlags, PushKeyboardEnhancementFlags,
 };
 use crossterm::execute;
 use crossterm::terminal::supports_keyboard_enhancement;
@@ -40,7 +40,7 @@ impl Screen {
             },
             free_from: Instant::now(),
         };
-        execute!(stdout(), EnableFocusChange)?;
+        execute!(stdout(), EnableFocusChange, EnableBracketedPaste)?;
         if reports_releases {
             execute!(stdout(), PushKeyboardEnhancementFlags(FLAGS))?;
         }
@@ -71,7 +71,7 @@ impl Drop for Screen {
         if self.keys == KeyReports::Releases && !cfg!(windows) {
             let _ = execute!(stdout(), PopKeyboardEnhancementFlags);
         }
-        let _ = execute!(stdout(), DisableFocusChange);
+        let _ = execute!(stdout(), DisableBracketedPaste, DisableFocusChange);
         ratatui::restore();
     }
 }

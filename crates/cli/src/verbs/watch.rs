@@ -3,20 +3,26 @@
 pub(crate) mod dashboard;
 pub(crate) mod panels;
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, stdout};
 use std::time::Duration;
 
 use anyhow::anyhow;
-use crossterm::event::{Event, EventStream, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use crossterm::event::{
+    DisableBracketedPaste, EnableBracketedPaste, Event, EventStream, KeyCode, KeyEvent,
+    KeyEventKind, KeyModifiers,
+};
+use crossterm::execute;
 use dobot_api::{
     ConnectError, Notice, Remote, RemoteError, Request, StationAddress, StationEvent, fetch,
 };
 use futures_util::StreamExt;
 use ratatui::DefaultTerminal;
+use tokio::time::Instant;
 
 use self::dashboard::{View, draw};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
+use crate::pendant::{IGNORED, PasteFilter};
 use crate::reach::{Station, client_name};
 
 /// Watch arm, link, job, control and events; stop the arm with a key
@@ -34,7 +40,7 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    if !std::io::stdout().is_terminal() {
+    if !stdout().is_terminal() {
         return Err(Failure::new(
             anyhow!("the dashboard needs a terminal"),
             "use `dobot status --json` in a program",
@@ -45,7 +51,9 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let connected = connect(&address).await?;
     // From here on, a panic also restores the terminal.
     let terminal = ratatui::try_init()?;
+    execute!(stdout(), EnableBracketedPaste)?;
     let left = Watch::new(terminal, address).run(connected).await;
+    let _ = execute!(stdout(), DisableBracketedPaste);
     ratatui::restore();
     left
 }
@@ -98,20 +106,31 @@ impl Watch {
     async fn run(mut self, connected: Connected) -> Result<(), Failure> {
         let mut interrupt = std::pin::pin!(interrupt());
         let mut remote = Some(self.accept(connected));
+        let (began, mut filter) = (Instant::now(), PasteFilter::default());
         loop {
+            let mut events = Vec::new();
             self.terminal.draw(|frame| draw(frame, &self.view))?;
             let is_connected = remote.is_some();
             tokio::select! {
                 event = next_event(&mut remote) => self.handle_event(&mut remote, event),
-                key = self.keys.next() => {
-                    let Some(key) = key.transpose()? else { return Ok(()) };
-                    match action_of(&key, self.view.asks) {
-                        KeyAction::Quit => return Ok(()),
-                        action => self.perform(&mut remote, action).await,
-                    }
+                event = self.keys.next() => {
+                    let Some(event) = event.transpose()? else { return Ok(()) };
+                    events = filter.handle_event(began.elapsed(), event);
+                }
+                () = wait_until(began, filter.poll_wakeup()) => {
+                    events.extend(filter.handle_time(began.elapsed()));
                 }
                 back = reconnect(&self.address, is_connected) => remote = Some(self.accept(back)),
                 () = &mut interrupt => return Ok(()),
+            }
+            for event in events {
+                match action_of(&event, self.view.asks) {
+                    KeyAction::Quit => return Ok(()),
+                    action => self.perform(&mut remote, action).await,
+                }
+            }
+            if filter.take_discarded() {
+                self.view.answer = Some(IGNORED.to_owned());
             }
         }
     }
@@ -163,6 +182,14 @@ impl Watch {
                 Some("no answer".into())
             }
         };
+    }
+}
+
+/// Waits until a time after the beginning, or forever for `None`.
+async fn wait_until(began: Instant, time: Option<Duration>) {
+    match time {
+        Some(time) => tokio::time::sleep_until(began + time).await,
+        None => std::future::pending().await,
     }
 }
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_teach::Program;
 use dobot_wire::JointJogAxis::SuctionOn;
-use dobot_wire::{Command, LinearJogAxis, MouseMove};
+use dobot_wire::{Command, JointJogAxis, LinearJogAxis, MouseMove};
 
 use crate::support::keys::{Bench, UP};
 use crate::support::program::{command, dobot};
@@ -113,4 +113,34 @@ fn what_is_no_program_is_not_taught() {
 fn keys_without_a_terminal_are_refused() {
     dobot(&["jog"]).fails(1, &["needs a terminal", "dobot jog x+"]);
     dobot(&["mouse", "--keys"]).fails(1, &["needs a terminal", "dobot mouse X Y Z"]);
+}
+
+/// Releases and a laser that is switched off come with the connection.
+fn is_end(command: &Command) -> bool {
+    match command {
+        Command::LinearJog(jog) => jog.axis == LinearJogAxis::Released,
+        Command::JointJog(jog) => {
+            matches!(jog.axis, JointJogAxis::Released | JointJogAxis::LaserOff)
+        }
+        _ => false,
+    }
+}
+
+#[test]
+fn pasted_text_moves_nothing() {
+    let text = "glue the logo, grab it, hold it, left";
+    let without_stops = text.replace([' ', 's'], "");
+    for pasted in [format!("\x1b[200~{text}\x1b[201~"), without_stops] {
+        let mut bench = Bench::new(&["jog"], Keyboard::Plain);
+        bench.terminal.types(&pasted);
+        bench.terminal.shows_one_of(&["pasted text was ignored"]);
+        // The first command that moves the arm is that of the key.
+        bench.terminal.types(UP);
+        let first = bench.gets(|it| !is_end(it));
+        assert!(
+            matches!(first, Command::LinearJog(jog) if jog.axis == LinearJogAxis::XPlus),
+            "{first:?}"
+        );
+        bench.leaves();
+    }
 }

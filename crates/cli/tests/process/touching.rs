@@ -34,8 +34,6 @@ const SCENE: &str = "[paper]\nx_mm = [130, 300]\ny_mm = [-120, 120]\n[pen]\ndown
 struct Person {
     arm: WiredArm,
     terminal: Terminal,
-    /// How far a press moves the arm: nothing where it moves for as long as a key is held.
-    step_mm: Option<f64>,
 }
 
 impl Person {
@@ -60,11 +58,25 @@ impl Person {
 
     /// Presses the point until a press moves the arm by so much.
     fn steps_of(&mut self, step_mm: Option<f64>) {
-        const STEPS: [Option<f64>; 3] = [None, Some(1.0), Some(0.1)];
-        let index = |it| STEPS.iter().position(|step| *step == it).expect("a step");
-        let presses = (index(step_mm) + 3 - index(self.step_mm)) % 3;
-        self.terminal.types(&".".repeat(presses));
-        self.step_mm = step_mm;
+        const SHOWN: [&str; 3] = ["% of the jog speed", "steps of 1 mm", "steps of 0.1 mm"];
+        let wanted = match step_mm {
+            None => 0,
+            Some(step_mm) => 1 + usize::from(step_mm < 1.0),
+        };
+        loop {
+            let shown = self.terminal.shows_one_of(&SHOWN);
+            if shown == wanted {
+                return;
+            }
+            // A key that follows another one too closely is ignored.
+            self.sees();
+            self.terminal.types(".");
+            let mut statuses = 0;
+            while self.terminal.shows_one_of(&SHOWN) == shown && statuses < TOO_EARLY {
+                self.next();
+                statuses += 1;
+            }
+        }
     }
 
     /// Holds a key until the tip is nearly there along an axis.
@@ -186,11 +198,7 @@ fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_shou
     .concat();
     let mut terminal = Terminal::new(&command(&calibrate), Keyboard::Plain);
     terminal.shows("STOP");
-    let mut person = Person {
-        arm,
-        terminal,
-        step_mm: None,
-    };
+    let mut person = Person { arm, terminal };
     // Slowly: the time of this arm passes faster as the person's.
     person.terminal.types("1");
     for (number, point) in (1..).zip(&SHEET_POINTS[..5]) {

@@ -108,6 +108,9 @@ impl Terminal {
 
     /// Waits until one of the texts is on the screen, and returns its index.
     pub(crate) fn shows_one_of(&mut self, texts: &[&str]) -> usize {
+        while let Ok(more) = self.shown.try_recv() {
+            self.read(&more);
+        }
         loop {
             let screen = self.screen.screen().contents();
             if let Some(index) = texts.iter().position(|text| screen.contains(text)) {

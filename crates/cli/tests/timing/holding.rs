@@ -29,6 +29,7 @@ fn where_a_terminal_tells_when_a_key_is_let_go_the_arm_moves_until_then() {
     let mut bench = Bench::new(&["jog", "--policy", &policy(&folder)], Keyboard::Kitty);
     // Slowly: it stays within reach.
     bench.terminal.types("1");
+    bench.terminal.shows_one_of(&[" 10 % of the jog speed"]);
     bench.terminal.types("\x1b[1;1:1A");
     bench.gets_jog(LinearJogAxis::XPlus);
     bench.still_jogs_for(LONG);
@@ -57,6 +58,7 @@ fn a_gamepad_moves_the_arm_until_its_stick_is_back_or_it_is_gone() {
     let jog = ["jog", "--gamepad", &name, "--policy", &policy];
     let mut bench = Bench::new(&jog, Keyboard::Plain);
     bench.terminal.types("1");
+    bench.terminal.shows_one_of(&[" 10 % of the jog speed"]);
     let mut pad = writer.join().expect("it waits").expect("it is there");
     for end in [Some(stick(0)), None] {
         pad.write_all(&stick(-32767)).expect("it is open");
