@@ -99,12 +99,13 @@ class ProgramReport:
     """Its steps, in execution order."""
     problems: tuple[ProgramProblem, ...]
     """All problems; empty if the program can be run."""
-    once_s: float
-    """The duration of the first pass through all steps, in seconds."""
+    once_s: float | None
+    """The duration of the first pass through all steps, in seconds, from the current position of the arm; None
+    if there are problems."""
     cycle_s: float | None
-    """The duration of a repeated cycle, in seconds; None if nothing is repeated."""
+    """The duration of each further cycle, in seconds; None if nothing is repeated or there are problems."""
     total_s: float | None
-    """The total duration, in seconds; None for endless programs."""
+    """The total duration, in seconds; None for endless programs or if there are problems."""
 
     @classmethod
     def _of(cls, text: str) -> ProgramReport:

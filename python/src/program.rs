@@ -7,7 +7,7 @@ use std::sync::Arc;
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
-use dobot_host::{PlannedFor, Rules};
+use dobot_host::{PlannedFor, Rules, dry_run};
 use dobot_safety::Policy;
 use dobot_teach::{Compiled, Program, ProgramError, ProgramForm, Times, check};
 use dobot_wire::Dialect;
@@ -167,7 +167,7 @@ impl Source {
     /// Returns the problems and durations for an arm, as a JSON object.
     pub(crate) fn report(&self, arm: &PlannedFor) -> Result<String, ProgramError> {
         let compiled = self.compile(arm)?;
-        let report = check(&compiled, &arm.rules.policy, arm.model());
+        let report = dry_run(&compiled, arm);
         let steps = compiled.steps.iter().zip(&report.steps_s);
         let steps: Vec<Value> = steps
             .map(|(step, takes_s)| json!({"label": *step.label, "file": step.file.as_deref(), "line": step.line, "takes_s": takes_s}))
@@ -175,7 +175,7 @@ impl Source {
         Ok(json!({
             "steps": steps,
             "problems": report.problems,
-            "once_s": report.once_s,
+            "once_s": report.first_s,
             "cycle_s": report.cycle_s,
             "total_s": report.total_s,
         })

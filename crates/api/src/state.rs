@@ -1,6 +1,6 @@
 //! The state published by the station.
 
-use dobot_wire::{Dialect, Status};
+use dobot_wire::{Command, Dialect, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +20,10 @@ pub struct State {
     pub calibrated: Option<CalibratedView>,
     /// The dialect that the arm speaks, if known.
     pub dialect: Option<Dialect>,
+    /// The commands that give the arm's current settings (speeds, heights, pauses and tool) to an
+    /// arm that was just switched on; absent if it has the settings of power-up.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub settings: Vec<Command>,
     /// Whether the pose can be trusted.
     pub trust: TrustView,
     /// The command queue.
@@ -92,6 +96,7 @@ impl State {
             }),
             calibrated: None,
             dialect: Some(Dialect::SPECIFICATION),
+            settings: Vec::new(),
             trust: TrustView {
                 trusted: true,
                 reason: None,

@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
 use dobot_api::State;
-use dobot_controller::{Personality, PowerUp};
-use dobot_host::{LocalArm, StationClient};
+use dobot_controller::PowerUp;
+use dobot_host::{LocalArm, PlannedFor, Rules, StationClient, personality_of};
 use dobot_safety::Policy;
 use dobot_session::Address;
 use dobot_wire::Dialect;
 
 use crate::bounded;
-use crate::control::first_state;
+use crate::control::{self, first_state};
 use crate::failure::Failure;
 use crate::reach::{Station, client_name, folders};
 
@@ -96,6 +96,40 @@ impl To {
             return act(&mut self.station.client(verb).await?).await;
         }
         self.with_arm(verb, act).await
+    }
+
+    /// Returns the arm to plan for, and a line that describes it: the arm of the station, if one runs,
+    /// otherwise an assumed one. Opens no port. `--policy` and `--dialect` replace those of the station.
+    pub(crate) async fn planned_for(&self, verb: &str) -> Result<(PlannedFor, String), Failure> {
+        let to = Self {
+            dialect: None,
+            policy: None,
+            ..self.clone()
+        };
+        let Some(mut station) = to.find_station(verb).await? else {
+            let arm = PlannedFor::any(Rules::of(&self.policy()?).into(), self.dialect);
+            let line = format!(
+                "no station runs: assumed a {} arm that was just switched on",
+                arm.dialect()
+            );
+            return Ok((arm, line));
+        };
+        let planned = control::planned_for(&mut station).await;
+        station.end().await;
+        let mut arm = planned?;
+        arm.dialect = self.dialect.or(arm.dialect);
+        if self.policy.is_some() {
+            arm.rules = Rules {
+                calibrations: arm.rules.calibrations.clone(),
+                ..Rules::of(&self.policy()?)
+            }
+            .into();
+        }
+        let line = format!(
+            "for the station's {} arm, from its current position",
+            arm.dialect()
+        );
+        Ok((arm, line))
     }
 
     async fn find_station(&self, verb: &str) -> Result<Option<StationClient>, Failure> {
@@ -200,14 +234,6 @@ fn owns(state: &State, address: &Address) -> bool {
 /// Resolves the links to a device.
 fn device(path: &str) -> PathBuf {
     std::fs::canonicalize(path).unwrap_or_else(|_| path.into())
-}
-
-/// The personality of a controller with a dialect.
-pub(crate) fn personality_of(dialect: Dialect) -> Personality {
-    Personality::ALL
-        .into_iter()
-        .find(|personality| personality.dialect() == dialect)
-        .expect("each dialect has a personality")
 }
 
 /// Reads a policy file.

@@ -5,8 +5,7 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_api::{ArmView, RemoteError, Reply, Request, State};
-use dobot_host::{PlannedFor, Rules, StationClient};
-use dobot_safety::Policy;
+use dobot_host::{PlannedFor, StationClient};
 use dobot_wire::{Command, Dialect, Status};
 use tokio::io::{AsyncBufReadExt, BufReader};
 use tokio::time::timeout;
@@ -101,13 +100,10 @@ pub(crate) async fn status(station: &mut StationClient) -> Result<Status, Failur
     Ok(arm(station).await?.0.status)
 }
 
-/// Returns the arm to plan for: its current state and these rules.
-pub(crate) async fn planned_for(
-    station: &mut StationClient,
-    policy: &Policy,
-) -> Result<PlannedFor, Failure> {
+/// Returns the arm to plan for: its current state and its rules.
+pub(crate) async fn planned_for(station: &mut StationClient) -> Result<PlannedFor, Failure> {
     let state = station.first_state().await?;
-    Ok(station.planned_for(Rules::of(policy), &state).await?)
+    Ok(station.planned_for(&state).await?)
 }
 
 /// Returns the next report of the arm, and its dialect if it is known. Waits for the first report after

@@ -5,22 +5,34 @@ use std::path::Path;
 
 use anyhow::{Context, anyhow};
 use dobot_draw::ProgramFiles;
-use dobot_host::PlannedFor;
+use dobot_host::{DryRun, PlannedFor};
 use dobot_teach::{Compiled, Files, Program, ProgramForm};
 
 use crate::failure::Failure;
+use crate::output::{self, clock};
 
 /// Reads and compiles a program or points of the vendor's software. Prints warnings on standard error.
 pub(crate) fn compile(file: &Path, arm: &PlannedFor) -> Result<Compiled, Failure> {
-    let program = match Kind::of(file)? {
-        Kind::Program(form) => read(file, form)?,
-        Kind::Params => {
-            return Err(Failure::new(
-                anyhow!("{} contains speeds, not a program", named(file)),
-                "convert it to a step: `dobot convert PlayBackParams.json speeds.toml`",
-            ));
-        }
-    };
+    compile_read(file, &read_program(file)?, arm)
+}
+
+/// Reads a program or points of the vendor's software. Prints warnings on standard error.
+pub(crate) fn read_program(file: &Path) -> Result<Program, Failure> {
+    match Kind::of(file)? {
+        Kind::Program(form) => read(file, form),
+        Kind::Params => Err(Failure::new(
+            anyhow!("{} contains speeds, not a program", named(file)),
+            "convert it to a step: `dobot convert PlayBackParams.json speeds.toml`",
+        )),
+    }
+}
+
+/// Compiles a program that was read from a file.
+pub(crate) fn compile_read(
+    file: &Path,
+    program: &Program,
+    arm: &PlannedFor,
+) -> Result<Compiled, Failure> {
     let mut compiled = program
         .compile_for(&arm.arm(), &mut files_beside(file, arm))
         .with_context(|| named(file))?;
@@ -32,6 +44,32 @@ pub(crate) fn compile(file: &Path, arm: &PlannedFor) -> Result<Compiled, Failure
             .into_owned();
     }
     Ok(compiled)
+}
+
+/// Describes a program and its durations in one line.
+pub(crate) fn summary(program: &Compiled, dry_run: &DryRun) -> String {
+    let counts = output::counts(&[
+        (program.steps.len(), "step", "steps"),
+        (program.commands.len(), "command", "commands"),
+        (
+            program.pauses.len(),
+            "pause for a person",
+            "pauses for a person",
+        ),
+    ]);
+    let mut parts = vec![counts];
+    match dry_run.first_s {
+        Some(first_s) => parts.push(format!("{} from the current position", clock(first_s))),
+        None => parts.push("duration unknown".to_owned()),
+    }
+    if let Some(cycle_s) = dry_run.cycle_s {
+        parts.push(format!("{} for each further cycle", clock(cycle_s)));
+        parts.push(match dry_run.total_s {
+            Some(total_s) => format!("{} in total", clock(total_s)),
+            None => "until a person ends it".to_owned(),
+        });
+    }
+    format!("{}: {}", program.title, parts.join(", "))
 }
 
 /// Reads a program of a format. Prints warnings on standard error.

@@ -341,22 +341,27 @@ impl StationClient {
         }
     }
 
-    /// Returns the arm to plan for: its pose in this state, its policy, and its known calibration.
+    /// Returns the arm to plan for: its pose and its settings in this state, its policy, and its known
+    /// calibration.
     ///
     /// # Errors
     ///
     /// [`JobsError`] if the station does not provide them.
-    pub async fn planned_for(
-        &mut self,
-        mut rules: Rules,
-        state: &State,
-    ) -> Result<PlannedFor, JobsError> {
-        rules.calibrations = match &mut self.route {
-            ClientRoute::Running(_, address) => fetch(address, "/api/v1/calibration").await?,
-            ClientRoute::Local(local) => local.calibrations(),
-            ClientRoute::Virtual(station) => station.calibrations().clone(),
+    pub async fn planned_for(&mut self, state: &State) -> Result<PlannedFor, JobsError> {
+        let rules = match &mut self.route {
+            ClientRoute::Running(_, address) => {
+                let policy: Policy = fetch(address, "/api/v1/policy").await?;
+                let calibrations = fetch(address, "/api/v1/calibration").await?;
+                Rules {
+                    calibrations,
+                    ..Rules::of(&policy)
+                }
+                .into()
+            }
+            ClientRoute::Local(local) => local.rules(),
+            ClientRoute::Virtual(station) => station.rules().into(),
         };
-        Ok(PlannedFor::of(rules.into(), state))
+        Ok(PlannedFor::of(rules, state))
     }
 
     /// Returns the client's number.

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use dobot_api::{CalibrationFile, JobProgram, NewJob, State};
-use dobot_arm::Calibration;
-use dobot_motion::Model;
+use dobot_arm::{Calibration, Joints, Tool};
+use dobot_controller::PowerUp;
+use dobot_motion::{ArmPlace, Model};
 use dobot_supervisor::{JobPlan, Refusal};
-use dobot_wire::{Dialect, Status};
+use dobot_wire::{Command, Dialect, Status};
 
 use crate::Rules;
 
@@ -19,6 +20,8 @@ pub struct PlannedFor {
     pub dialect: Option<Dialect>,
     /// The raw status; `None` before the first one.
     pub status: Option<Status>,
+    /// The commands that give the arm's settings to one that was just switched on.
+    pub settings: Vec<Command>,
     /// The calibration.
     pub calibration: Option<CalibrationFile>,
 }
@@ -42,17 +45,19 @@ impl PlannedFor {
             }),
             rules,
             dialect: state.dialect,
+            settings: state.settings.clone(),
             status: arm.map(|arm| arm.told.unwrap_or(arm.status)),
         }
     }
 
-    /// Returns any arm that matches the drawing.
+    /// Returns an arm that was just switched on.
     #[must_use]
     pub fn any(rules: Arc<Rules>, dialect: Option<Dialect>) -> Self {
         Self {
             rules,
             dialect,
             status: None,
+            settings: Vec::new(),
             calibration: None,
         }
     }
@@ -81,10 +86,30 @@ impl PlannedFor {
         JobPlan::new(policy, self.model(), commands, &[], job.lift_mm, 0, &plain).err()
     }
 
-    /// Returns the model of the arm where it stands, as just after power-up.
+    /// Returns the raw status of the arm; before the first one, that of an arm that was just
+    /// switched on, in the usual pose (note N28).
+    #[must_use]
+    pub fn status(&self) -> Status {
+        self.status.unwrap_or_else(|| {
+            let PowerUp {
+                rear_deg, fore_deg, ..
+            } = PowerUp::default();
+            let joints = Joints::new(0.0, rear_deg, fore_deg, 0.0);
+            ArmPlace::at_joints(joints, Tool::SuctionCup).status()
+        })
+    }
+
+    /// Returns the model of the arm as it stands.
     #[must_use]
     pub fn model(&self) -> Model {
-        let status = self.status.unwrap_or(Status::AT_ZERO);
-        Model::new(self.dialect(), &status).calibrated(self.arm())
+        let status = self.status();
+        let mut model = Model::new(self.dialect(), &status);
+        for command in &self.settings {
+            if let Ok(trajectory) = model.trajectory(command) {
+                model = model.after(command, &trajectory);
+            }
+        }
+        model.observe(&status);
+        model.calibrated(self.arm())
     }
 }

@@ -14,6 +14,7 @@ use dobot_sim::{SerialLine, VirtualArm};
 use dobot_supervisor::{Effect, Refusal, SavedFleetStop, StartedJob, StoppedBy, Supervisor};
 use dobot_wire::Packet;
 
+use crate::Rules;
 use crate::job_path::path_of;
 use crate::jobs;
 use crate::watchdog::GAP;
@@ -444,6 +445,15 @@ impl VirtualStation {
     #[must_use]
     pub const fn calibrations(&self) -> &Calibrations {
         &self.calibrations
+    }
+
+    /// Returns the rules in force.
+    #[must_use]
+    pub fn rules(&self) -> Rules {
+        Rules {
+            calibrations: self.calibrations.clone(),
+            ..Rules::of(&self.policy)
+        }
     }
 
     /// Returns the supervisor.

@@ -4,13 +4,12 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use dobot_api::{CalibrationFile, NewJob, Problem, Request, fetch};
+use dobot_api::{CalibrationFile, NewJob, Problem, Request};
 use dobot_draw::{
     AREA, CancelToken, Colors, DrawingRequest, InkLine, Materials, Picture, Prepared, Settings,
     Subject, View,
 };
-use dobot_host::{PlannedFor, Rules, StationClient, drawing_job, run_long};
-use dobot_safety::Policy;
+use dobot_host::{PlannedFor, StationClient, drawing_job, run_long};
 use dobot_wire::Dialect;
 use rmcp::model::{CallToolResult, ContentBlock};
 use serde_json::{Value, json};
@@ -116,10 +115,7 @@ impl Call {
     }
 
     async fn planned_for(&self, station: &mut StationClient) -> Result<PlannedFor, Refused> {
-        let policy: Policy = fetch(&self.station().await?, "/api/v1/policy").await?;
-        let arm = station
-            .planned_for(Rules::of(&policy), &self.state().await?)
-            .await?;
+        let arm = station.planned_for(&self.state().await?).await?;
         if arm.status.is_none() {
             return Err(no_arm());
         }

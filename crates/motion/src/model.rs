@@ -157,6 +157,19 @@ impl Model {
         self.jog = self.jog.filter(|_| self.dialect.keeps_jog_speed);
     }
 
+    /// Returns the commands that give this tool and these settings to an arm that was just switched
+    /// on.
+    pub fn configuration(&self) -> impl Iterator<Item = Command> + use<> {
+        let tool = (self.tool != Tool::SuctionCup).then(|| {
+            Configuration::EndEffector {
+                tool: self.tool.into(),
+            }
+            .into()
+        });
+        tool.into_iter()
+            .chain(self.settings.commands(&self.dialect))
+    }
+
     /// Marks the position as unknown until the arm is observed at rest.
     pub const fn lose_place(&mut self) {
         self.knows_place = false;

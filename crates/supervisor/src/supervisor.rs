@@ -290,6 +290,7 @@ impl Supervisor {
             }),
             calibrated: self.arm.calibrated_view(),
             dialect: self.arm.session().dialect().copied(),
+            settings: self.arm.settings(),
             trust: TrustView {
                 trusted: self.arm.session().is_trusted(),
                 reason: self.arm.session().distrust_reason().map(str::to_owned),

@@ -11,20 +11,14 @@ use serde::Serialize;
 
 use crate::Compiled;
 
-/// The problems of a program and its duration by the motion model.
+/// The problems of a program, and the durations of its steps by the motion model.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Report {
     /// All problems, in the order of the commands.
     pub problems: Vec<Problem>,
-    /// The duration of each step, in seconds, the first time.
+    /// The duration of each step, in seconds, the first time, without the motion that the model
+    /// cannot plan.
     pub steps_s: Vec<f64>,
-    /// The duration of all commands once, in seconds, including the way from the start of the model
-    /// to the first target.
-    pub once_s: f64,
-    /// The duration of a cycle that follows another one, in seconds.
-    pub cycle_s: Option<f64>,
-    /// The total duration, in seconds; `None` if the program repeats until a person ends it.
-    pub total_s: Option<f64>,
 }
 
 /// A problem of a program.
@@ -46,6 +40,32 @@ pub struct Problem {
     pub message: String,
     /// The remedy.
     pub remedy: String,
+}
+
+impl Problem {
+    /// Creates the problem of a command, with its step and line; `None` if the program has no such
+    /// command.
+    #[must_use]
+    pub fn of_command(
+        program: &Compiled,
+        command: usize,
+        rule: &str,
+        message: String,
+        remedy: &str,
+    ) -> Option<Self> {
+        let step = program.step_of(command)?;
+        let place = program.steps.get(step)?;
+        Some(Self {
+            step: step + 1,
+            file: place.file.as_ref().map(ToString::to_string),
+            line: place.line,
+            label: place.label.to_string(),
+            command,
+            rule: rule.to_owned(),
+            message,
+            remedy: remedy.to_owned(),
+        })
+    }
 }
 
 /// Formats as `step 3 (line 12, go to tray): what is wrong; the remedy`.
@@ -85,21 +105,12 @@ pub fn check(program: &Compiled, policy: &Policy, start: Model) -> Report {
         .map(|at| walk.command(at))
         .collect();
     walk.report.steps_s = steps_s(program, &took);
-    walk.report.once_s = took.iter().sum();
     walk.check_end();
-    walk.report.total_s = Some(walk.report.once_s);
-    if let Some(JobRepeat { from, times }) = program.repeat {
+    if let Some(JobRepeat { from, .. }) = program.repeat {
         walk.is_again = true;
-        let cycle_s: f64 = (from..program.commands.len())
-            .map(|at| walk.command(at))
-            .sum();
-        walk.report.cycle_s = Some(cycle_s);
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "2^53 cycles take longer than any run"
-        )]
-        let more = times.map(|times| times.saturating_sub(1) as f64);
-        walk.report.total_s = more.map(|more| walk.report.once_s + cycle_s * more);
+        for at in from..program.commands.len() {
+            walk.command(at);
+        }
     }
     walk.report
 }
@@ -200,29 +211,12 @@ impl Walk<'_> {
     }
 
     fn problem(&mut self, command: usize, rule: &str, message: String, remedy: &str) {
-        if self.is_again
-            && self
-                .report
-                .problems
-                .iter()
-                .any(|problem| problem.command == command)
-        {
+        let mut known = self.report.problems.iter();
+        if self.is_again && known.any(|problem| problem.command == command) {
             return;
         }
-        let step = self.program.step_of(command).unwrap_or(0);
-        let Some(place) = self.program.steps.get(step) else {
-            return;
-        };
-        self.report.problems.push(Problem {
-            step: step + 1,
-            file: place.file.as_ref().map(ToString::to_string),
-            line: place.line,
-            label: place.label.to_string(),
-            command,
-            rule: rule.to_owned(),
-            message,
-            remedy: remedy.to_owned(),
-        });
+        let problem = Problem::of_command(self.program, command, rule, message, remedy);
+        self.report.problems.extend(problem);
     }
 }
 

@@ -58,8 +58,7 @@ impl Session {
     /// Returns the arm to plan for.
     pub(super) async fn planned_for(&mut self) -> Result<(State, PlannedFor), Failure> {
         let state = self.client.first_state().await?;
-        let rules = Rules::of(&Policy::default());
-        let arm = self.client.planned_for(rules, &state).await;
+        let arm = self.client.planned_for(&state).await;
         Ok((state, arm.map_err(|error| failed(error.to_string()))?))
     }
 

@@ -82,9 +82,9 @@ async fn draw(args: Args) -> Result<(), Failure> {
         check_pose(station, args.to.pose_confirmed).await?;
         // A virtual arm in this process has its own paper.
         if station.virtual_arm().is_none() {
-            let arm = control::planned_for(station, &args.to.policy()?).await?;
+            let arm = control::planned_for(station).await?;
             asked = asked.clone().calibrated(calibration(&args, &arm)?);
-            let status = arm.status.unwrap_or(Status::AT_ZERO);
+            let status = arm.status();
             drawing = Drawing::new(&args, &asked, arm.dialect, status.z_mm.into(), Shown::Steps)?;
             drawing.from = Some(status);
         }

@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{JobRepeat, NewJob};
-use dobot_host::{PlannedFor, Prediction, Rules, StationClient, predict};
-use dobot_teach::{Compiled, Times, check};
+use dobot_api::NewJob;
+use dobot_host::{DryRun, PlannedFor, StationClient, dry_run};
+use dobot_teach::{Compiled, Program, Times};
 use serde::Serialize;
 
-use crate::connect::{To, personality_of};
+use crate::connect::To;
 use crate::control::{self, arm_laser, check_pose, take_control};
 use crate::failure::Failure;
 use crate::follow;
@@ -63,28 +63,22 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    // Report problems of the program before connecting to an arm.
-    let rules = Rules::of(&args.to.policy()?);
-    let planned = Planned::new(&args, &PlannedFor::any(rules.into(), args.to.dialect))?;
+    // Report what is wrong with the text before connecting to an arm.
+    let program = program_file::read_program(&args.program)?;
     if args.dry_run {
-        return planned.print(args.json);
+        let (arm, arm_line) = args.to.planned_for("play").await?;
+        return Planned::new(&args, &program, &arm)?.print(args.json, Some(arm_line));
     }
-    let play = async |station: &mut StationClient| play(station, &args, planned).await;
+    let play = async |station: &mut StationClient| play(station, &args, &program).await;
     args.to.with_arm("play", play).await
 }
 
-async fn play(
-    station: &mut StationClient,
-    args: &Args,
-    mut planned: Planned,
-) -> Result<(), Failure> {
+async fn play(station: &mut StationClient, args: &Args, program: &Program) -> Result<(), Failure> {
+    let arm = control::planned_for(station).await?;
+    let planned = Planned::new(args, program, &arm)?;
     check_pose(station, args.to.pose_confirmed).await?;
-    if station.virtual_arm().is_none() {
-        let arm = control::planned_for(station, &args.to.policy()?).await?;
-        planned = Planned::new(args, &arm)?;
-    }
     if !args.json {
-        planned.print(false)?;
+        planned.print(false, None)?;
     }
     // Take control first, so that a queued job can be started.
     take_control(station).await?;
@@ -109,14 +103,14 @@ async fn play(
 
 /// A checked program.
 struct Planned {
+    compiled: Compiled,
     job: NewJob,
-    /// The prediction of the twin.
-    prediction: Prediction,
+    dry_run: DryRun,
 }
 
 impl Planned {
-    fn new(args: &Args, arm: &PlannedFor) -> Result<Self, Failure> {
-        let mut compiled = program_file::compile(&args.program, arm)?;
+    fn new(args: &Args, program: &Program, arm: &PlannedFor) -> Result<Self, Failure> {
+        let mut compiled = program_file::compile_read(&args.program, program, arm)?;
         if let Some(times) = times(args) {
             compiled.repeat(times);
         }
@@ -124,94 +118,44 @@ impl Planned {
             Some(step) => from_step(&compiled, step, &args.program)?,
             None => compiled,
         };
-        let policy = &arm.rules.policy;
-        let report = check(&compiled, policy, arm.model());
-        let problems: Vec<String> = report.problems.iter().map(ToString::to_string).collect();
+        let dry_run = dry_run(&compiled, arm);
+        let problems: Vec<String> = dry_run.problems.iter().map(ToString::to_string).collect();
         if !problems.is_empty() {
             let (file, count) = (args.program.display(), problems.len());
             let count = output::count(count, "problem");
             return Err(anyhow!("{file} has {count}:\n{}", problems.join("\n")).into());
         }
-        let job = compiled.job();
-        let prediction = predict(
-            &job,
-            policy,
-            personality_of(arm.dialect()),
-            arm.calibration.as_ref(),
-        );
-        let prediction = prediction.map_err(|error| anyhow!("in the simulation: {error}"))?;
-        Ok(Self { job, prediction })
+        Ok(Self {
+            job: compiled.job(),
+            compiled,
+            dry_run,
+        })
     }
 
-    /// Prints the duration.
-    fn print(&self, as_json: bool) -> Result<(), Failure> {
-        let times = self.times();
+    /// Prints the durations, and the arm that they are for.
+    fn print(&self, as_json: bool, arm: Option<String>) -> Result<(), Failure> {
         if as_json {
-            return Ok(output::json(&times)?);
+            return Ok(output::json(&DryRunTimes {
+                arm,
+                steps: self.compiled.steps.len(),
+                commands: self.compiled.commands.len(),
+                dry_run: &self.dry_run,
+            })?);
         }
-        let cycle = times
-            .cycle_s
-            .map(|cycle_s| format!("a cycle takes {}", clock(cycle_s)));
-        let total = match times.total_s {
-            Some(total_s) => format!("{} in total", clock(total_s)),
-            None => "until a person ends it".to_owned(),
-        };
-        let steps = output::count(self.job.program.steps.len(), "step");
-        let parts: Vec<String> = [Some(steps), cycle, Some(total)]
-            .into_iter()
-            .flatten()
-            .collect();
-        Ok(output::line(&format!(
-            "{}: {}",
-            self.job.title,
-            parts.join(", ")
-        ))?)
-    }
-
-    /// The duration of each step in the first cycle, in seconds.
-    fn steps_s(&self) -> Vec<f64> {
-        let until_s = &self.prediction.until_s;
-        let over = |command: usize| command.checked_sub(1).map_or(0.0, |last| until_s[last]);
-        let firsts = self.job.program.steps.iter().copied();
-        let ends = firsts.clone().skip(1).chain([until_s.len()]);
-        let times = firsts.zip(ends);
-        times.map(|(first, end)| over(end) - over(first)).collect()
-    }
-
-    fn times(&self) -> DryRunTimes {
-        let first_s = self.prediction.until_s.last().copied().unwrap_or(0.0);
-        let cycle_s = self.prediction.cycle_s;
-        let total_s = match self.job.program.repeat {
-            None => Some(first_s),
-            #[expect(clippy::cast_precision_loss, reason = "2^53 cycles never end")]
-            Some(JobRepeat { times, .. }) => times
-                .map(|times| times.saturating_sub(1) as f64)
-                .map(|more| first_s + cycle_s.unwrap_or(0.0) * more),
-        };
-        DryRunTimes {
-            steps: self.job.program.steps.len(),
-            steps_s: self.steps_s(),
-            commands: self.job.commands.len(),
-            first_s,
-            cycle_s,
-            total_s,
-        }
+        output::line(&program_file::summary(&self.compiled, &self.dry_run))?;
+        arm.map_or(Ok(()), |arm| Ok(output::line(&arm)?))
     }
 }
 
 /// The durations of a program on the twin.
 #[derive(Debug, Serialize)]
-struct DryRunTimes {
+struct DryRunTimes<'a> {
+    /// The arm that they are for.
+    arm: Option<String>,
     steps: usize,
-    /// The duration of each step in the first cycle.
-    steps_s: Vec<f64>,
     commands: usize,
-    /// The duration of the first cycle.
-    first_s: f64,
-    /// The duration of each further cycle.
-    cycle_s: Option<f64>,
-    /// The total duration; `None` if a person has to end it.
-    total_s: Option<f64>,
+    #[serde(flatten)]
+    dry_run: &'a DryRun,
 }
 
 #[derive(Debug, Serialize)]

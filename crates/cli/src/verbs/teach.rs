@@ -68,11 +68,10 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     )?;
     let lesson = read(&args.program)?;
     let file = args.program.clone();
-    let policy = args.to.policy()?;
     let teach = async |station: &mut StationClient| {
         let settings = Settings {
             tolerance_mm: args.tolerance,
-            rules: control::planned_for(station, &policy).await?.rules,
+            rules: control::planned_for(station).await?.rules,
             arm_laser: args.arm_laser,
         };
         let panel = |pendant| Teacher::new(pendant, lesson, file, settings);

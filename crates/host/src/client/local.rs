@@ -4,8 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use dobot_api::{
-    Calibrations, ClientId, Folders, JobView, Notice, RemoteError, Reply, Request, Role,
-    StationEvent,
+    ClientId, Folders, JobView, Notice, RemoteError, Reply, Request, Role, StationEvent,
 };
 use dobot_safety::Policy;
 use dobot_session::{Address, OpenError};
@@ -13,6 +12,7 @@ use dobot_supervisor::Refusal;
 use dobot_wire::Dialect;
 use tokio::sync::broadcast::{self, error::RecvError};
 
+use crate::Rules;
 use crate::host::{Host, HostError, Setup};
 use crate::prepared_arm::PreparedArm;
 use crate::watchdog::wait_for_watchdog;
@@ -113,8 +113,8 @@ impl Local {
         self.client.handle().jobs().await
     }
 
-    pub(super) fn calibrations(&self) -> Calibrations {
-        self.client.handle().rules().calibrations.clone()
+    pub(super) fn rules(&self) -> Arc<Rules> {
+        self.client.handle().rules()
     }
 
     pub(super) const fn id(&self) -> ClientId {

@@ -3,12 +3,13 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_api::{Calibrations, ClientId, JobView, Reply, Request, StationEvent};
+use dobot_api::{ClientId, JobView, Reply, Request, StationEvent};
 use dobot_controller::PowerUp;
 use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
 use dobot_supervisor::Refusal;
 
+use crate::Rules;
 use crate::VirtualStation;
 
 /// A client of a supervisor in virtual time: time passes while it waits.
@@ -82,8 +83,8 @@ impl VirtualTimeClient {
         self.station.jobs()
     }
 
-    pub(super) const fn calibrations(&self) -> &Calibrations {
-        self.station.calibrations()
+    pub(super) fn rules(&self) -> Rules {
+        self.station.rules()
     }
 
     pub(super) const fn arm(&self) -> &VirtualArm {

@@ -6,6 +6,7 @@ mod burns;
 mod crashes;
 mod cycles;
 mod drawing;
+mod dry_runs;
 mod hands;
 mod heights;
 mod jobs;

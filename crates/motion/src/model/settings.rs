@@ -2,7 +2,7 @@
 
 use crate::Speeds;
 use dobot_arm::Millimeters;
-use dobot_wire::{Configuration, Dialect, PlaybackAdjustment};
+use dobot_wire::{Command, Configuration, Dialect, PlaybackAdjustment, single};
 
 /// The settings from configuration commands (states 9 and 10; Table 3.9).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,6 +78,69 @@ impl ArmSettings {
             }
             Configuration::InitialAngles { .. } | Configuration::EndEffector { .. } => {}
         }
+    }
+
+    /// Returns the commands that give these settings to an arm that was just switched on; none for
+    /// settings that it has anyway.
+    pub fn commands(&self, dialect: &Dialect) -> impl Iterator<Item = Command> + use<> {
+        let (dialect, stock) = (*dialect, Self::stock(dialect));
+        let [
+            joint_speed_deg_s,
+            joint_acceleration_deg_s2,
+            servo_speed_deg_s,
+            servo_acceleration_deg_s2,
+            linear_speed_mm_s,
+            linear_acceleration_mm_s2,
+        ] = self.teach.numbers().map(single);
+        let teach = Configuration::Teach {
+            joint_speed_deg_s,
+            joint_acceleration_deg_s2,
+            servo_speed_deg_s,
+            servo_acceleration_deg_s2,
+            linear_speed_mm_s,
+            linear_acceleration_mm_s2,
+        };
+        let [
+            joint_speed_deg_s,
+            joint_acceleration_deg_s2,
+            servo_speed_deg_s,
+            servo_acceleration_deg_s2,
+            linear_speed_mm_s,
+            linear_acceleration_mm_s2,
+        ] = self.playback.numbers().map(single);
+        let playback = Configuration::Playback {
+            joint_speed_deg_s,
+            joint_acceleration_deg_s2,
+            servo_speed_deg_s,
+            servo_acceleration_deg_s2,
+            linear_speed_mm_s,
+            linear_acceleration_mm_s2,
+            default_pause_s: single(self.default_pause_s),
+            jump_height_mm: single(self.jump_height.0),
+        };
+        let writing = Configuration::Writing {
+            acceleration_mm_s2: single(self.write_acceleration_mm_s2),
+        };
+        let percentages = PlaybackAdjustment {
+            speed_percent: single(self.speed_percent),
+            acceleration_percent: single(self.acceleration_percent),
+            teach_speed_percent: single(self.teach_percent),
+        };
+        let commands = [
+            teach.into(),
+            playback.into(),
+            writing.into(),
+            percentages.into(),
+        ];
+        commands.into_iter().filter(move |command: &Command| {
+            let mut after = stock;
+            match command {
+                Command::Configuration(configuration) => after.configure(configuration),
+                Command::PlaybackAdjustment(adjustment) => after.adjust(adjustment, &dialect),
+                _ => {}
+            }
+            after != stock
+        })
     }
 
     /// Overwrites the joint speeds: a stock arm follows mouse and hand at its own speeds and

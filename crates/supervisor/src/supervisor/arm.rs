@@ -141,6 +141,13 @@ impl Arm {
         Ok(self.near(&place))
     }
 
+    /// Returns the commands that give the settings and the tool of this arm to one that was just
+    /// switched on.
+    pub(super) fn settings(&self) -> Vec<Command> {
+        let model = self.session.model().into_iter();
+        model.flat_map(Model::configuration).collect()
+    }
+
     fn tool(&self) -> Tool {
         self.session
             .model()

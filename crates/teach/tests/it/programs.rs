@@ -547,20 +547,3 @@ fn a_laser_that_is_left_on_is_a_problem() {
         "{report:?}"
     );
 }
-
-#[test]
-fn a_cycle_takes_as_long_as_its_way_there_and_back() {
-    // 100 mm at 50 mm/s with ramps of half a second at 100 mm/s2: 2.5 s each way.
-    let it = compiled(
-        "[[steps]]\nrepeat = 4\n[[steps.steps]]\ngo={x=220,y=50,z=0}\npath=\"movl\"\n[[steps.steps]]\ngo={x=220,y=-50,z=0}\npath=\"movl\"",
-    );
-    let start = Model::new(Dialect::SPECIFICATION, &Status::AT_ZERO);
-    let report = check(&it, &Policy::default(), start);
-    let cycle_s = report.cycle_s.unwrap();
-    assert!(
-        (cycle_s - 5.0).abs() < 1e-6,
-        "found {cycle_s}, expected 5 within 1e-6: {report:?}"
-    );
-    let total_s = report.total_s.unwrap();
-    assert!((total_s - report.once_s - 15.0).abs() < 1e-6);
-}

@@ -13,10 +13,10 @@ use dobot_wire::{Dialect, MoveJoints, MovingMode, Status};
 use indicatif::ProgressBar;
 
 use super::execute::execute;
-use crate::connect::personality_of;
 use crate::control::{self, run_command, take_control};
 use crate::failure::Failure;
 use crate::reach::client_name;
+use dobot_host::personality_of;
 
 /// The result of a virtual arm.
 #[derive(Debug)]

@@ -10,14 +10,14 @@ use dobot_draw::ProgramFiles;
 use dobot_fleet::together::{
     EngineEvent, Home, Order, Outcome, Part, Rehearsal, RunEvent, Together, check, rehearse, run,
 };
-use dobot_host::{PlannedFor, Rules};
+use dobot_host::{PlannedFor, Rules, personality_of};
 use dobot_safety::Policy;
 use dobot_teach::Program;
 use dobot_wire::Dialect;
 use tokio::io::{AsyncBufReadExt, BufReader};
 use tokio::sync::mpsc;
 
-use crate::connect::{personality_of, read_policy};
+use crate::connect::read_policy;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::{self, clock};
@@ -45,7 +45,7 @@ pub(super) struct TogetherArgs {
     #[arg(long, value_name = "FILE", requires = "dry_run")]
     policy: Option<PathBuf>,
     /// Protocol dialect of the simulated arms: specification or firmware-1.1
-    #[arg(long, value_name = "DIALECT", default_value_t = Dialect::FIRMWARE_1_1, requires = "dry_run")]
+    #[arg(long, value_name = "DIALECT", default_value_t = Dialect::SPECIFICATION, requires = "dry_run")]
     dialect: Dialect,
 }
 

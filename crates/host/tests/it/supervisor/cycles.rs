@@ -4,8 +4,7 @@ use std::time::Duration;
 
 use dobot_api::{JobPause, JobPhase, NewJob, Request};
 use dobot_controller::Personality;
-use dobot_host::{VirtualStation, predict};
-use dobot_safety::Policy;
+use dobot_host::VirtualStation;
 
 use crate::cases::carries::{HERE, THERE, attend, cube_is_at, shuttle, station};
 
@@ -195,27 +194,5 @@ fn a_program_is_done_faster_and_slower_while_it_runs() {
             .ask(anna, Request::SetJobSpeed { percent: 201.0 })
             .unwrap_err();
         assert!(refused.to_string().contains("10 to 200 %"), "{refused}");
-    }
-}
-
-#[test]
-fn a_cycle_takes_as_long_as_was_predicted_to_the_tick() {
-    for personality in BOTH {
-        let predicted = predict(&shuttle(None), &Policy::default(), personality, None).unwrap();
-        let (mut it, anna) = station(personality, &[], 0);
-        let job = it.submit(&shuttle(Some(20))).unwrap();
-        it.start(anna, job).unwrap();
-        let latest = it.now() + Duration::from_secs(3600);
-        let nineteen = |station: &VirtualStation| {
-            let program = station.supervisor().job().unwrap().program.unwrap();
-            program.cycles_done == 19
-        };
-        assert!(it.run_until(latest, nineteen));
-        let program = it.supervisor().job().unwrap().program.unwrap();
-        let (found_s, predicted_s) = (program.mean_cycle_s.unwrap(), predicted.cycle_s.unwrap());
-        assert!(
-            (found_s - predicted_s).abs() < 1e-6,
-            "{found_s} s, predicted were {predicted_s} s"
-        );
     }
 }

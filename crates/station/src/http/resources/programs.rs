@@ -6,10 +6,10 @@ use std::ops::RangeInclusive;
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
-use dobot_host::PlannedFor;
+use dobot_host::{PlannedFor, dry_run};
 use dobot_teach::{
     Action, Compiled, Point, Program, ProgramDocument, ProgramError, ProgramForm, RecordedPlace,
-    Report, Times, ToolState, check, path_steps, simplified,
+    Times, ToolState, check, path_steps, simplified,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -34,11 +34,14 @@ pub(crate) struct ProgramReport {
     steps: Vec<StepReport>,
     /// All problems, in the order of the steps; for a text that cannot be parsed only the first.
     problems: Vec<ProgramProblem>,
-    /// The duration of the first pass through all steps, in seconds, by the motion model.
-    once_s: f64,
-    /// The duration of a repeated cycle, in seconds; absent if nothing is repeated.
+    /// The duration of the first pass through all steps, in seconds, from the current position of
+    /// the arm; null if there are problems.
+    once_s: Option<f64>,
+    /// The duration of each further cycle, in seconds; null if nothing is repeated or there are
+    /// problems.
     cycle_s: Option<f64>,
-    /// The total duration, in seconds; absent if it repeats until a person ends it.
+    /// The total duration, in seconds; null if it repeats until a person ends it or there are
+    /// problems.
     total_s: Option<f64>,
 }
 
@@ -237,7 +240,7 @@ pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
             };
         }
     };
-    let found = look(&compiled, arm);
+    let found = dry_run(&compiled, arm);
     let steps = compiled.steps.iter().zip(&found.steps_s);
     ProgramReport {
         steps: steps
@@ -250,7 +253,7 @@ pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
             })
             .collect(),
         problems: found.problems.into_iter().map(problem).collect(),
-        once_s: found.once_s,
+        once_s: found.first_s,
         cycle_s: found.cycle_s,
         total_s: found.total_s,
         title: compiled.title,
@@ -271,7 +274,11 @@ fn problem(found: dobot_teach::Problem) -> ProgramProblem {
 pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem> {
     let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
     let mut compiled = compile(&new.program, arm).map_err(bad)?;
-    if let Some(first) = look(&compiled, arm).problems.into_iter().next() {
+    if let Some(first) = check(&compiled, &arm.rules.policy, arm.model())
+        .problems
+        .into_iter()
+        .next()
+    {
         let (step, line, what) = (first.step, first.line, first.message);
         return Err(BAD_PROGRAM.hinted(format!("step {step} (line {line}): {what}"), first.remedy));
     }
@@ -369,10 +376,6 @@ fn compile(program: &ProgramText, arm: &PlannedFor) -> Result<Compiled, ProgramE
     };
     let mut files = ProgramFiles::new(read, arm.dialect(), arm.calibration.clone());
     Program::from_toml(&program.text)?.compile_for(&arm.arm(), &mut files)
-}
-
-fn look(compiled: &Compiled, arm: &PlannedFor) -> Report {
-    check(compiled, &arm.rules.policy, arm.model())
 }
 
 /// The allowed distance of the lines of a path from its points.
