@@ -1,7 +1,7 @@
 //! Mouse control.
 
 use crate::table::Table;
-use crate::{Dialect, Frame, ParseError};
+use crate::{Dialect, Frame, ParseError, Status};
 
 /// Moves the end effector by a little, as a mouse does (state 1; Table 2.4).
 ///
@@ -28,6 +28,16 @@ pub struct MouseMove {
 impl MouseMove {
     /// Float 1 of this command.
     pub const STATE: f32 = 1.0;
+
+    /// Returns the rotation that leaves the tool of an arm with this status as it is, in degrees (notes N9
+    /// and N49).
+    #[must_use]
+    pub const fn kept_rotation_deg(from: &Status, dialect: Option<Dialect>) -> f32 {
+        match dialect {
+            Some(dialect) if dialect.mouse_swings => from.servo_deg,
+            _ => from.rotation_deg,
+        }
+    }
 
     /// Reads the command.
     ///

@@ -1,7 +1,7 @@
 //! Mouse packets of a held key (state 1).
 
 use dobot_api::{Button, News, State};
-use dobot_wire::{Command, Dialect, LinearJogAxis, MouseMove, Status};
+use dobot_wire::{Command, LinearJogAxis, MouseMove};
 
 /// The mouse packets of a held key.
 #[derive(Debug)]
@@ -44,7 +44,7 @@ impl Mouse {
             y: if swings { 0.0 - y } else { y },
             x,
             z,
-            rotation_deg: kept_rotation_deg(status, state.dialect),
+            rotation_deg: MouseMove::kept_rotation_deg(status, state.dialect),
             suction: status.suction,
         };
         Some(packet.into())
@@ -64,16 +64,6 @@ impl Mouse {
             News::LinkLost => self.in_flight.clear(),
             _ => {}
         }
-    }
-}
-
-/// The rotation of a mouse move that leaves the tool as it is, in degrees (notes N9 and N49).
-pub(crate) fn kept_rotation_deg(from: &Status, dialect: Option<Dialect>) -> f32 {
-    let takes_servo = dialect.is_some_and(|dialect| dialect.mouse_swings);
-    if takes_servo {
-        from.servo_deg
-    } else {
-        from.rotation_deg
     }
 }
 

@@ -6,7 +6,7 @@ use dobot_wire::{Command, Dialect, MouseMove, Status};
 use crate::connect::To;
 use crate::control::run_one_command;
 use crate::failure::Failure;
-use crate::pendant::{Drive, Mouse, PadArgs, check_terminal, kept_rotation_deg};
+use crate::pendant::{Drive, Mouse, PadArgs, check_terminal};
 use crate::verbs::jog::with_keys;
 use crate::{output, values};
 
@@ -73,11 +73,12 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 impl Args {
     fn command(&self, from: &Status, dialect: Option<Dialect>) -> Command {
         let [x, y, z] = [self.by[0], self.by[1], self.by[2]];
+        let kept_deg = MouseMove::kept_rotation_deg(from, dialect);
         MouseMove {
             y,
             x,
             z,
-            rotation_deg: self.rotation.unwrap_or(kept_rotation_deg(from, dialect)),
+            rotation_deg: self.rotation.unwrap_or(kept_deg),
             suction: self.suction.unwrap_or(from.suction),
         }
         .into()
