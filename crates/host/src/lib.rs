@@ -54,7 +54,9 @@ mod saved_slots;
 mod saved_stop;
 mod service_manager;
 mod target;
+mod unit_warning;
 mod virtual_station;
+mod voice_command;
 mod watchdog;
 
 pub use background::Background;
@@ -78,7 +80,9 @@ pub use prepared_arm::{ArmSelection, PreparedArm};
 pub use recording::{notice_topic, state_topic, tools_of};
 pub use service_manager::{Notification, ServiceManager};
 pub use target::{PathName, Target, TargetPlace, UnknownPath};
+pub use unit_warning::UnitWarning;
 pub use virtual_station::VirtualStation;
+pub use voice_command::{InvalidVoice, voice_command};
 #[cfg(unix)]
 pub use watchdog::guard;
 pub use watchdog::{Hazards, Heartbeat, JogKind, Silence, Watchdog};

@@ -60,6 +60,9 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    if let Some(warning) = args.place().unit_warning() {
+        eprintln!("warning: {warning}");
+    }
     let go = async |station: &mut StationClient| {
         let command = |status: &Status, _| args.command(status);
         run_one_command(station, &args.to, None, command).await
@@ -69,16 +72,19 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 }
 
 impl Args {
-    fn command(&self, from: &Status) -> Result<Command, Failure> {
-        let place = match &self.joints {
+    fn place(&self) -> TargetPlace {
+        match &self.joints {
             Some(joints) => TargetPlace::Joints(three(joints)),
             None => TargetPlace::Point {
                 mm: three(&self.point),
                 rotation_deg: self.rotation,
             },
-        };
+        }
+    }
+
+    fn command(&self, from: &Status) -> Result<Command, Failure> {
         let target = Target {
-            place,
+            place: self.place(),
             servo_deg: self.servo,
             mode: self.path.0,
             suction: self.suction,

@@ -185,6 +185,20 @@ fn a_target_out_of_reach_is_refused_with_how_far_and_which_limit() {
 }
 
 #[test]
+fn targets_that_look_like_metres_or_radians_are_warned_of_with_the_right_numbers() {
+    dobot(&["move", "0.22", "0", "0.05"])
+        .fails(1, &["looks like metres", "220 0 50", "out of reach"]);
+    let output = dobot(&["move", "--joints", "0", "0.7", "0.7", "--path", "movj"]).succeeds();
+    assert!(
+        output.stderr.contains("look like radians") && output.stderr.contains("0 40.1 40.1"),
+        "{}",
+        output.stderr
+    );
+    let output = dobot(&["move", "--joints", "0", "45", "45"]).succeeds();
+    assert!(!output.stderr.contains("warning"), "{}", output.stderr);
+}
+
+#[test]
 fn a_jog_moves_its_axis_and_comes_to_rest() {
     let status = json(
         &dobot(&["jog", "base+", "--for", "1", "--json"])
