@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from .arm import Arm, Jog, connect
 from .drawing import Plan, Progress, bar, formats, plan
 from .errors import Closed, Error, Failed, Kind, LinkLost, Paused, Refused, Stopped, kinds
-from .operations import Button, Path
+from .operations import Button, Path, Tool
 from .programs import Point, Program, ProgramProblem, ProgramReport, ProgramStep, Step, program, program_bar
 from .status import Status
 from .world import Object, World
@@ -29,7 +29,7 @@ __all__ = [
     "Arm", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "Error", "Failed", "Jog", "Kind",
     "LinkLost", "Object", "Path", "Paused", "Plan", "Point", "Program", "ProgramProblem", "ProgramReport",
     "ProgramStep", "Progress", "Recording", "Refused", "SHEET", "Served", "Simulation", "Status", "Step",
-    "Stopped", "Table", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar", "calibrate",
+    "Stopped", "Table", "Tool", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar", "calibrate",
     "connect", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
 ]
 

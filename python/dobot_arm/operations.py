@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
-from ._core import Core, Pending
+from ._core import Core, Pending, joints_warning, point_warning
 from .drawing import Plan, Progress, bar
 from .programs import Program, ProgramProgress, ProgramReport, program_bar
 from .status import Status
@@ -27,6 +26,10 @@ Button = Literal[
     "servo+", "servo-", "gripper+", "gripper-",
 ]
 """A jog button: a direction of the tool, a joint, the servo or the gripper."""
+
+
+Tool = Literal["suction-cup", "gripper", "pen", "laser"]
+"""A tool at the end of the arm."""
 
 
 class Connection:
@@ -53,6 +56,12 @@ def _status(fields: StatusFields) -> Status:
     return Status(**fields)
 
 
+def _warn(text: str | None) -> None:
+    """Warns the caller of an operation."""
+    if text is not None:
+        warnings.warn(text, stacklevel=4)
+
+
 def status(arm: Connection) -> Operation[Status]:
     """Returns the next status. Waits for an arm that has just been switched on."""
     return Operation(arm._core.status(), _status)
@@ -75,9 +84,11 @@ def move_to(
     ``r`` is the tool's rotation in the base frame and ``gripper`` the gripper's angle (degrees); ``suction``
     switches the pump after the move; ``pause`` is the time to wait there (seconds). Omitted values do not
     change. Raises :class:`Refused` if the rules do not allow the move, :class:`Stopped` if the arm is stopped
-    through this object. Ctrl-C stops the arm.
+    through this object. Ctrl-C stops the arm. Warns if the point looks like metres.
     """
-    return Operation(arm._core.move_to((x, y, z), r, (path, suction, gripper, pause)), _status)
+    point = (x, y, z)
+    _warn(point_warning(point))
+    return Operation(arm._core.move_to(point, r, (path, suction, gripper, pause)), _status)
 
 
 def move_joints(
@@ -97,10 +108,7 @@ def move_joints(
     Warns if the angles look like radians.
     """
     joints = (base, rear, fore)
-    if all(abs(angle) <= math.pi for angle in joints) and any(angle != int(angle) for angle in joints):
-        warnings.warn(
-            f"the joint angles {joints} look like radians; they are degrees", stacklevel=3
-        )
+    _warn(joints_warning(joints))
     return Operation(
         arm._core.move_joints(joints, servo, (path, suction, gripper, pause)), _status
     )
@@ -119,6 +127,125 @@ def gripper(arm: Connection, angle: float) -> Operation[None]:
 def speed(arm: Connection, velocity: float = 50.0, acceleration: float = 50.0) -> Operation[None]:
     """Sets the speed and the acceleration of moves, in percent (state 10)."""
     return Operation(arm._core.speed(velocity, acceleration), _nothing)
+
+
+def mouse(
+    arm: Connection,
+    x: float,
+    y: float,
+    z: float,
+    *,
+    rotation: float | None = None,
+    suction: bool | None = None,
+) -> Operation[Status]:
+    """Moves by a small distance, as with a mouse (state 1), and waits until the arm is at rest.
+
+    With the dialect ``specification`` the distance is in mm along x, y and z, and ``rotation`` the tool's
+    rotation in the base frame. With ``firmware-1.1`` one unit of ``x`` changes the reach by 0.4 mm, one of
+    ``y`` turns the base by -0.225 degrees, one of ``z`` lifts by 0.4 mm, and ``rotation`` is the servo's angle;
+    such an arm then loses the joint speeds of :meth:`set_moves`. Omitted values do not change.
+    """
+    return Operation(arm._core.mouse((x, y, z), rotation, suction), _status)
+
+
+def say(arm: Connection, text: str) -> Operation[Status]:
+    """Sends a voice command as text (state 5), and waits until it is carried out.
+
+    It has one order: ahead, back, left, right, up or down with a number of mm in English words
+    (``"left ten"``), or catch, or release. Raises :class:`ValueError` for other texts.
+    """
+    return Operation(arm._core.say(text), _status)
+
+
+def hand(
+    arm: Connection, x: float, y: float, z: float, *, grab: bool | None = None
+) -> Operation[Status]:
+    """Moves to the position of a hand, as with a hand tracker (state 8), and waits until the arm is at rest.
+
+    With the dialect ``specification`` the position is a point in mm. With ``firmware-1.1`` it is in units of the
+    hand tracker, one call moves the arm only part of the way, and the joint speeds of :meth:`set_moves` are
+    lost, as ``dobot hand --help`` explains. ``grab`` is a closed hand: the pump runs. Omitted, it does not
+    change.
+    """
+    return Operation(arm._core.hand((x, y, z), grab), _status)
+
+
+def vector(
+    arm: Connection,
+    x: float,
+    y: float,
+    z: float,
+    *,
+    speed: float = 20.0,
+    start_speed: float = 0.0,
+    end_speed: float = 0.0,
+    burn: bool = False,
+) -> Operation[Status]:
+    """Draws one straight line (state 4): a distance in mm, from the current position.
+
+    Speeds are in mm/s; ``speed`` is the maximum. Use an end speed only if another vector follows immediately.
+    ``burn=True`` burns the line with the laser, which must be armed (:meth:`arm_laser`).
+    """
+    return Operation(arm._core.vector((x, y, z), (speed, start_speed, end_speed), burn), _status)
+
+
+def set_jog(
+    arm: Connection,
+    *,
+    joint_speed: float = 15.0,
+    joint_acceleration: float = 50.0,
+    servo_speed: float = 30.0,
+    servo_acceleration: float = 50.0,
+    linear_speed: float = 60.0,
+    linear_acceleration: float = 60.0,
+) -> Operation[None]:
+    """Sets the speeds of jogs at 100 % (state 9, mode 0), in degrees/s, mm/s, and the same per second.
+
+    The arm receives all values together: omitted ones are set to these defaults. It forgets them when it is
+    switched off; so it does with all settings.
+    """
+    speeds = (
+        joint_speed, joint_acceleration, servo_speed, servo_acceleration, linear_speed, linear_acceleration,
+    )
+    return Operation(arm._core.set_jog(speeds), _nothing)
+
+
+def set_moves(
+    arm: Connection,
+    *,
+    joint_speed: float = 200.0,
+    joint_acceleration: float = 200.0,
+    servo_speed: float = 200.0,
+    servo_acceleration: float = 200.0,
+    linear_speed: float = 100.0,
+    linear_acceleration: float = 200.0,
+    pause: float = 0.0,
+    jump_height: float = 20.0,
+) -> Operation[None]:
+    """Sets the speeds of moves at 100 %, their default pause (seconds; ignored by arms as sold) and the height of
+    a JUMP (mm; state 9, mode 1); otherwise like ``set_jog``. :meth:`speed` sets the percentages.
+    """
+    speeds = (
+        joint_speed, joint_acceleration, servo_speed, servo_acceleration, linear_speed, linear_acceleration,
+    )
+    return Operation(arm._core.set_moves(speeds, pause, jump_height), _nothing)
+
+
+def set_writing(arm: Connection, *, acceleration: float = 100.0) -> Operation[None]:
+    """Sets the acceleration of vectors, in mm/s2 (state 9, mode 2)."""
+    return Operation(arm._core.set_writing(acceleration), _nothing)
+
+
+def set_angles(arm: Connection, rear: float, fore: float) -> Operation[None]:
+    """Sets the current angles of the rear arm (degrees from the vertical) and the forearm (degrees below the
+    horizontal); the base becomes 0 (state 9, mode 3).
+    """
+    return Operation(arm._core.set_angles(rear, fore), _nothing)
+
+
+def set_tool(arm: Connection, tool: Tool) -> Operation[None]:
+    """Sets the mounted tool (state 9, mode 4)."""
+    return Operation(arm._core.set_tool(tool), _nothing)
 
 
 def arm_laser(arm: Connection, seconds: float) -> Operation[None]:

@@ -4,15 +4,20 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_api::{Button, Request};
+use dobot_arm::Tool;
 use dobot_controller::PowerUp;
-use dobot_host::{PathName, Target, TargetPlace};
+use dobot_host::{PathName, Target, TargetPlace, voice_command};
 use dobot_sim::VirtualArm;
 use dobot_teach::Times;
-use dobot_wire::{JointJog, JointJogAxis, MovingMode, PlaybackAdjustment, Status};
+use dobot_wire::{
+    Command, Configuration, Dialect, Gesture, JointJog, JointJogAxis, MouseMove, MovingMode,
+    PlaybackAdjustment, Status, WriteVector,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::drawing::Drawing;
+use crate::failure::value_error;
 use crate::mailbox::Mailbox;
 use crate::pending::{Pending, Statuses};
 use crate::place::{ConnectOptions, place};
@@ -91,7 +96,7 @@ impl Core {
 
     /// Turns the gripper at the current position.
     fn gripper(&self, gripper_deg: f32) -> Pending {
-        let command = move |from: &Status| {
+        let command = move |from: &Status, _| {
             let target = Target {
                 place: TargetPlace::Joints([from.base_deg, from.rear_deg, from.fore_deg]),
                 servo_deg: None,
@@ -107,15 +112,84 @@ impl Core {
 
     /// Sets the percentages of speed and acceleration of moves.
     fn speed(&self, speed_percent: f32, acceleration_percent: f32) -> Pending {
-        let command = move |_: &Status| {
-            PlaybackAdjustment {
-                speed_percent,
-                acceleration_percent,
-                teach_speed_percent: 100.0,
+        self.carry_out(PlaybackAdjustment {
+            speed_percent,
+            acceleration_percent,
+            teach_speed_percent: 100.0,
+        })
+    }
+
+    /// Moves by a small distance, as with a mouse; omitted values do not change.
+    fn mouse(&self, by: [f32; 3], rotation_deg: Option<f32>, suction: Option<bool>) -> Pending {
+        let [x, y, z] = by;
+        let command = move |from: &Status, dialect| {
+            let kept_deg = MouseMove::kept_rotation_deg(from, dialect);
+            MouseMove {
+                y,
+                x,
+                z,
+                rotation_deg: rotation_deg.unwrap_or(kept_deg),
+                suction: suction.unwrap_or(from.suction),
             }
             .into()
         };
         self.begin(Operation::CarryOut(Box::new(command)))
+    }
+
+    /// Sends a voice command as text.
+    fn say(&self, text: &str) -> PyResult<Pending> {
+        let voice = voice_command(text).map_err(|error| value_error(&error))?;
+        Ok(self.carry_out(voice))
+    }
+
+    /// Moves to the position of a hand; without `grab` the pump stays as it is.
+    fn hand(&self, place: [f32; 3], grab: Option<bool>) -> Pending {
+        let [x, y, z] = place;
+        let command = move |from: &Status, _| {
+            let grab = grab.unwrap_or(from.suction);
+            Gesture { x, y, z, grab }.into()
+        };
+        self.begin(Operation::CarryOut(Box::new(command)))
+    }
+
+    /// Draws one straight line; `speeds_mm_s` are the maximum, at the start and at the end.
+    fn vector(&self, by_mm: [f32; 3], speeds_mm_s: [f32; 3], burn: bool) -> Pending {
+        let ([x_mm, y_mm, z_mm], [max_mm_s, start_mm_s, end_mm_s]) = (by_mm, speeds_mm_s);
+        let line = WriteVector {
+            start_speed_mm_s: start_mm_s,
+            end_speed_mm_s: end_mm_s,
+            ..WriteVector::by(x_mm, y_mm, z_mm, max_mm_s)
+        };
+        self.carry_out(if burn { line.burning() } else { line })
+    }
+
+    /// Sets the jog speeds: speed and acceleration of the joints, the servo and along a line.
+    fn set_jog(&self, speeds: [f32; 6]) -> Pending {
+        self.carry_out(Configuration::teach(speeds))
+    }
+
+    /// Sets the speeds of moves, in the same order, the default pause and the height of a JUMP.
+    fn set_moves(&self, speeds: [f32; 6], pause_s: f32, jump_height_mm: f32) -> Pending {
+        self.carry_out(Configuration::playback(speeds, pause_s, jump_height_mm))
+    }
+
+    fn set_writing(&self, acceleration_mm_s2: f32) -> Pending {
+        self.carry_out(Configuration::Writing { acceleration_mm_s2 })
+    }
+
+    /// Sets the current angles of rear arm and forearm.
+    fn set_angles(&self, rear_deg: f32, fore_deg: f32) -> Pending {
+        self.carry_out(Configuration::InitialAngles { rear_deg, fore_deg })
+    }
+
+    /// Sets the end effector by the name of the tool.
+    fn set_tool(&self, tool: &str) -> PyResult<Pending> {
+        let named = Tool::named(tool).ok_or_else(|| {
+            let names = Tool::ALL.map(Tool::option).join(", ");
+            PyValueError::new_err(format!("tool is `{tool}`; allowed are {names}"))
+        })?;
+        let tool = named.into();
+        Ok(self.carry_out(Configuration::EndEffector { tool }))
     }
 
     /// Holds a jog button until it is released, within a maximum time.
@@ -247,7 +321,7 @@ impl Core {
             gripper_deg: how.gripper_deg,
             pause_s: how.pause_s,
         };
-        let command = move |from: &Status| target.command(from);
+        let command = move |from: &Status, _| target.command(from);
         Ok(self.begin(Operation::CarryOut(Box::new(command))))
     }
 
@@ -259,7 +333,13 @@ impl Core {
     }
 
     fn switch(&self, axis: JointJogAxis) -> Pending {
-        let command = move |_: &Status| JointJog::new(axis, 0.0).into();
+        self.carry_out(JointJog::new(axis, 0.0))
+    }
+
+    /// Carries out a command that does not depend on the status.
+    fn carry_out(&self, command: impl Into<Command>) -> Pending {
+        let command = command.into();
+        let command = move |_: &Status, _: Option<Dialect>| command;
         self.begin(Operation::CarryOut(Box::new(command)))
     }
 
@@ -286,6 +366,25 @@ struct MoveOptions {
     gripper_deg: Option<f32>,
     #[pyo3(item(3))]
     pause_s: f32,
+}
+
+/// Returns the warning about a point that looks like metres.
+#[pyfunction]
+pub(crate) fn point_warning(mm: [f32; 3]) -> Option<String> {
+    unit_warning(TargetPlace::Point {
+        mm,
+        rotation_deg: None,
+    })
+}
+
+/// Returns the warning about joint angles that look like radians.
+#[pyfunction]
+pub(crate) fn joints_warning(joints_deg: [f32; 3]) -> Option<String> {
+    unit_warning(TargetPlace::Joints(joints_deg))
+}
+
+fn unit_warning(place: TargetPlace) -> Option<String> {
+    Some(place.unit_warning()?.to_string())
 }
 
 fn mode(path: &str) -> PyResult<MovingMode> {

@@ -19,7 +19,7 @@ mod worker;
 
 use pyo3::prelude::*;
 
-use crate::arm::Core;
+use crate::arm::{Core, joints_warning, point_warning};
 use crate::calibrate::{Calibrated, sheet_points};
 use crate::drawing::{Drawing, Lines, drawing_formats};
 use crate::failure::kinds;
@@ -46,5 +46,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(kinds, module)?)?;
     module.add_function(wrap_pyfunction!(world_svg, module)?)?;
     module.add_function(wrap_pyfunction!(ink_deviation, module)?)?;
+    module.add_function(wrap_pyfunction!(point_warning, module)?)?;
+    module.add_function(wrap_pyfunction!(joints_warning, module)?)?;
     module.add_class::<Core>()
 }

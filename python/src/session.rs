@@ -132,7 +132,10 @@ impl Session {
             Operation::Connected => {}
             Operation::Status => return Ok(Outcome::Status(self.status().await?)),
             Operation::CarryOut(command) => {
-                let command = command(&self.status().await?);
+                let state = self.client.first_state().await?;
+                let arm = state.arm.as_ref().ok_or(RemoteError::Silent)?;
+                let command = command(&arm.status, state.dialect);
+                publish(&self.subscribers, &state);
                 self.carry_out(command).await?;
                 return Ok(Outcome::Status(self.status().await?));
             }

@@ -11,7 +11,7 @@ use dobot_draw::DrawingRequest;
 use dobot_host::{LocalArm, StationClient};
 use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
-use dobot_wire::{Command, Status};
+use dobot_wire::{Command, Dialect, Status};
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 
 use crate::failure::{Failure, failed, lost};
@@ -35,8 +35,8 @@ pub(crate) enum Operation {
     /// Nothing: waits for the connection.
     Connected,
     Status,
-    /// A command computed from the current status.
-    CarryOut(Box<dyn FnOnce(&Status) -> Command + Send>),
+    /// A computed command.
+    CarryOut(Box<CommandFor>),
     Draw(Box<DrawingRequest>),
     Run(Box<Run>),
     /// Check a program for this arm.
@@ -60,6 +60,9 @@ pub(crate) enum Operation {
     /// A request without control.
     Plain(Request),
 }
+
+/// Computes a command from the current status and the dialect, if that is known.
+pub(crate) type CommandFor = dyn FnOnce(&Status, Option<Dialect>) -> Command + Send;
 
 /// Inspects or changes a virtual arm, given its power-up state.
 pub(crate) type Inspect = dyn FnOnce(&mut VirtualArm, PowerUp) -> Result<Outcome, String> + Send;

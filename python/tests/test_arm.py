@@ -264,7 +264,7 @@ def test_the_laser_goes_on_only_where_the_rules_allow_it(station: str) -> None:
 
 def test_joint_angles_that_look_like_radians_are_warned_of() -> None:
     with dobot.connect("virtual:") as arm:
-        with pytest.warns(UserWarning, match="radians"):
+        with pytest.warns(UserWarning, match="radians.* 28.6 45.8 40.1"):
             try:
                 arm.move_joints(0.5, 0.8, 0.7)
             except dobot.Refused:
@@ -272,6 +272,13 @@ def test_joint_angles_that_look_like_radians_are_warned_of() -> None:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             arm.move_joints(30, 10, 20)
+
+
+def test_points_that_look_like_metres_are_warned_of() -> None:
+    with dobot.connect("virtual:") as arm:
+        with pytest.warns(UserWarning, match="metres.* 220 0 50") as warned, pytest.raises(dobot.Refused):
+            arm.move_to(0.22, 0, 0.05)
+        assert warned[0].filename == __file__
 
 
 JOGS = """
