@@ -318,3 +318,23 @@ fn a_client_in_c_sharp_moves_as_at_a_bare_arm_with_the_pump_as_it_was() {
 fn jogs_at_any_percentage_are_as_at_a_bare_arm() {
     check("jog_percentages");
 }
+
+#[test]
+fn matlab_functions_of_a_course_go_where_a_bare_arm_goes() {
+    check("matlab_course");
+}
+
+#[test]
+fn a_card_press_grabs_and_lets_go_as_at_a_bare_arm() {
+    check("card_press");
+}
+
+#[test]
+fn a_client_in_c_sharp_writes_as_a_bare_arm_does() {
+    check("csharp_writer");
+}
+
+#[test]
+fn big_endian_packets_are_refused_with_the_reason_and_the_corrected_ones_act() {
+    check("python_big_endian");
+}
