@@ -4192,7 +4192,7 @@ export interface components {
             to: components["schemas"]["ProgramForm"];
         };
         /** @description The file format of a program. */
-        ProgramForm: "toml" | "xml" | "play";
+        ProgramForm: "toml" | "xml" | "play" | "playback";
         /** @description A converted program. */
         ConvertedProgram: {
             /** @description The text. */

@@ -149,7 +149,8 @@ class Program:
 
     def save(self, file: str | os.PathLike[str]) -> list[str]:
         """Writes the program, replacing an existing file: its text (``.toml``), or its points for the vendor's
-        software (``.xml``, ``.play``). Returns what that format cannot represent, a sentence each.
+        software (``.xml``, ``.play``), with the joint angles of positions. Returns what that format cannot
+        represent, a sentence each. Raises :class:`ValueError` if a position is out of reach.
         """
         return self._taught.save(os.fspath(file))
 
@@ -170,7 +171,7 @@ def program(
 ) -> Program:
     """Reads a program, or creates one from its steps.
 
-    ``file`` ends in ``.toml``, or in ``.xml`` or ``.play`` for files of the vendor's software. ``text`` is the
+    ``file`` ends in ``.toml``, or in ``.xml``, ``.play`` or ``.playback`` for files of the vendor's software. ``text`` is the
     contents of a TOML file. ``steps`` are dictionaries with the keys of that text, and so are ``points``,
     ``grids``, ``frames``, ``tools``, ``title`` and ``start_speed_percent``: ``program(points={"tray": {"x":
     200, "y": 0, "z": 0}}, steps=[{"go": "tray", "suction": True}])``. Files used by a text or by steps are in

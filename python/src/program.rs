@@ -9,7 +9,7 @@ use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
 use dobot_host::{PlannedFor, Rules, dry_run};
 use dobot_safety::Policy;
-use dobot_teach::{Compiled, Program, ProgramError, ProgramForm, Times, check};
+use dobot_teach::{Compiled, Files, Program, ProgramError, ProgramForm, Times, check};
 use dobot_wire::Dialect;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -99,11 +99,14 @@ impl Taught {
     }
 
     /// Writes a file, and returns what its format cannot represent.
-    fn save(&self, file: PathBuf) -> PyResult<Vec<String>> {
+    fn save(&self, py: Python<'_>, file: PathBuf) -> PyResult<Vec<String>> {
         let (text, lost) = match form_of(&file)? {
             ProgramForm::Toml => (self.text.clone(), Vec::new()),
             form => {
-                let written = form.write(&self.source.program);
+                let written = py.detach(|| {
+                    let arm = PlannedFor::any(Rules::of(&Policy::default()).into(), None);
+                    form.write(&self.source.program, &mut self.source.files(&arm))
+                });
                 let written = written.map_err(|error| value_error(&error))?;
                 (written.content, written.warnings)
             }
@@ -153,13 +156,17 @@ impl Source {
         }
     }
 
-    /// Returns its commands for an arm.
-    fn compile(&self, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
+    /// Returns the files that it uses, with drawings for an arm.
+    fn files(&self, arm: &PlannedFor) -> impl Files {
         let read = |path: &str| {
             fs::read(self.folder.join(path)).map_err(|error| format!("cannot read {path}: {error}"))
         };
-        let mut files = ProgramFiles::new(read, arm.dialect(), arm.calibration.clone());
-        let mut compiled = self.program.compile_for(&arm.arm(), &mut files)?;
+        ProgramFiles::new(read, arm.dialect(), arm.calibration.clone())
+    }
+
+    /// Returns its commands for an arm.
+    fn compile(&self, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
+        let mut compiled = self.program.compile_for(&arm.arm(), &mut self.files(arm))?;
         self.title().clone_into(&mut compiled.title);
         Ok(compiled)
     }
@@ -220,7 +227,7 @@ fn form_of(file: &Path) -> PyResult<ProgramForm> {
     let name = file.to_string_lossy();
     ProgramForm::of_name(&name).ok_or_else(|| {
         PyValueError::new_err(format!(
-            "{name} is not a program; program files end in .toml, .xml or .play"
+            "{name} is not a program; program files end in .toml, .xml, .play or .playback"
         ))
     })
 }

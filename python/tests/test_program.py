@@ -96,7 +96,7 @@ def test_what_is_no_program_is_told_with_its_step_or_line(tmp_path: Path) -> Non
     wrong.write_text("[[steps]]\nfly = true")
     with pytest.raises(ValueError, match="wrong.toml.*line 2"):
         dobot.program(wrong)
-    with pytest.raises(ValueError, match=r"\.toml, \.xml or \.play"):
+    with pytest.raises(ValueError, match=r"\.toml, \.xml, \.play or \.playback"):
         dobot.program("cubes.txt")
     with pytest.raises(FileNotFoundError):
         dobot.program("no-such-file.toml")
@@ -133,8 +133,14 @@ def test_the_vendors_points_are_read_and_written(tmp_path: Path) -> None:
     with dobot.connect("virtual:firmware-1.1") as arm:
         arm.run(read)
         assert arm.joints.base_deg == pytest.approx(-10, abs=0.1)
-    lost = dobot.program(steps=[*joints, {"go": {"x": 200, "y": 0, "z": 0}}]).save(tmp_path / "two.play")
-    assert any("joint angles only" in it for it in lost)
+    there = tmp_path / "three.play"
+    assert dobot.program(steps=[*joints, {"go": {"x": 200, "y": 20, "z": 30}}]).save(there) == []
+    with dobot.connect("virtual:firmware-1.1") as arm:
+        arm.run(dobot.program(there))
+        status = arm.status()
+        assert (status.x_mm, status.y_mm, status.z_mm) == pytest.approx((200, 20, 30), abs=0.1)
+    with pytest.raises(ValueError, match="step 1 .*too far"):
+        dobot.program(steps=[{"go": {"x": 400, "y": 0, "z": 0}}]).save(there)
 
 
 def test_a_program_that_waits_for_a_person_says_so_and_goes_on() -> None:

@@ -100,7 +100,7 @@ impl Kind {
             return Ok(Self::Params);
         }
         Err(anyhow!(
-            "{} has the extension {end:?}; expected .toml, .xml or .play for a program, or .json for speeds",
+            "{} has the extension {end:?}; expected .toml, .xml, .play or .playback for a program, or .json for speeds",
             named(file)
         )
         .into())

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::vendor::{self, Read};
-use crate::{Program, ProgramError};
+use crate::{Files, Program, ProgramError};
 
 /// The file format of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -17,6 +17,8 @@ pub enum ProgramForm {
     Xml,
     /// `.play`.
     Play,
+    /// `.playback`, which is only read.
+    Playback,
 }
 
 impl ProgramForm {
@@ -35,6 +37,7 @@ impl ProgramForm {
             "toml" => Some(Self::Toml),
             "xml" => Some(Self::Xml),
             "play" => Some(Self::Play),
+            "playback" => Some(Self::Playback),
             _ => None,
         }
     }
@@ -55,6 +58,7 @@ impl ProgramForm {
             }
             Self::Xml => vendor::read_points(bytes),
             Self::Play => vendor::read_play(bytes),
+            Self::Playback => return vendor::read_playback(bytes),
         }?;
         Ok(Read {
             content: vendor::program_of(&points.content),
@@ -62,12 +66,17 @@ impl ProgramForm {
         })
     }
 
-    /// Writes the program in this format and returns what the format cannot express.
+    /// Writes the program in this format and returns what the format cannot express. `files` provides
+    /// the called programs and the drawings.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if the format can express none of the program.
-    pub fn write(self, program: &Program) -> Result<Read<String>, ProgramError> {
+    /// [`ProgramError`] if the format can express none of the program, or a position is out of reach.
+    pub fn write(
+        self,
+        program: &Program,
+        files: &mut dyn Files,
+    ) -> Result<Read<String>, ProgramError> {
         let write = match self {
             Self::Toml => {
                 return Ok(Read {
@@ -77,11 +86,16 @@ impl ProgramForm {
             }
             Self::Xml => vendor::write_points,
             Self::Play => vendor::write_play,
+            Self::Playback => {
+                return Err(ProgramError::new(
+                    ".playback files are only read; write a .toml, .xml or .play file",
+                ));
+            }
         };
-        let (points, warnings) = vendor::points_of(program);
+        let (points, warnings) = vendor::points_of(program, files)?;
         if points.is_empty() {
             return Err(ProgramError::new(
-                "the program has no point that this format can express; it stores joint angles only",
+                "the program has no point that this format can express",
             ));
         }
         Ok(Read {
@@ -100,6 +114,7 @@ fn text_of(bytes: &[u8]) -> Result<&str, ProgramError> {
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
+    use crate::NoFiles;
 
     const FORMS: [ProgramForm; 3] = [ProgramForm::Toml, ProgramForm::Xml, ProgramForm::Play];
 
@@ -110,7 +125,7 @@ mod tests {
     fn a_program_of_joint_angles_comes_back_from_every_form() {
         let program = Program::from_toml(JOINTS).unwrap();
         for form in FORMS {
-            let written = form.write(&program).unwrap();
+            let written = form.write(&program, &mut NoFiles).unwrap();
             assert!(written.warnings.is_empty(), "{form:?}");
             let read = form.read(written.content.as_bytes()).unwrap();
             let ways = |program: &Program| -> Vec<_> {
@@ -132,15 +147,17 @@ mod tests {
 
     #[test]
     fn what_a_form_cannot_carry_is_reported() {
-        let mixed = format!("{JOINTS}[[steps]]\ngo = {{ x = 200, y = 0, z = 0 }}\n");
+        let mixed = format!("{JOINTS}[[steps]]\nwait = \"look\"\n");
         let mixed = Program::from_toml(&mixed).unwrap();
-        let places = Program::from_toml("[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n").unwrap();
         for form in [ProgramForm::Xml, ProgramForm::Play] {
-            let [warning] = <[String; 1]>::try_from(form.write(&mixed).unwrap().warnings).unwrap();
-            assert!(warning.starts_with("line 7: "), "{warning}");
-            let error = form.write(&places).unwrap_err().to_string();
-            assert!(error.contains("joint angles only"), "{error}");
+            let written = form.write(&mixed, &mut NoFiles).unwrap();
+            let [warning] = <[String; 1]>::try_from(written.warnings).unwrap();
+            assert!(warning.starts_with("line 7: a wait"), "{warning}");
         }
+        let error = ProgramForm::Playback
+            .write(&mixed, &mut NoFiles)
+            .unwrap_err();
+        assert!(error.to_string().contains("only read"), "{error}");
     }
 
     #[test]
@@ -157,6 +174,7 @@ mod tests {
         for (name, form) in [
             ("PlayBackPoints.xml", Some(ProgramForm::Xml)),
             ("a.toml.PLAY", Some(ProgramForm::Play)),
+            ("cubes.playback", Some(ProgramForm::Playback)),
             ("x/y.d/cubes.Toml", Some(ProgramForm::Toml)),
             ("x.toml/cubes", None),
             ("PlayBackParams.json", None),

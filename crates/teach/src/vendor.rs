@@ -2,17 +2,20 @@
 //!
 //! Files come from many machines: deviations with a clear meaning are accepted with a warning.
 
+mod joint_points;
 mod params;
 mod play;
+mod playback;
 mod points;
 mod text;
+mod xml;
 
 use dobot_wire::MovingMode;
 
-pub use self::params::{JogParams, PlaybackParams};
+pub use self::params::{JogParams, Params, PlaybackParams};
 pub use self::text::decode;
 use crate::program::{Go, Here};
-use crate::{Action, Place, Point, Program, ProgramError};
+use crate::{Action, Files, Point, Program, ProgramError};
 
 /// A point of the vendor's software: joint angles and the state of the tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,76 +89,28 @@ pub fn program_of(points: &[VendorPoint]) -> Program {
     Program::new(steps.collect())
 }
 
-/// Returns the points of a program, and the lines that the format cannot express, each with the
-/// reason.
-#[must_use]
-pub fn points_of(program: &Program) -> (Vec<VendorPoint>, Vec<String>) {
-    let mut points: Vec<VendorPoint> = Vec::new();
-    let mut lost = Vec::new();
-    let mut held = Held::default();
-    for step in &program.steps.0 {
-        match held.point(program, step.get_ref()) {
-            Ok(point) => points.push(point),
-            Err(reason) => lost.push(format!("line {}: {reason}", program.line_of(step))),
-        }
-    }
-    if program.start_speed_percent.is_some() {
-        lost.push("start_speed_percent: a soft start".to_owned());
-    }
-    (points, lost)
+/// Parses a `.playback` file of the vendor's later software, whose points are positions.
+///
+/// # Errors
+///
+/// [`ProgramError`] with the line: not XML, another root element, a point without a coordinate, a
+/// value that is not allowed, such as the path of an arc.
+pub fn read_playback(bytes: &[u8]) -> Result<Read<Program>, ProgramError> {
+    playback::read(bytes)
 }
 
-/// The state after the steps before.
-#[derive(Default)]
-struct Held {
-    grab: bool,
-    gripper_deg: f64,
-    last: Option<VendorPoint>,
-}
-
-impl Held {
-    fn point(&mut self, program: &Program, action: &Action) -> Result<VendorPoint, String> {
-        let (then, at) = match action {
-            Action::Go(go) => (go.then, Some(place(program, go)?)),
-            Action::Here(then) => (*then, None),
-            _ => return Err("the format has points only; this step is left out".to_owned()),
-        };
-        self.grab = then.suction.unwrap_or(self.grab);
-        self.gripper_deg = then.gripper.unwrap_or(self.gripper_deg);
-        let (joints_deg, mode) = match (at, self.last) {
-            (Some(at), _) => at,
-            (None, Some(last)) => (last.joints_deg, MovingMode::MovJ),
-            (None, None) => {
-                return Err("the position of the arm is unknown; this step is left out".to_owned());
-            }
-        };
-        let pause_s = then.pause.unwrap_or(0.0);
-        let point = VendorPoint {
-            joints_deg,
-            mode,
-            grab: self.grab,
-            gripper_deg: self.gripper_deg,
-            pause_s,
-        };
-        self.last = Some(point);
-        Ok(point)
-    }
-}
-
-/// The joint angles of a step.
-fn place(program: &Program, go: &Go) -> Result<([f64; 4], MovingMode), String> {
-    let point = match &go.to {
-        Place::At(point) => Some(point),
-        Place::Named(name) => program.points.get(name),
-    };
-    match point {
-        Some(Point::Joints(joints)) if go.offset == crate::Offset::default() => {
-            Ok((*joints, go.path))
-        }
-        _ => Err(
-            "the format has joint angles only, without offsets; this step is left out".to_owned(),
-        ),
-    }
+/// Returns the points of a program, with the joint angles of its positions, and what the formats
+/// cannot express, with its line. `files` provides the called programs and the drawings.
+///
+/// # Errors
+///
+/// [`ProgramError`] for a program that cannot be compiled, and with all steps whose position is out
+/// of reach.
+pub fn points_of(
+    program: &Program,
+    files: &mut dyn Files,
+) -> Result<(Vec<VendorPoint>, Vec<String>), ProgramError> {
+    joint_points::read(program, files)
 }
 
 fn bad(line: impl Into<Option<usize>>, reason: impl Into<String>) -> ProgramError {

@@ -202,7 +202,7 @@ function files({ page, t, act }) {
       <h2 id="teach-files-title">${t("teach.files")}</h2>
       <div class="row">
         <button id="teach-save" type="button" class="small" ?disabled=${!page.teach.text} @click=${save}>${t("teach.save")}</button>
-        <input id="teach-file" type="file" accept=".toml,.xml,.play,text/plain" hidden aria-label=${t("teach.open")} @change=${choose}>
+        <input id="teach-file" type="file" accept=".toml,.xml,.play,.playback,text/plain" hidden aria-label=${t("teach.open")} @change=${choose}>
         <button id="teach-open" type="button" class="small" @click=${() => document.getElementById("teach-file")?.click()}>${t("teach.open")}</button>
         <button id="teach-xml" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => void exportAs("xml")}>.xml</button>
         <button id="teach-play" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => void exportAs("play")}>.play</button>

@@ -139,7 +139,7 @@ export function createTeach(store, http, socket, takeControlIfFree) {
     },
     /** A program, or a file of the vendor's programs. @param {File} file */
     async open(file) {
-      const from = /\.(xml|play)$/i.exec(file.name)?.[1]?.toLowerCase();
+      const from = /\.(xml|play|playback)$/i.exec(file.name)?.[1]?.toLowerCase();
       if (!from) return send({ type: "teach_text", text: await file.text(), name: file.name, chosen: null });
       const { value, problem } = await http.ask("POST", "api/v1/programs/convert", { data: await base64(file), from, to: "toml" });
       if (problem) return send({ type: "teach_refused", problem });

@@ -24,7 +24,7 @@ The exit code is 1 if there are problems. The program is checked for the arm of
 the station, as it stands, with its speeds, calibration and policy; if no
 station runs, for an arm that was just switched on.")]
 pub(crate) struct Args {
-    /// Program: a TOML file, PlayBackPoints.xml or a .play file
+    /// Program: a TOML file, PlayBackPoints.xml, a .play or a .playback file
     #[arg(required_unless_present = "schema")]
     program: Option<PathBuf>,
     /// Print the report as JSON

@@ -3,21 +3,25 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
-use dobot_teach::vendor::PlaybackParams;
+use dobot_host::{PlannedFor, Rules};
+use dobot_safety::Policy;
+use dobot_teach::vendor::{JogParams, Params, PlaybackParams};
 use dobot_teach::{Action, Program};
 
 use crate::failure::Failure;
 use crate::output;
 use crate::program_file::{self, Kind};
 
-/// Convert a program: .toml, PlayBackPoints.xml, .play, PlayBackParams.json
+/// Convert a program: .toml, PlayBackPoints.xml, .play, .playback, PlayBackParams.json
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
   dobot convert PlayBackPoints.xml job.toml       from the vendor's program
   dobot convert job.toml PlayBackPoints.xml       and back
+  dobot convert later.playback job.toml           from its later program
   dobot convert PlayBackParams.json speeds.toml   its speeds, as one step
 
+The vendor's formats hold joint angles: those of positions are computed.
 Warnings name what the other format cannot hold.")]
 pub(crate) struct Args {
     /// Input file
@@ -38,7 +42,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let (text, lost) = match to {
         Kind::Params => params(&program)?,
         Kind::Program(form) => {
-            let written = form.write(&program)?;
+            let arm = PlannedFor::any(Rules::of(&Policy::default()).into(), None);
+            let mut files = program_file::files_beside(&args.from, &arm);
+            let written = form.write(&program, &mut files)?;
             (written.content, written.warnings)
         }
     };
@@ -50,8 +56,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 
 /// Creates a program of one step that sets the speeds of `PlayBackParams.json`.
 fn speeds(file: &Path) -> Result<Program, Failure> {
-    let params = PlaybackParams::read(&program_file::bytes(file)?)
-        .with_context(|| file.display().to_string())?;
+    let read = Params::read(&program_file::bytes(file)?);
+    let params = match read.with_context(|| file.display().to_string())? {
+        Params::Playback(params) => params,
+        Params::Jog(params) => return Err(jog_speeds(file, &params)),
+    };
     if params.pause_time != 0.0 {
         eprintln!(
             "warning: {}: pauseTime is {}; it is omitted, because each step of a program has its own pause",
@@ -60,6 +69,29 @@ fn speeds(file: &Path) -> Result<Program, Failure> {
         );
     }
     Ok(Program::new(vec![Action::Speed(params.speed())]))
+}
+
+/// The failure for a file with speeds of jogs, which must not become those of moves.
+fn jog_speeds(file: &Path, params: &JogParams) -> Failure {
+    let error = anyhow!(
+        "{} contains the speeds of jogs; the steps of a program set those of moves",
+        file.display()
+    );
+    Failure::new(
+        error,
+        format!(
+            "set them with `dobot set jog --joint-speed {} --joint-acceleration {} --servo-speed {} \
+             --servo-acceleration {} --linear-speed {} --linear-acceleration {}`, and jog with \
+             `dobot jog BUTTON --percent {}`",
+            params.joint_velocity,
+            params.joint_acceleration,
+            params.servo_velocity,
+            params.servo_acceleration,
+            params.linear_velocity,
+            params.linear_acceleration,
+            params.velocity_ratio,
+        ),
+    )
 }
 
 /// Converts the first speeds of a program to `PlayBackParams.json`.

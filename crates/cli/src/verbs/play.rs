@@ -35,7 +35,7 @@ Examples:
 The program becomes a job, which survives a crash and a power failure.
 `dobot jobs` shows its step and cycle, pauses it, and changes its speed.")]
 pub(crate) struct Args {
-    /// Program: a TOML file, PlayBackPoints.xml or a .play file
+    /// Program: a TOML file, PlayBackPoints.xml, a .play or a .playback file
     program: PathBuf,
     /// Number of cycles (default: as in the program)
     #[arg(long, value_name = "N", value_parser = values::whole_from(1), conflicts_with = "forever")]

@@ -266,6 +266,35 @@ fn what_another_form_cannot_carry_is_told() {
 }
 
 #[test]
+fn positions_are_converted_to_joint_angles_and_those_out_of_reach_are_named() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let example = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../../examples/programs/pick-and-place.toml");
+    let points = path("points.xml");
+    dobot(&["convert", &example.display().to_string(), &points]).succeeds();
+    dobot(&["check", &points]).succeeds();
+    let far = InFile::new("[[steps]]\ngo = { x = 400, y = 0, z = 0 }\n");
+    dobot(&["convert", &far.path(), &path("far.xml")])
+        .fails(1, &["line 1: step 1 (go to x 400 y 0 z 0)", "too far"]);
+}
+
+#[test]
+fn speeds_of_jogs_do_not_become_those_of_moves() {
+    let jog = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../teach/tests/data/JogParams.json");
+    let folder = tempfile::tempdir().expect("there is room");
+    let speeds = folder.path().join("speeds.toml").display().to_string();
+    dobot(&["convert", &jog.display().to_string(), &speeds]).fails(
+        1,
+        &[
+            "speeds of jogs",
+            "dobot set jog --joint-speed 15 ",
+            "--percent 50",
+        ],
+    );
+}
+
+#[test]
 fn a_program_without_a_fault_is_told_with_its_times() {
     let file = InFile::new(CARRY);
     let report = &json(&["check", &file.path()])["report"];

@@ -3,6 +3,7 @@
 use dobot_wire::{Command, Configuration, PlaybackAdjustment, single};
 use serde::{Deserialize, Serialize};
 use serde_json::error::Category;
+use serde_json::{Map, Value};
 
 use super::bad;
 use super::text::decode;
@@ -76,6 +77,35 @@ pub struct PlaybackParams {
     /// Factor for all speeds, in percent.
     #[serde(deserialize_with = "finite")]
     pub velocity_ratio: f64,
+}
+
+/// The parameters of a file, which its keys tell apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Params {
+    /// Those of jogs.
+    Jog(JogParams),
+    /// Those of targets.
+    Playback(PlaybackParams),
+}
+
+impl Params {
+    /// Parses a file: with a key that only targets have, `PlayBackParams.json`, otherwise
+    /// `JogParams.json`.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`PlaybackParams::read`] and [`JogParams::read`].
+    pub fn read(bytes: &[u8]) -> Result<Self, ProgramError> {
+        let (text, _) = decode(bytes);
+        let object: Option<Map<String, Value>> = serde_json::from_str(&text).ok();
+        let is_jog =
+            object.is_some_and(|object| object.keys().all(|key| JOG_KEYS.contains(&&**key)));
+        if is_jog {
+            JogParams::read(bytes).map(Self::Jog)
+        } else {
+            PlaybackParams::read(bytes).map(Self::Playback)
+        }
+    }
 }
 
 impl Default for JogParams {
@@ -296,3 +326,14 @@ fn pretty(params: &impl Serialize) -> String {
     let lines: Vec<String> = fields.iter().map(line).collect();
     format!("{{\n{}\n}}\n", lines.join(",\n"))
 }
+
+/// The keys of `JogParams.json`, which `PlayBackParams.json` has too.
+const JOG_KEYS: [&str; 7] = [
+    "jointAcceleration",
+    "jointVelocity",
+    "linearAcceleration",
+    "linearVelocity",
+    "servoAcceleration",
+    "servoVelocity",
+    "velocityRatio",
+];

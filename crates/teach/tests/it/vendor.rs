@@ -1,8 +1,8 @@
 //! Files of the vendor's software: samples and deviations.
 
 use dobot_teach::vendor::{
-    JogParams, PlaybackParams, VendorPoint, points_of, program_of, read_play, read_points,
-    write_play, write_points,
+    JogParams, Params, PlaybackParams, VendorPoint, points_of, program_of, read_play,
+    read_playback, read_points, write_play, write_points,
 };
 use dobot_teach::{NoFiles, Program};
 use dobot_wire::{Command, Configuration, MovingMode};
@@ -38,7 +38,7 @@ fn an_old_file_becomes_a_program_and_its_targets() {
     let program = program_of(&points(POINTS).0);
     let again = Program::from_toml(&program.to_toml()).unwrap();
     assert_eq!(again, program);
-    let (back, lost) = points_of(&again);
+    let (back, lost) = points_of(&again, &mut NoFiles).unwrap();
     assert_eq!((write_points(&back).as_str(), lost.len()), (POINTS, 0));
     let compiled = program.compile(&mut NoFiles).unwrap();
     let Command::MoveJoints(second) = compiled.commands[1] else {
@@ -185,8 +185,145 @@ fn a_bad_file_is_reported_with_its_line_what_was_found_and_what_is_allowed() {
 #[test]
 fn what_the_other_form_cannot_carry_is_reported() {
     let program = Program::from_toml("start_speed_percent = 20\n[[steps]]\ngo = {x=200,y=0,z=0}\n[[steps]]\ngo={base=0,rear=45,fore=45}\n[[steps]]\nwait = \"?\"").unwrap();
-    let (it, lost) = points_of(&program);
-    assert_eq!((it.len(), lost.len()), (1, 3), "{lost:?}");
+    let (it, lost) = points_of(&program, &mut NoFiles).unwrap();
+    assert_eq!((it.len(), lost.len()), (2, 2), "{lost:?}");
+}
+
+/// The joint angles of the points of a program.
+fn joints_of(text: &str) -> Vec<[f64; 4]> {
+    let program = Program::from_toml(text).unwrap();
+    let (points, lost) = points_of(&program, &mut NoFiles).unwrap();
+    assert_eq!(lost, Vec::<String>::new());
+    points.iter().map(|point| point.joints_deg).collect()
+}
+
+#[test]
+fn positions_become_the_joint_angles_of_the_arm() {
+    // Upright rear arm and level forearm: x is 160 mm and the tool's 55.07 mm, z 135 mm.
+    let found = joints_of("[[steps]]\ngo = { x = 215.07, y = 0, z = 135, rotation = 20 }\n");
+    assert_eq!(found, [[0.0, 0.0, 0.0, 20.0]]);
+    // The same with the tip 40 mm below, and turned to the left.
+    let tip = "[tools.cup]\nkind = \"suction_cup\"\nlength = 40\n[[steps]]\ntool = \"cup\"\n[[steps]]\ngo = { x = 0, y = 215.07, z = 95 }\n";
+    let program = Program::from_toml(tip).unwrap();
+    let (points, lost) = points_of(&program, &mut NoFiles).unwrap();
+    assert_eq!(points[0].joints_deg, [90.0, 0.0, 0.0, -90.0]);
+    assert!(
+        lost.len() == 1 && lost[0].starts_with("line 4: the tool"),
+        "{lost:?}"
+    );
+}
+
+#[test]
+fn grids_offsets_and_grips_become_points() {
+    let text = include_str!("../../../../examples/programs/pick-and-place.toml");
+    let program = Program::from_toml(text).unwrap();
+    let (points, lost) = points_of(&program, &mut NoFiles).unwrap();
+    let compiled = program.compile(&mut NoFiles).unwrap();
+    let is_target =
+        |command: &&Command| matches!(command, Command::MoveTo(_) | Command::MoveJoints(_));
+    assert_eq!(
+        points.len(),
+        compiled.commands.iter().filter(is_target).count()
+    );
+    assert_eq!(
+        points.iter().filter(|point| point.grab).count(),
+        9,
+        "nine cubes"
+    );
+    assert_eq!(lost.len(), 2, "its speeds and the soft start: {lost:?}");
+}
+
+#[test]
+fn every_position_out_of_reach_is_named_with_its_step_and_line() {
+    let text = "[points]\nfar = { x = 400, y = 0, z = 0 }\n[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n[[steps]]\ngo = \"far\"\n[[steps]]\ngo = { x = 200, y = 0, z = 300 }\n";
+    let program = Program::from_toml(text).unwrap();
+    let error = points_of(&program, &mut NoFiles).unwrap_err().to_string();
+    assert!(error.starts_with("line 5: step 2 (go to far): "), "{error}");
+    assert!(
+        error.contains("line 7: step 3 (go to x 200 y 0 z 300): "),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_later_file_becomes_a_program_of_positions() {
+    let read = read_playback(PLAYBACK.as_bytes()).unwrap();
+    let expected = Program::from_toml(
+        "[[steps]]\ngo = { x = 196.4, y = -126.25, z = 73.5, rotation = -5.5 }\npath = \"movj\"\n\
+         [[steps]]\ngo = { x = 220, y = 0, z = 20, rotation = 0 }\npath = \"movl\"\nsuction = true\npause = 1.5\n\
+         [[steps]]\ngo = { x = 220, y = 60, z = 20, rotation = 0 }\nsuction = false\n",
+    )
+    .unwrap();
+    assert_eq!(read.content.to_toml(), expected.to_toml());
+    assert_eq!(read.warnings.len(), 2, "{:?}", read.warnings);
+    assert!(
+        read.warnings[0].contains("another arm"),
+        "{:?}",
+        read.warnings
+    );
+    assert!(read.warnings[1].contains("gripper"), "{:?}", read.warnings);
+}
+
+#[test]
+fn a_bad_later_file_is_reported_with_its_line() {
+    for (from, to, part) in [
+        (
+            "<item_0>1</item_0>",
+            "<item_0>3</item_0>",
+            "<item_0> is \"3\"; allowed are 0",
+        ),
+        ("<item_2>196.4</item_2>", "<item_2/>", "no <item_2>"),
+        (
+            "<item_12>1</item_12>",
+            "<item_12>on</item_12>",
+            "0 (off) and 1 (on)",
+        ),
+    ] {
+        let error = read_playback(PLAYBACK.replacen(from, to, 1).as_bytes())
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.starts_with("line ") && error.contains(part),
+            "{error}"
+        );
+    }
+    let error = read_playback(b"<playBack/>").unwrap_err().to_string();
+    assert!(error.contains("<root>"), "{error}");
+}
+
+/// As the vendor's later software writes it.
+const PLAYBACK: &str = "\
+<root>
+  <DobotType><item_0>Magician</item_0></DobotType>
+  <row_StudioVersion><item_0>Ver-194</item_0></row_StudioVersion>
+  <row0>
+    <item_0>1</item_0><item_1/>
+    <item_2>196.4</item_2><item_3>-126.25</item_3><item_4>73.5</item_4><item_5>-5.5</item_5>
+    <item_10>0.0</item_10>
+  </row0>
+  <row1>
+    <item_0>2</item_0><item_1>pick</item_1>
+    <item_2>220</item_2><item_3>0</item_3><item_4>20</item_4><item_5>0</item_5>
+    <item_10>1.5</item_10><item_12>1</item_12>
+  </row1>
+  <row2>
+    <item_0>0</item_0><item_1>place</item_1>
+    <item_2>220</item_2><item_3>60</item_3><item_4>20</item_4><item_5>0</item_5>
+    <item_10>0</item_10><item_11>2</item_11><item_12>0</item_12>
+  </row2>
+</root>
+";
+
+#[test]
+fn speeds_of_jogs_are_never_read_as_speeds_of_moves() {
+    let jog = include_bytes!("../data/JogParams.json");
+    assert_eq!(
+        Params::read(jog).unwrap(),
+        Params::Jog(JogParams::read(jog).unwrap())
+    );
+    let playback = include_bytes!("../data/PlayBackParams.json");
+    let expected = Params::Playback(PlaybackParams::read(playback).unwrap());
+    assert_eq!(Params::read(playback).unwrap(), expected);
 }
 
 proptest! {
@@ -213,6 +350,8 @@ proptest! {
     fn any_text_is_read_or_refused(text in "\\PC{0,200}") {
         let _ = read_points(text.as_bytes());
         let _ = read_play(text.as_bytes());
+        let _ = read_playback(text.as_bytes());
+        let _ = Params::read(text.as_bytes());
         let _ = PlaybackParams::read(text.as_bytes());
         if let Ok(program) = Program::from_toml(&text) {
             let _ = program.compile(&mut NoFiles);

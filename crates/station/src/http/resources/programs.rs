@@ -8,8 +8,8 @@ use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
 use dobot_host::{PlannedFor, dry_run};
 use dobot_teach::{
-    Action, Compiled, Point, Program, ProgramDocument, ProgramError, ProgramForm, RecordedPlace,
-    Times, ToolState, check, path_steps, simplified,
+    Action, Compiled, NoFiles, Point, Program, ProgramDocument, ProgramError, ProgramForm,
+    RecordedPlace, Times, ToolState, check, path_steps, simplified,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -214,7 +214,10 @@ pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Proble
         _ => return Err(BAD_PROGRAM.problem("give either text or data")),
     };
     let program = asked.from.read(&bytes).map_err(bad)?;
-    let written = asked.to.write(&program.content).map_err(bad)?;
+    let written = asked
+        .to
+        .write(&program.content, &mut NoFiles)
+        .map_err(bad)?;
     let mut warnings = program.warnings;
     warnings.extend(written.warnings);
     Ok(ConvertedProgram {

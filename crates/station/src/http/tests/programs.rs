@@ -204,20 +204,21 @@ async fn a_vendor_file_becomes_a_program_and_one_again() {
     for form in ["xml", "play"] {
         let answer = ask(json!({"text": text, "to": form})).await;
         let file = answer.is(200).value();
-        // Such a file contains joint angles only.
-        assert_eq!(file["warnings"].as_array().unwrap().len(), 1, "{file}");
+        assert_eq!(file["warnings"].as_array().unwrap().len(), 0, "{file}");
         let bytes = file["text"].as_str().unwrap().as_bytes();
         let data = data_encoding::BASE64.encode(bytes);
         let answer = ask(json!({"data": data, "from": form, "to": "toml"})).await;
         let back = answer.is(200).value();
         let back = back["text"].as_str().unwrap();
         assert!(back.contains("rear = 40"), "{back}");
+        assert_eq!(back.matches("[[steps]]").count(), 2, "{back}");
     }
     for wrong in [
         json!({"to": "xml"}),
         json!({"data": "%", "from": "xml", "to": "toml"}),
         json!({"text": "nonsense", "to": "xml"}),
         json!({"text": "[[steps]]\npause = 1\n", "to": "play"}),
+        json!({"text": "[[steps]]\ngo = { x = 400, y = 0, z = 0 }\n", "to": "play"}),
     ] {
         let answer = ask(wrong).await;
         assert_eq!(answer.is(422).problem().0, "bad-program");
