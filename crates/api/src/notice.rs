@@ -4,7 +4,7 @@ use dobot_wire::Dialect;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{ClientId, JobPhase};
+use crate::{ClientId, JobPhase, LinkCause};
 
 /// An event, for all observers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -28,6 +28,11 @@ pub enum News {
     LinkUp,
     /// The link to the arm was lost.
     LinkLost,
+    /// There is no link to an arm: at the start, after a loss, and when the cause has changed.
+    NoLink {
+        /// Why.
+        cause: LinkCause,
+    },
     /// The arm was reset: its pose cannot be trusted.
     Reset,
     /// The pose was confirmed, or the arm was referenced.

@@ -4,7 +4,7 @@ use dobot_wire::{Command, Dialect, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{FleetWideStop, JobView, LeaseView, NearView, SlotsView};
+use crate::{FleetWideStop, JobView, LeaseView, LinkCause, NearView, SlotsView};
 
 /// The state of the station at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -71,6 +71,8 @@ impl State {
                 address: Some("serial:/dev/ttyUSB0@9600".to_owned()),
                 phase: LinkPhase::Up,
                 problem: None,
+                cause: None,
+                remedy: None,
                 bluetooth: false,
                 statuses_per_s: 12.5,
                 lost_statuses: 0,
@@ -129,8 +131,12 @@ pub struct LinkView {
     pub address: Option<String>,
     /// The phase of the link.
     pub phase: LinkPhase,
-    /// What is wrong and what to do, if anything.
+    /// What is wrong, if anything.
     pub problem: Option<String>,
+    /// Its kind, for programs.
+    pub cause: Option<LinkCause>,
+    /// What to do about it.
+    pub remedy: Option<String>,
     /// Whether the link uses the Bluetooth port of a stock arm, as detected from its statuses. Its
     /// joint jogs have other axes, to which jogs are translated.
     #[serde(default)]

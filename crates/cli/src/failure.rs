@@ -195,18 +195,9 @@ const fn send_hint(error: &SendError) -> Option<&'static str> {
 
 const fn link_hint(error: &LinkError) -> Option<&'static str> {
     match error {
-        LinkError::Silent { noise: 0, .. } => {
-            Some("switch the arm on, and check its port: `dobot ports` lists the ports")
-        }
-        LinkError::Silent { .. } => Some(
-            "check the line speed and the device: 9600 is usual; append `@256000` to the port for a green board",
-        ),
-        LinkError::Closed | LinkError::Broken(_) => Some(
-            "check that the arm is plugged in and switched on; over TCP it serves one client at a time",
-        ),
         LinkError::NotReached { .. } => {
             Some("run `dobot status` to see where the arm is; a nearer target may be allowed")
         }
-        _ => None,
+        _ => error.hint(),
     }
 }

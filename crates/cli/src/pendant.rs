@@ -150,7 +150,11 @@ impl Pendant {
         }
         let hinders = match notice.news {
             News::Refused { client, .. } => client == self.client,
-            News::DeadMan | News::LinkLost | News::Stopped | News::CommandFailed { .. } => true,
+            News::DeadMan
+            | News::LinkLost
+            | News::NoLink { .. }
+            | News::Stopped
+            | News::CommandFailed { .. } => true,
             _ => false,
         };
         if hinders {

@@ -322,7 +322,9 @@ impl StationClient {
                 News::CommandFailed { command: failed } if failed == command => {
                     return Err(RemoteError::Failed(notice.text));
                 }
-                News::LinkLost => return Err(RemoteError::Failed(notice.text)),
+                News::LinkLost | News::NoLink { .. } => {
+                    return Err(RemoteError::Failed(notice.text));
+                }
                 _ => {}
             }
         }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use dobot_api::LinkProblem;
 use dobot_controller::{Personality, PowerUp};
 use dobot_session::{Address, Link};
 use dobot_sim::{InProcess, Speed};
@@ -40,7 +41,7 @@ pub(crate) enum Connecting {
     /// The port is open.
     Up(Found),
     /// Not yet, and why.
-    Waiting(String),
+    Waiting(LinkProblem),
     /// A search is already running.
     Begun(mpsc::Receiver<Self>),
 }
@@ -125,7 +126,7 @@ async fn attempt(source: &Source) -> Connecting {
         }),
         Source::Port(finder) => match finder.lock().await.find(|_| ()).await {
             Ok(found) => Connecting::Up(found),
-            Err(nothing) => Connecting::Waiting(nothing.to_string()),
+            Err(nothing) => Connecting::Waiting(nothing.problem()),
         },
     }
 }

@@ -8,11 +8,12 @@ use std::io;
 use std::time::Duration;
 
 use dobot_api::{
-    CalibrationFile, Calibrations, ClientId, FleetWideStop, LinkPhase, News, Notice, Reply, Request,
+    CalibrationFile, Calibrations, ClientId, FleetWideStop, LinkPhase, LinkProblem, News, Notice,
+    Reply, Request,
 };
 use dobot_motion::Model;
 use dobot_safety::Policy;
-use dobot_session::Link;
+use dobot_session::{Link, LinkError};
 use dobot_supervisor::{Effect, Refusal, StoppedBy, Supervisor};
 use dobot_wire::{Dialect, Packet};
 use tokio::runtime::Handle;
@@ -23,6 +24,7 @@ use self::log::log;
 use crate::Found;
 use crate::connect::{Connecting, Source};
 use crate::disk::Disk;
+use crate::finder::cause_of_link;
 use crate::handle::{DriverChannels, Message, PassedPacket};
 use crate::host::scaled_to_arm_time;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
@@ -93,7 +95,7 @@ struct DeferredStart {
 /// What the driver waits for.
 enum DriverEvent {
     Message(Option<Message>),
-    Link(Result<bool, dobot_session::LinkError>),
+    Link(Result<bool, LinkError>),
     Connecting(Option<Connecting>),
     Written(Option<Written>),
     Time,
@@ -657,23 +659,27 @@ impl Driver {
         self.supervisor.planning_model()
     }
 
-    fn handle_received(&mut self, outcome: Result<bool, dobot_session::LinkError>) {
+    fn handle_received(&mut self, outcome: Result<bool, LinkError>) {
         let now = self.now();
         if !self.incoming.is_empty() {
             self.recording.heard(now, &self.incoming);
             self.supervisor.handle_bytes(now, &self.incoming);
             self.incoming.clear();
         }
-        let problem = match outcome {
+        let error = match outcome {
             Ok(true) => return,
-            Ok(false) => "the other end closed the link".to_owned(),
-            Err(error) => error.to_string(),
+            Ok(false) => LinkError::Closed,
+            Err(error) => error,
         };
         self.link = None;
         self.heartbeats.stop();
-        let problem = format!("{problem}; the station is searching for the arm again");
+        let problem = LinkProblem {
+            cause: cause_of_link(&error),
+            text: format!("{error}; the station is searching for the arm again"),
+            remedy: error.hint().map(str::to_owned),
+        };
         self.supervisor
-            .handle_link_down(now, LinkPhase::Lost, Some(problem));
+            .handle_link_down(now, LinkPhase::Lost, problem);
         self.connect();
     }
 
@@ -726,7 +732,7 @@ impl Driver {
             Some(Connecting::Up(found)) => self.take_up(found),
             Some(Connecting::Waiting(problem)) => {
                 self.supervisor
-                    .handle_link_down(now, LinkPhase::Searching, Some(problem));
+                    .handle_link_down(now, LinkPhase::Searching, problem);
             }
             Some(Connecting::Begun(news)) => self.connecting = Some(news),
             None => {}
@@ -779,7 +785,7 @@ async fn receive(
     link: Option<&mut Link>,
     until: Duration,
     incoming: &mut Vec<u8>,
-) -> Result<bool, dobot_session::LinkError> {
+) -> Result<bool, LinkError> {
     match link {
         Some(link) => link.receive(until, incoming).await,
         None => std::future::pending().await,

@@ -18,6 +18,7 @@ use self::candidate::{Candidate, Choice, choose};
 use self::failed_attempts::FailedAttempts;
 use self::listening::Listening;
 
+pub(crate) use probe_failures::cause_of_link;
 pub use probe_failures::{NothingFound, ProbeFailure};
 pub use reconnect::Reconnect;
 pub use search::{KnownPort, Search};
@@ -147,9 +148,7 @@ impl Finder {
     ) -> Result<Found, ProbeFailure> {
         let now = self.started.elapsed();
         if let Some(why) = self.failed_attempts.reason_to_wait(candidate, now) {
-            return Err(ProbeFailure::Before {
-                why: why.to_owned(),
-            });
+            return Err(ProbeFailure::Before(why.clone()));
         }
         tracing::debug!(address = %candidate.address, device = candidate.device, "listening for an arm");
         report(FinderNews::Listening {
@@ -183,11 +182,7 @@ async fn listen(candidate: &Candidate) -> Result<Found, ProbeFailure> {
     let mut listening = Listening::new();
     let mut some = Vec::new();
     while link.now() < Listening::UNTIL {
-        let open = match link.receive(Listening::UNTIL, &mut some).await {
-            Ok(open) => open,
-            Err(LinkError::Broken(source)) => return Err(ProbeFailure::Broken(source)),
-            Err(_) => false,
-        };
+        let open = link.receive(Listening::UNTIL, &mut some).await;
         if listening.handle_bytes(&some) {
             darken(&mut link).await;
             return Ok(Found {
@@ -196,12 +191,17 @@ async fn listen(candidate: &Candidate) -> Result<Found, ProbeFailure> {
                 bytes: listening.into_bytes(),
             });
         }
-        if !open {
-            return Err(ProbeFailure::Closed);
+        if let Some(error) = match open {
+            Ok(true) => None,
+            Ok(false) => Some(LinkError::Closed),
+            Err(error) => Some(error),
+        } {
+            let received = listening.no_status();
+            return Err(ProbeFailure::Link { error, received });
         }
         some.clear();
     }
-    Err(listening.failure())
+    Err(ProbeFailure::NoStatus(listening.no_status()))
 }
 
 /// Sends laser off, whatever the arm was sent before.

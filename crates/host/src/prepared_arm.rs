@@ -117,7 +117,7 @@ impl PreparedArm {
         let mut news = self.source.connect(self.thread.runtime());
         match news.recv().await {
             Some(Connecting::Waiting(nothing)) => {
-                self.notes.push(nothing);
+                self.notes.push(nothing.to_string());
                 self.use_virtual(arm);
             }
             first => self.first = first,

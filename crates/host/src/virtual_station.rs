@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use dobot_api::JobState;
 use dobot_api::{
-    Calibrations, ClientId, FleetWideStop, JobPath, JobView, LinkPhase, NewJob, Notice, Reply,
-    Request, Role,
+    Calibrations, ClientId, FleetWideStop, JobPath, JobView, LinkCause, LinkPhase, LinkProblem,
+    NewJob, Notice, Reply, Request, Role,
 };
 use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, Journal, JournalError};
@@ -151,9 +151,14 @@ impl VirtualStation {
     /// Unplugs the cable.
     pub fn unplug(&mut self) {
         self.plugged = false;
-        let why = Some("the cable was pulled".to_owned());
+        let problem = LinkProblem {
+            cause: LinkCause::Broken,
+            text: "the cable was pulled".to_owned(),
+            remedy: None,
+        };
         let now = self.supervisor_now();
-        self.supervisor.handle_link_down(now, LinkPhase::Lost, why);
+        self.supervisor
+            .handle_link_down(now, LinkPhase::Lost, problem);
         self.settle();
     }
 

@@ -6,10 +6,10 @@ use std::time::Duration;
 use dobot_arm::Position;
 use dobot_wire::Status;
 
-use crate::{CommandId, LinkError, ResetEvidence, SendError};
+use crate::{CommandId, LinkError, NoStatus, ResetEvidence, SendError};
 
 /// An event of a session.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Event {
     /// The arm sent its status.
@@ -68,8 +68,8 @@ pub enum Event {
     LinkLost {
         /// The duration of the silence.
         silent_for: Duration,
-        /// Bytes that arrived but belong to no status.
-        noise: u64,
+        /// What arrived instead.
+        received: NoStatus,
     },
 }
 
@@ -127,7 +127,13 @@ impl Event {
     /// [`LinkError::Reset`] for a reset, [`LinkError::Send`] for a command that was not sent.
     pub fn or_failed(self) -> Result<Self, LinkError> {
         match self {
-            Self::LinkLost { silent_for, noise } => Err(LinkError::Silent { silent_for, noise }),
+            Self::LinkLost {
+                silent_for,
+                received,
+            } => Err(LinkError::Silent {
+                silent_for,
+                received,
+            }),
             Self::NotReached {
                 reason,
                 expected,

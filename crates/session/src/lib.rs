@@ -33,6 +33,7 @@ mod in_flight;
 #[cfg(feature = "io")]
 mod link;
 mod link_error;
+mod no_status;
 mod observer;
 #[cfg(feature = "io")]
 mod open;
@@ -57,6 +58,7 @@ pub use event::{Disarmed, Event, NotReached};
 #[cfg(feature = "io")]
 pub use link::Link;
 pub use link_error::LinkError;
+pub use no_status::{NoStatus, StatusWait};
 pub use observer::{Observer, SeenOver};
 #[cfg(feature = "io")]
 pub use open::OpenError;

@@ -3,23 +3,19 @@
 use std::io;
 use std::time::Duration;
 
-use crate::{NotReached, ResetEvidence, SendError};
+use crate::{NoStatus, NotReached, ResetEvidence, SendError};
 
 /// The error returned when communication with an arm fails.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum LinkError {
     /// No status arrived for too long.
-    #[error(
-        "the arm has sent no valid status for {:.1} s{}",
-        silent_for.as_secs_f64(),
-        if *noise > 0 { format!(", only {noise} bytes that belong to no status") } else { String::new() }
-    )]
+    #[error("the arm has sent no valid status for {:.1} s: {received}", silent_for.as_secs_f64())]
     Silent {
         /// The time since the last status.
         silent_for: Duration,
-        /// The number of bytes received in that time that belong to no status.
-        noise: u64,
+        /// What arrived in that time.
+        received: NoStatus,
     },
     /// The other end closed the link.
     #[error("the other end closed the link")]
@@ -43,4 +39,18 @@ pub enum LinkError {
     /// A command is not allowed.
     #[error(transparent)]
     Send(#[from] SendError),
+}
+
+impl LinkError {
+    /// A hint for the user, if the link itself failed.
+    #[must_use]
+    pub const fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::Silent { received, .. } => Some(received.hint()),
+            Self::Closed | Self::Broken(_) => Some(
+                "check that the arm is plugged in and switched on; over TCP it serves one client at a time",
+            ),
+            Self::NotReached { .. } | Self::Reset(_) | Self::Send(_) => None,
+        }
+    }
 }

@@ -18,7 +18,7 @@ use crate::plan::{Plan, position};
 use crate::quality::Meter;
 use crate::reset_detector::{DEAF, ResetDetector};
 use crate::send_error::moves;
-use crate::{Disarmed, Event, SendError};
+use crate::{Disarmed, Event, SendError, StatusWait};
 
 /// The connection to one arm, as an engine: it owns no port, no thread and no clock.
 ///
@@ -83,6 +83,8 @@ pub struct Session {
     opened: bool,
     resyncs: u64,
     skipped: u64,
+    /// What has arrived since the last status.
+    status_wait: StatusWait,
     events: VecDeque<Event>,
 }
 
@@ -139,6 +141,7 @@ impl Session {
             opened: true,
             resyncs: 0,
             skipped: 0,
+            status_wait: StatusWait::default(),
             events: VecDeque::new(),
         }
     }
@@ -252,6 +255,7 @@ impl Session {
         self.heard = now;
         self.opened = true;
         self.decoder = Decoder::statuses(plausible);
+        self.status_wait = StatusWait::default();
         self.permit_scheme = PermitScheme::default();
         self.trust.handle_open();
         (self.resyncs, self.skipped) = (0, 0);
@@ -290,7 +294,11 @@ impl Session {
         // The frames borrow the decoder, so they are collected: a read holds a few at most.
         let frames: Vec<Frame> = self.decoder.feed(bytes).collect();
         let statuses: Vec<Status> = frames.iter().flat_map(Status::parse).collect();
+        if statuses.is_empty() {
+            self.status_wait.handle_bytes(bytes);
+        }
         if let Some(more) = statuses.len().checked_sub(1) {
+            self.status_wait = StatusWait::default();
             self.trust.handle_read(now, more, self.meter.period());
         }
         for status in statuses {
@@ -317,8 +325,7 @@ impl Session {
             self.lost = true;
             self.events.push_back(Event::LinkLost {
                 silent_for: now.saturating_sub(self.heard),
-                noise: self.decoder.counts().skipped_bytes - self.skipped
-                    + self.decoder.waiting() as u64,
+                received: self.status_wait.no_status(),
             });
             self.lose_laser(Disarmed::LinkLost);
         }

@@ -69,7 +69,7 @@ async fn a_peer_that_sends_noise_is_distinguished_from_a_silent_one() {
     let error = arm.next_status().await.expect_err("there is none");
     assert_eq!(
         error.to_string(),
-        "the arm has sent no valid status for 5.0 s, only 500 bytes that belong to no status"
+        "the arm has sent no valid status for 5.0 s: 500 bytes were received, but no valid status; they begin with \"UUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUUU\""
     );
 }
 
@@ -83,7 +83,7 @@ async fn an_arm_that_falls_silent_is_noticed_after_a_second() {
     let error = arm.next_status().await.expect_err("there is no other");
     assert_eq!(
         error.to_string(),
-        "the arm has sent no valid status for 1.0 s"
+        "the arm has sent no valid status for 1.0 s: nothing was received"
     );
 }
 

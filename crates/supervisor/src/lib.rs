@@ -19,6 +19,7 @@ mod text;
 
 pub use refusal::{Holder, Refusal};
 pub use supervisor::{
-    Effect, FORGETTABLE, JobPlan, SavedFleetStop, StartedJob, StoppedBy, Supervisor, draws_below_mm,
+    Effect, FORGETTABLE, JobPlan, SavedFleetStop, StartedJob, StoppedBy, Supervisor,
+    cause_of_silence, draws_below_mm,
 };
 pub use text::{is_plain, plain};

@@ -49,6 +49,7 @@ use crate::refusal::Refusal;
 
 pub use self::fleet_stops::SavedFleetStop;
 pub use self::job::FORGETTABLE;
+pub use self::link::cause_of_silence;
 pub use self::plan::{JobPlan, draws_below_mm};
 pub use self::run::{Effect, StartedJob};
 pub use self::stop_latch::StoppedBy;

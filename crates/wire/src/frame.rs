@@ -70,13 +70,20 @@ impl Frame {
         bytes
     }
 
+    /// The frame that a sender with the other byte order meant.
+    #[must_use]
+    pub fn swapped(&self) -> Self {
+        let floats = self
+            .floats
+            .map(|float| f32::from_be_bytes(float.to_le_bytes()));
+        Self { floats }
+    }
+
     /// The state of Table 2.2 that float 1 holds when all floats are read high byte first, if that makes
     /// sense of every float: 0, or a size that a command has. For a packet that is no command as it stands.
     #[must_use]
     pub fn big_endian_state(&self) -> Option<f32> {
-        let swapped = self
-            .floats
-            .map(|float| f32::from_be_bytes(float.to_le_bytes()));
+        let swapped = self.swapped().floats;
         let [state, ..] = swapped;
         let is_sent =
             |float: &f32| *float == 0.0 || (SMALLEST_SENT..LARGEST_SENT).contains(&float.abs());

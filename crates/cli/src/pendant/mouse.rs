@@ -61,7 +61,7 @@ impl Mouse {
             News::CommandDone { command } | News::CommandFailed { command } => {
                 self.in_flight.retain(|packet| packet != command);
             }
-            News::LinkLost => self.in_flight.clear(),
+            News::LinkLost | News::NoLink { .. } => self.in_flight.clear(),
             _ => {}
         }
     }

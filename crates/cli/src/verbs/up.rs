@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{Folders, News, Notice, Remote, Role, running};
+use dobot_api::{Folders, LinkView, News, Notice, Remote, Role, running};
 use dobot_controller::Personality;
 use dobot_host::{Notification, ServiceManager};
 use dobot_session::Address;
@@ -303,7 +303,7 @@ fn welcome(station: &Station, personality: Personality, data: String) -> Welcome
     let arm = match station.arm() {
         Some(Address::Virtual) => format!("virtual, {personality}"),
         Some(address) => address.to_string(),
-        None => "not connected; `dobot watch` shows why".to_owned(),
+        None => not_connected(&station.handle().state().state().link),
     };
     Welcome {
         page: station.url().to_owned(),
@@ -317,6 +317,17 @@ fn welcome(station: &Station, personality: Personality, data: String) -> Welcome
         fleet: None,
         data,
         notes: station.notes().to_vec(),
+    }
+}
+
+/// Why there is no arm and what to do, if known.
+fn not_connected(link: &LinkView) -> String {
+    let why = [&link.problem, &link.remedy].into_iter().flatten();
+    let why = why.map(String::as_str).collect::<Vec<_>>().join("; ");
+    if why.is_empty() {
+        "not connected yet; a line below and `dobot watch` show why".to_owned()
+    } else {
+        format!("not connected: {why}")
     }
 }
 

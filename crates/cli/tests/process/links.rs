@@ -6,9 +6,10 @@ use std::sync::mpsc;
 use std::thread;
 
 use crate::support::arm::fast_arm;
-use crate::support::program::{Outcome, command, dobot, example};
+use crate::support::program::{Outcome, command, command_at, dobot, example};
 use crate::support::running_process::RunningProcess;
 use crate::support::trouble::{Trouble, commands, is_laser_off, troubled, vector};
+use crate::support::up::Up;
 
 #[test]
 fn a_drawing_succeeds_over_a_virtual_serial_port_and_over_tcp() {
@@ -97,6 +98,86 @@ fn a_port_that_does_not_exist_or_is_none_is_told() {
     dobot(&["status", "--to", "serial:/dev/null"]).fails(1, &["/dev/null is not a serial port"]);
 }
 
+/// The state of a station, once it reports why it has no arm.
+fn link_of(arm: &str) -> serde_json::Value {
+    let up = Up::with_arm(&["--arm", arm], &[]);
+    let state = up.wait_for_state(|state| state["link"]["cause"] != serde_json::Value::Null);
+    state["link"].clone()
+}
+
+#[test]
+fn a_station_reports_why_it_cannot_open_its_port_and_what_to_do() {
+    let file = tempfile::NamedTempFile::new().expect("there is room");
+    let file = format!("serial:{}", file.path().display());
+    let folder = tempfile::tempdir().expect("there is room");
+    let pty = folder.path().join("dobot");
+    let mut arm = fast_arm(&["--pty", pty.to_str().expect("the path is text")]);
+    let used = arm.address();
+    let mut user = RunningProcess::new(command(&["status", "--json", "--to", &used]));
+    user.wait_for_line("");
+    let closed = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let closed_address = format!("tcp:{}", closed.local_addr().expect("it is bound"));
+    drop(closed);
+    for (address, cause, problem, remedy) in [
+        (
+            "serial:/dev/no-such-port",
+            "no_such_port",
+            "there is no serial port",
+            "dobot ports",
+        ),
+        (
+            &file,
+            "not_a_serial_port",
+            "is not a serial port",
+            "dobot ports",
+        ),
+        (&used, "in_use", "is in use by another program", "fuser"),
+        (
+            &closed_address,
+            "unreachable",
+            "cannot connect",
+            "no server listens there",
+        ),
+    ] {
+        let link = link_of(address);
+        let has = |key: &str, text: &str| link[key].as_str().is_some_and(|it| it.contains(text));
+        assert_eq!(link["phase"], "searching", "{link}");
+        assert_eq!(link["cause"], cause, "{link}");
+        assert!(has("problem", problem) && has("remedy", remedy), "{link}");
+    }
+}
+
+#[test]
+fn a_station_names_a_web_server_at_the_address_of_its_arm() {
+    let web = peer(|mut stream| {
+        let answer = b"HTTP/1.1 400 Bad Request\r\n\r\n";
+        stream.write_all(answer).expect("it is open");
+        let _ = stream.read_exact(&mut [0; 42]);
+    });
+    let link = link_of(&web);
+    assert_eq!(link["cause"], "not_an_arm", "{link}");
+    let problem = link["problem"].as_str().expect("a text");
+    assert!(problem.contains("HTTP/1.1 400 Bad Request"), "{problem}");
+}
+
+#[test]
+fn the_start_of_a_station_shows_the_cause_and_not_a_lost_link() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let arguments = [
+        "up",
+        "--arm",
+        "serial:/dev/no-such-port",
+        "--http",
+        "127.0.0.1:0",
+    ];
+    let arguments = [&arguments[..], &["--raw", "off"]].concat();
+    let mut station = RunningProcess::new(command_at(folder.path(), &arguments));
+    // Either with the start, or, if the port was still being opened, in the first notice.
+    let first = station.wait_for_line("there is no serial port /dev/no-such-port");
+    assert!(first.contains("dobot ports"), "{first}");
+    assert!(!first.contains("lost"), "{first}");
+}
+
 #[test]
 fn a_port_in_use_is_told() {
     let folder = tempfile::tempdir().expect("there is room");
@@ -150,8 +231,7 @@ fn a_peer_that_sends_noise_is_told() {
         // Until the program has waited long enough for something better.
         let _ = stream.read_to_end(&mut Vec::new());
     });
-    dobot(&["status", "--to", &address])
-        .fails(1, &["no valid status", "bytes that belong to no status"]);
+    dobot(&["status", "--to", &address]).fails(1, &["bytes were received, but no valid status"]);
 }
 
 fn draw_square(address: &str) -> Outcome {

@@ -10,6 +10,7 @@ pub(super) fn log(notice: &Notice) {
     } = notice;
     match news {
         News::LinkLost
+        | News::NoLink { .. }
         | News::Reset
         | News::CommandFailed { .. }
         | News::Stopped

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use dobot_api::LinkProblem;
 use dobot_session::Address;
 
 use super::ProbeFailure;
@@ -17,7 +18,7 @@ pub(super) struct FailedAttempts(Vec<Attempt>);
 struct Attempt {
     address: Address,
     at: Duration,
-    why: String,
+    problem: LinkProblem,
 }
 
 impl FailedAttempts {
@@ -29,19 +30,21 @@ impl FailedAttempts {
             self.0.push(Attempt {
                 address: candidate.address.clone(),
                 at: now,
-                why: failure.to_string(),
+                problem: failure.problem(),
             });
         }
     }
 
     /// Returns why a candidate should not be opened now, if it failed recently.
-    pub(super) fn reason_to_wait(&self, candidate: &Candidate, now: Duration) -> Option<&str> {
+    pub(super) fn reason_to_wait(
+        &self,
+        candidate: &Candidate,
+        now: Duration,
+    ) -> Option<&LinkProblem> {
         let is_recent = |attempt: &&Attempt| now < attempt.at.saturating_add(LEFT_ALONE);
         let mut attempts = self.0.iter().filter(|_| !candidate.sure);
         let attempt = attempts.find(|attempt| attempt.address == candidate.address);
-        attempt
-            .filter(is_recent)
-            .map(|attempt| attempt.why.as_str())
+        attempt.filter(is_recent).map(|attempt| &attempt.problem)
     }
 
     /// Forgets ports that are gone.
@@ -59,11 +62,13 @@ const LEFT_ALONE: Duration = Duration::from_secs(60);
 
 #[cfg(test)]
 mod tests {
-    use dobot_session::{OpenError, Port, Usb};
+    use dobot_session::{NoStatus, OpenError, Port, Usb};
 
     use super::super::Search;
     use super::super::candidate::choose;
     use super::*;
+
+    const SILENT: ProbeFailure = ProbeFailure::NoStatus(NoStatus::Nothing);
 
     fn candidates() -> Vec<Candidate> {
         let port = Port {
@@ -86,9 +91,9 @@ mod tests {
     fn a_silent_port_is_left_alone_for_a_minute_and_the_reason_is_kept() {
         let mut failed_attempts = FailedAttempts::default();
         let candidate = &candidates()[0];
-        failed_attempts.note(candidate, &ProbeFailure::Silent, s(10));
+        failed_attempts.note(candidate, &SILENT, s(10));
         let why = failed_attempts.reason_to_wait(candidate, s(69));
-        assert_eq!(why, Some(ProbeFailure::Silent.to_string().as_str()));
+        assert_eq!(why, Some(&SILENT.problem()));
         assert_eq!(failed_attempts.reason_to_wait(candidate, s(70)), None);
     }
 
@@ -96,7 +101,7 @@ mod tests {
     fn a_port_that_was_plugged_in_again_is_tried_again() {
         let mut failed_attempts = FailedAttempts::default();
         let candidates = candidates();
-        failed_attempts.note(&candidates[0], &ProbeFailure::Silent, s(10));
+        failed_attempts.note(&candidates[0], &SILENT, s(10));
         failed_attempts.keep(&candidates);
         assert!(
             failed_attempts
@@ -124,7 +129,7 @@ mod tests {
             sure: true,
             ..candidates()[0].clone()
         };
-        failed_attempts.note(&candidate, &ProbeFailure::Silent, s(10));
+        failed_attempts.note(&candidate, &SILENT, s(10));
         assert_eq!(failed_attempts.reason_to_wait(&candidate, s(10)), None);
     }
 }

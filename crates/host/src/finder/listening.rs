@@ -2,10 +2,8 @@
 
 use std::time::Duration;
 
-use dobot_session::plausible;
+use dobot_session::{NoStatus, StatusWait, plausible};
 use dobot_wire::{Decoder, Status, Statuses};
-
-use super::ProbeFailure;
 
 /// Listens to a port until a valid status arrives or the time is over.
 #[derive(Debug)]
@@ -13,7 +11,7 @@ pub(super) struct Listening {
     decoder: Decoder<Statuses>,
     /// The last bytes received.
     kept: Vec<u8>,
-    received: u64,
+    wait: StatusWait,
 }
 
 impl Listening {
@@ -21,17 +19,17 @@ impl Listening {
     /// two seconds.
     pub(super) const UNTIL: Duration = Duration::from_secs(5);
 
-    pub(super) const fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self {
             decoder: Decoder::statuses(plausible),
             kept: Vec::new(),
-            received: 0,
+            wait: StatusWait::default(),
         }
     }
 
     /// Handles bytes; returns whether an arm was found.
     pub(super) fn handle_bytes(&mut self, bytes: &[u8]) -> bool {
-        self.received += bytes.len() as u64;
+        self.wait.handle_bytes(bytes);
         self.kept.extend_from_slice(bytes);
         self.kept.drain(..self.kept.len().saturating_sub(KEPT));
         let is_status = |frame| Status::parse(&frame).is_ok();
@@ -43,12 +41,9 @@ impl Listening {
             > 0
     }
 
-    /// Returns why no arm was found when the time is over.
-    pub(super) const fn failure(&self) -> ProbeFailure {
-        match self.received {
-            0 => ProbeFailure::Silent,
-            bytes => ProbeFailure::Noise { bytes },
-        }
+    /// Returns what arrived, if no arm was found.
+    pub(super) fn no_status(&self) -> NoStatus {
+        self.wait.no_status()
     }
 
     /// Returns the bytes received, without the oldest ones.
@@ -88,12 +83,9 @@ mod tests {
     fn nothing_is_silence_and_anything_else_is_noise() {
         let mut listening = Listening::new();
         assert!(!listening.handle_bytes(&[]));
-        assert!(matches!(listening.failure(), ProbeFailure::Silent));
-        assert!(!listening.handle_bytes(b"Start\r\n"));
-        assert!(matches!(
-            listening.failure(),
-            ProbeFailure::Noise { bytes: 7 }
-        ));
+        assert_eq!(listening.no_status(), NoStatus::Nothing);
+        assert!(!listening.handle_bytes(&[7; 7]));
+        assert_eq!(listening.no_status(), NoStatus::Other { bytes: 7 });
     }
 
     #[test]

@@ -3,7 +3,9 @@
 use std::fmt;
 use std::io;
 
-use dobot_session::{Address, OpenError};
+use dobot_api::{LinkCause, LinkProblem};
+use dobot_session::{Address, LinkError, NoStatus, OpenError};
+use dobot_supervisor::cause_of_silence;
 
 /// Why no arm was found at a port.
 #[derive(Debug, thiserror::Error)]
@@ -12,27 +14,20 @@ pub enum ProbeFailure {
     /// The port cannot be opened.
     #[error("{}", open_text(.0))]
     Open(#[from] OpenError),
-    /// Nothing was received.
-    #[error("nothing was received for 5 s")]
-    Silent,
-    /// Something was received, but not from an arm.
-    #[error("{bytes} bytes were received in 5 s, without a valid status")]
-    Noise {
-        /// The number of bytes.
-        bytes: u64,
+    /// No valid status was received.
+    #[error("{0} for 5 s")]
+    NoStatus(NoStatus),
+    /// The port was closed at the other end, unplugged, or failed.
+    #[error("{}{}", .error, received_text(.received))]
+    Link {
+        /// The error.
+        error: LinkError,
+        /// What was received before.
+        received: NoStatus,
     },
-    /// The port was closed at the other end, or unplugged.
-    #[error("it was unplugged, or closed at the other end")]
-    Closed,
-    /// Reading failed.
-    #[error("it broke: {0}")]
-    Broken(#[source] io::Error),
     /// The port failed recently and is not tried again for a while.
-    #[error("{why}; retrying later")]
-    Before {
-        /// The earlier failure.
-        why: String,
-    },
+    #[error("{}; retrying later", .0.text)]
+    Before(LinkProblem),
 }
 
 /// The error returned when no arm was found, with the failure of each port.
@@ -52,17 +47,42 @@ impl ProbeFailure {
     pub fn hint(&self) -> Option<String> {
         match self {
             Self::Open(error) => error.hint(),
-            Self::Silent => Some("switch the arm on".into()),
-            Self::Noise { .. } => Some(
-                "if it is an arm at another speed than 9600 baud, name the speed, as in serial:/dev/ttyUSB0@115200".into(),
-            ),
-            Self::Closed | Self::Broken(_) | Self::Before { .. } => None,
+            Self::NoStatus(received) => Some(received.hint().to_owned()),
+            Self::Link {
+                error,
+                received: NoStatus::Nothing,
+            } => error.hint().map(str::to_owned),
+            Self::Link { received, .. } => Some(received.hint().to_owned()),
+            Self::Before(problem) => problem.remedy.clone(),
+        }
+    }
+
+    /// Returns the kind of the failure.
+    #[must_use]
+    pub const fn cause(&self) -> LinkCause {
+        match self {
+            Self::Open(error) => cause_of_open(error),
+            Self::Link {
+                error,
+                received: NoStatus::Nothing,
+            } => cause_of_link(error),
+            Self::NoStatus(received) | Self::Link { received, .. } => cause_of_silence(received),
+            Self::Before(problem) => problem.cause,
+        }
+    }
+
+    /// Returns the failure with its kind and hint.
+    pub(super) fn problem(&self) -> LinkProblem {
+        LinkProblem {
+            cause: self.cause(),
+            text: self.to_string(),
+            remedy: self.hint(),
         }
     }
 
     /// Returns whether the port was opened, which may have disturbed the device.
     pub(super) const fn was_open(&self) -> bool {
-        !matches!(self, Self::Open(_) | Self::Before { .. })
+        !matches!(self, Self::Open(_) | Self::Before(_))
     }
 }
 
@@ -93,6 +113,24 @@ impl NothingFound {
             "plug the arm in and switch it on; list the serial ports with `dobot ports`".into()
         })
     }
+
+    /// Returns the failures as one problem, with the kind of the first one that has a hint.
+    #[must_use]
+    pub fn problem(&self) -> LinkProblem {
+        let mut failures = self.failures.iter().map(|(_, failure)| failure);
+        let first = failures
+            .find(|failure| failure.hint().is_some())
+            .or_else(|| self.failures.first().map(|(_, failure)| failure));
+        let text = match &self.failures[..] {
+            [(address, failure)] => format!("{address}: {failure}"),
+            _ => self.to_string(),
+        };
+        LinkProblem {
+            cause: first.map_or(LinkCause::NoneFound, ProbeFailure::cause),
+            text,
+            remedy: Some(self.hint()),
+        }
+    }
 }
 
 impl fmt::Display for NothingFound {
@@ -115,6 +153,33 @@ impl fmt::Display for NothingFound {
 }
 
 impl std::error::Error for NothingFound {}
+
+const fn cause_of_open(error: &OpenError) -> LinkCause {
+    match error {
+        OpenError::NoSuchPort { .. } => LinkCause::NoSuchPort,
+        OpenError::NotAllowed { .. } => LinkCause::NotAllowed,
+        OpenError::InUse { .. } => LinkCause::InUse,
+        OpenError::NotASerialPort { .. } => LinkCause::NotASerialPort,
+        OpenError::Tcp { .. } => LinkCause::Unreachable,
+        _ => LinkCause::CannotOpen,
+    }
+}
+
+/// Returns the kind of an error of an open link.
+pub(crate) const fn cause_of_link(error: &LinkError) -> LinkCause {
+    match error {
+        LinkError::Closed => LinkCause::Closed,
+        _ => LinkCause::Broken,
+    }
+}
+
+/// Returns what was received, to follow an error.
+fn received_text(received: &NoStatus) -> String {
+    match received {
+        NoStatus::Nothing => String::new(),
+        received => format!("; {received}"),
+    }
+}
 
 /// Returns the error and the operating system's error.
 fn open_text(error: &OpenError) -> String {
@@ -176,7 +241,10 @@ mod tests {
 
     #[test]
     fn ports_that_cannot_be_listed_are_told() {
-        let nothing = NothingFound::new(vec![(address(), ProbeFailure::Silent)], Vec::new());
+        let nothing = NothingFound::new(
+            vec![(address(), ProbeFailure::NoStatus(NoStatus::Nothing))],
+            Vec::new(),
+        );
         let error = io::Error::other("no /sys");
         let text = nothing.without_list(&error).to_string();
         assert!(text.contains("cannot be listed: no /sys"), "{text}");

@@ -6,7 +6,7 @@ use std::net::Ipv4Addr;
 use std::path::Path;
 
 use dobot_controller::{Controller, PowerUp};
-use dobot_session::{OpenError, Usb, plausible};
+use dobot_session::{NoStatus, OpenError, Usb, plausible};
 use dobot_sim::{Fault, Pty, PtyClient, SerialLine, Server, VirtualArm};
 use dobot_wire::Decoder;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
@@ -135,11 +135,14 @@ async fn a_silent_port_is_told_and_nothing_was_written_to_it() {
     let nothing = finder().find_among(&[port], |_| {}).await;
     let nothing = nothing.expect_err("there is no arm");
     assert!(
-        matches!(nothing.failures[..], [(_, ProbeFailure::Silent)]),
+        matches!(
+            nothing.failures[..],
+            [(_, ProbeFailure::NoStatus(NoStatus::Nothing))]
+        ),
         "{nothing}"
     );
     assert!(
-        nothing.hint().contains("switch the arm on"),
+        nothing.hint().contains("the arm is switched on"),
         "{}",
         nothing.hint()
     );
@@ -153,7 +156,7 @@ async fn a_noisy_port_is_told_and_nothing_was_written_to_it() {
     let (came, port) = noisy();
     let nothing = finder().find_among(&[port], |_| {}).await;
     let nothing = nothing.expect_err("no arm is there");
-    let [(_, ProbeFailure::Noise { bytes })] = nothing.failures[..] else {
+    let [(_, ProbeFailure::NoStatus(NoStatus::Other { bytes }))] = nothing.failures[..] else {
         panic!("{nothing}");
     };
     assert!((1..=1000).contains(&bytes), "{bytes}");
@@ -172,7 +175,7 @@ async fn a_port_that_goes_away_is_told() {
     let nothing = finder().find_among(&[port], |_| {}).await;
     let nothing = nothing.expect_err("it is gone");
     unplugged.await.expect("it runs");
-    let [(_, ProbeFailure::Closed | ProbeFailure::Broken(_))] = nothing.failures[..] else {
+    let [(_, ProbeFailure::Link { .. })] = nothing.failures[..] else {
         panic!("{nothing}");
     };
 }

@@ -6,7 +6,7 @@ use dobot_motion::Model;
 use dobot_wire::{Command, Counts, Dialect, Packet, Status};
 
 use super::{LATE, Session};
-use crate::{LinkQuality, Queue, SendError};
+use crate::{LinkQuality, NoStatus, Queue, SendError};
 
 impl Session {
     /// The last status.
@@ -152,6 +152,12 @@ impl Session {
     #[must_use]
     pub fn distrust_reason(&self) -> Option<&str> {
         self.trust.reason().map(String::as_str)
+    }
+
+    /// What has arrived since the last status.
+    #[must_use]
+    pub fn no_status(&self) -> NoStatus {
+        self.status_wait.no_status()
     }
 
     /// The quality of the link.

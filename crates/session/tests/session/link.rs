@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_motion::LASER_OFF;
-use dobot_session::{Event, Session};
+use dobot_session::{Event, NoStatus, Session};
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis};
 
 use crate::desk::{Desk, status, vector};
@@ -20,7 +20,7 @@ fn a_second_of_silence_is_a_lost_link() {
         desk.events(),
         [Event::LinkLost {
             silent_for: Duration::from_secs(1),
-            noise: 0
+            received: NoStatus::Nothing
         }]
     );
     desk.session.handle_time(desk.now + Duration::from_secs(9));
@@ -38,7 +38,7 @@ fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
         session.poll_event(),
         Some(Event::LinkLost {
             silent_for: Duration::from_secs(5),
-            noise: 30
+            received: NoStatus::Other { bytes: 30 }
         })
     );
 }

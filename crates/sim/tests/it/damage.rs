@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::common::{button, completed, in_process, move_to, ms, refusals, run};
 use dobot_arm::Position;
 use dobot_geometry::Random;
-use dobot_session::{Connection, Event, LinkError, Peer};
+use dobot_session::{Connection, Event, LinkError, NoStatus, Peer};
 use dobot_sim::InProcess;
 use dobot_wire::{Command, Dialect, JointJogAxis, MovingMode};
 
@@ -148,7 +148,7 @@ async fn an_arm_that_falls_silent_is_a_lost_link_a_second_later() {
         let second = Duration::from_secs(1);
         let lost = Event::LinkLost {
             silent_for: second,
-            noise: 21,
+            received: NoStatus::Other { bytes: 21 },
         };
         assert_eq!(event, lost);
         assert_eq!(connection.now(), heard + second);
@@ -167,7 +167,13 @@ async fn an_arm_that_falls_silent_on_its_way_is_a_lost_link_too() {
         .expect("it is allowed");
     let error = connection.completed(id).await.expect_err("nobody knows");
     assert!(
-        matches!(error, LinkError::Silent { noise: 0, .. }),
+        matches!(
+            error,
+            LinkError::Silent {
+                received: NoStatus::Nothing,
+                ..
+            }
+        ),
         "{error}"
     );
     assert!(connection.now() < Duration::from_secs(2));
@@ -182,10 +188,18 @@ async fn a_peer_that_sends_only_noise_is_no_arm_and_the_noise_is_counted() {
         };
         let mut connection = Connection::over_peer(noise, None);
         let error = connection.next_status().await.expect_err("it is no arm");
-        let LinkError::Silent { silent_for, noise } = error else {
+        let LinkError::Silent {
+            silent_for,
+            received,
+        } = error
+        else {
             panic!("{error}");
         };
         assert_eq!(silent_for, Duration::from_secs(5));
-        assert_eq!(noise, 5000, "ten bytes every ten milliseconds");
+        assert_eq!(
+            received,
+            NoStatus::Other { bytes: 5000 },
+            "ten bytes every ten milliseconds"
+        );
     }
 }

@@ -2,12 +2,13 @@
 
 use std::time::Duration;
 
-use dobot_api::{FleetWideStop, LinkPhase, News, Reply};
+use dobot_api::{FleetWideStop, LinkPhase, LinkProblem, News, Reply};
 use dobot_motion::LASER_OFF;
-use dobot_session::{Address, CommandId, Event};
+use dobot_session::{Address, CommandId, Event, LinkError, NoStatus};
 
 use super::Supervisor;
 use super::fleet_stops::SavedFleetStop;
+use super::link::{LinkEnd, cause_of_silence};
 use super::request::REASON_LEN;
 use super::run::{Effect, Run};
 use super::stop_latch::StopLatch;
@@ -29,13 +30,27 @@ impl Supervisor {
     }
 
     /// Handles a port that is gone or could not be opened.
-    pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: Option<String>) {
+    pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: LinkProblem) {
         self.handle_time(now);
-        let lost = self.link.handle_down(phase, problem);
+        let problem = self.with_received(problem);
+        let end = self.link.handle_down(phase, problem);
         self.outgoing.note_change();
-        if lost {
-            self.handle_link_loss();
-            self.disarm_laser("the link to the arm was lost");
+        self.handle_link_end(end);
+        if end != LinkEnd::None {
+            self.disarm_laser(LOST);
+        }
+    }
+
+    /// Adds what arrived from a port that was closed before the first status.
+    fn with_received(&self, problem: LinkProblem) -> LinkProblem {
+        let received = self.arm.session().no_status();
+        if !self.link.is_listening() || received == NoStatus::Nothing {
+            return problem;
+        }
+        LinkProblem {
+            cause: cause_of_silence(&received),
+            text: format!("{}; {received}", problem.text),
+            remedy: Some(received.hint().to_owned()),
         }
     }
 
@@ -243,7 +258,10 @@ impl Supervisor {
                     lasts,
                     by_default,
                 } => self.notify_pause(command, lasts, by_default),
-                Event::LinkLost { .. } => self.fall_silent(event),
+                Event::LinkLost {
+                    silent_for,
+                    received,
+                } => self.fall_silent(silent_for, received),
                 Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
                 Event::NotSent { command, reason } => {
                     self.command_forgotten(command, &Refusal::from(reason).to_string());
@@ -354,24 +372,36 @@ impl Supervisor {
         );
     }
 
-    fn fall_silent(&mut self, event: Event) {
-        self.link.handle_silence(&failure(event));
-        self.handle_link_loss();
+    fn fall_silent(&mut self, silent_for: Duration, received: NoStatus) {
+        let error = LinkError::Silent {
+            silent_for,
+            received: received.clone(),
+        };
+        let end = self.link.handle_silence(error.to_string(), &received);
+        self.handle_link_end(end);
     }
 
-    /// Handles the loss of the link: unsent commands are dropped; the arm finishes those it has.
-    fn handle_link_loss(&mut self) {
-        self.arm.forget_rest();
-        self.arm.send_laser_off();
-        // A line that loses statuses may still carry packets.
-        self.arm.release_urgently();
-        self.jogging
-            .revoke(Refusal::LetGo("the link to the arm was lost".into()));
-        self.drop_waiting("the link to the arm was lost");
-        let text = self.link.loss();
-        self.interrupt_run(&text);
-        self.end_detection("the link to the arm was lost");
-        self.notify(News::LinkLost, text);
+    /// Handles the end of a link: unsent commands are dropped; the arm finishes those it has.
+    fn handle_link_end(&mut self, end: LinkEnd) {
+        if end != LinkEnd::None {
+            self.arm.forget_rest();
+            self.arm.send_laser_off();
+            // A line that loses statuses may still carry packets.
+            self.arm.release_urgently();
+            self.jogging.revoke(Refusal::LetGo(LOST.into()));
+            self.drop_waiting(LOST);
+            let text = self.link.loss(end);
+            self.interrupt_run(&text);
+            self.end_detection(LOST);
+        }
+        let Some(cause) = self.link.take_new_cause() else {
+            return;
+        };
+        let news = match end {
+            LinkEnd::Lost => News::LinkLost,
+            LinkEnd::NeverUp | LinkEnd::None => News::NoLink { cause },
+        };
+        self.notify(news, self.link.loss(end));
     }
 
     fn notice_reset(&mut self, evidence: &str) {
@@ -405,3 +435,4 @@ pub(super) const NOT_DELIVERED: &str =
 const SWITCHED_OFF: &str =
     "the laser was switched off: no further motion came in time, and it may not burn in one place";
 const OPENED: &str = "its port was opened, which resets a stock arm: it then assumes a base angle of 0, wherever it points";
+const LOST: &str = "the link to the arm was lost";

@@ -1,7 +1,7 @@
 //! The link to the arm and its problems.
 
-use dobot_api::{LinkPhase, LinkView};
-use dobot_session::LinkQuality;
+use dobot_api::{LinkCause, LinkPhase, LinkProblem, LinkView};
+use dobot_session::{LinkQuality, NoStatus};
 
 use crate::refusal::Refusal;
 
@@ -10,9 +10,11 @@ use crate::refusal::Refusal;
 pub(super) struct Link {
     phase: LinkPhase,
     address: Option<String>,
-    problem: Option<String>,
+    problem: Option<LinkProblem>,
     /// Why the last link was lost.
     lost: Option<String>,
+    /// The cause in the last notice.
+    reported: Option<LinkCause>,
     /// Whether the laser has been switched off since the link came up.
     laser_off_sent: bool,
 }
@@ -25,6 +27,7 @@ impl Default for Link {
             address: None,
             problem: None,
             lost: None,
+            reported: None,
             laser_off_sent: false,
         }
     }
@@ -36,36 +39,67 @@ impl Link {
         *self = Self {
             phase: LinkPhase::Listening,
             address: Some(address.to_owned()),
+            reported: self.reported,
             ..Self::default()
         };
     }
 
-    /// Handles a port that is gone or could not be opened; returns whether there was a link.
-    pub(super) fn handle_down(&mut self, phase: LinkPhase, problem: Option<String>) -> bool {
-        let is_lost = self.is_there();
-        self.phase = phase;
-        if is_lost {
-            self.laser_off_sent = false;
-            self.lost = problem;
-            self.problem.clone_from(&self.lost);
+    /// Handles a port that is gone or could not be opened; returns what ends with it.
+    pub(super) fn handle_down(&mut self, phase: LinkPhase, problem: LinkProblem) -> LinkEnd {
+        let end = self.end();
+        self.phase = if end == LinkEnd::NeverUp {
+            LinkPhase::Searching
         } else {
-            // Why the link was lost is more useful than why it is not found again.
-            self.problem = match (&self.lost, problem) {
-                (Some(lost), Some(since)) => Some(format!("{lost}; since then: {since}")),
-                (_, since) => since,
-            };
+            phase
+        };
+        if end != LinkEnd::None {
+            self.laser_off_sent = false;
         }
-        is_lost
+        if end == LinkEnd::Lost {
+            self.lost = Some(problem.text.clone());
+        }
+        // Why the link was lost is more useful than why it is not found again.
+        let text = match &self.lost {
+            Some(lost) if end == LinkEnd::None => format!("{lost}; since then: {}", problem.text),
+            _ => problem.text,
+        };
+        self.problem = Some(LinkProblem { text, ..problem });
+        end
     }
 
-    /// Handles a link that has gone silent.
-    pub(super) fn handle_silence(&mut self, why: &str) {
-        self.phase = LinkPhase::Lost;
+    /// Handles the silence of the arm; returns what ends with it.
+    pub(super) fn handle_silence(&mut self, text: String, received: &NoStatus) -> LinkEnd {
+        let end = self.end();
+        if end == LinkEnd::None {
+            return end;
+        }
         self.laser_off_sent = false;
-        self.problem = Some(format!(
-            "{why}; check that the arm is switched on and its cable plugged in"
-        ));
-        self.lost.clone_from(&self.problem);
+        self.problem = Some(LinkProblem {
+            cause: cause_of_silence(received),
+            remedy: Some(received.hint().to_owned()),
+            text,
+        });
+        if end == LinkEnd::Lost {
+            self.phase = LinkPhase::Lost;
+            self.lost = self.problem.as_ref().map(|problem| problem.text.clone());
+        }
+        end
+    }
+
+    /// Returns what ends if there is no link from now on.
+    const fn end(&self) -> LinkEnd {
+        match self.phase {
+            LinkPhase::Up => LinkEnd::Lost,
+            LinkPhase::Listening => LinkEnd::NeverUp,
+            LinkPhase::Searching | LinkPhase::Lost => LinkEnd::None,
+        }
+    }
+
+    /// Returns the cause of the problem if it has not been reported yet, and counts it as reported.
+    pub(super) fn take_new_cause(&mut self) -> Option<LinkCause> {
+        let cause = self.problem.as_ref().map(|problem| problem.cause);
+        let before = std::mem::replace(&mut self.reported, cause);
+        cause.filter(|_| cause != before)
     }
 
     /// Handles a status; returns whether the link has just come up.
@@ -73,7 +107,7 @@ impl Link {
         let comes_up = matches!(self.phase, LinkPhase::Listening | LinkPhase::Lost);
         if comes_up {
             self.phase = LinkPhase::Up;
-            self.problem = None;
+            (self.problem, self.reported) = (None, None);
         }
         comes_up
     }
@@ -88,37 +122,70 @@ impl Link {
         matches!(self.phase, LinkPhase::Listening | LinkPhase::Up)
     }
 
+    /// Returns whether the port is open, but no status has come.
+    pub(super) const fn is_listening(&self) -> bool {
+        matches!(self.phase, LinkPhase::Listening)
+    }
+
     /// Checks that the arm can be reached.
     pub(super) fn check(&self) -> Result<(), Refusal> {
         if self.phase == LinkPhase::Up {
             return Ok(());
         }
         let why = match (&self.problem, self.phase) {
-            (Some(problem), _) => problem.clone(),
+            (Some(problem), _) => problem.to_string(),
             (None, LinkPhase::Searching) => "no arm has been found yet".into(),
             (None, _) => "no status has arrived yet".into(),
         };
         Err(Refusal::NoLink(why))
     }
 
-    /// Returns a one-line description of the loss.
-    pub(super) fn loss(&self) -> String {
+    /// Returns what ended and why, in one line.
+    pub(super) fn loss(&self, end: LinkEnd) -> String {
+        let what = match end {
+            LinkEnd::Lost => "the link to the arm was lost",
+            LinkEnd::NeverUp | LinkEnd::None => "there is no link to an arm",
+        };
         match &self.problem {
-            Some(problem) => format!("the link to the arm was lost: {problem}"),
-            None => "the link to the arm was lost".to_owned(),
+            Some(problem) => format!("{what}: {problem}"),
+            None => what.to_owned(),
         }
     }
 
     pub(super) fn view(&self, quality: &LinkQuality) -> LinkView {
+        let problem = self.problem.as_ref();
         LinkView {
             address: self.address.clone(),
             phase: self.phase,
-            problem: self.problem.clone(),
+            problem: problem.map(|problem| problem.text.clone()),
+            cause: problem.map(|problem| problem.cause),
+            remedy: problem.and_then(|problem| problem.remedy.clone()),
             bluetooth: quality.bluetooth,
             statuses_per_s: quality.statuses_per_s,
             lost_statuses: quality.lost,
             damaged_bytes: quality.damaged_bytes,
             latency_ms: quality.latency.map(|latency| latency.as_secs_f64() * 1e3),
         }
+    }
+}
+
+/// What ends when there is no link any more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum LinkEnd {
+    /// Nothing: there was no link.
+    None,
+    /// An open port from which no status has come.
+    NeverUp,
+    /// A link that was up.
+    Lost,
+}
+
+/// Returns the cause for what arrived instead of a status.
+#[must_use]
+pub const fn cause_of_silence(received: &NoStatus) -> LinkCause {
+    match received {
+        NoStatus::Nothing => LinkCause::Silent,
+        NoStatus::BigEndian => LinkCause::BigEndian,
+        _ => LinkCause::NotAnArm,
     }
 }

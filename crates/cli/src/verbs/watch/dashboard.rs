@@ -7,7 +7,7 @@ use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout};
 use ratatui::style::{Color, Modifier, Style, Stylize};
 use ratatui::text::{Line, Span};
-use ratatui::widgets::Paragraph;
+use ratatui::widgets::{Paragraph, Wrap};
 
 use super::panels;
 
@@ -55,18 +55,20 @@ impl View {
 
 /// Draws the screen.
 pub(crate) fn draw(frame: &mut Frame, view: &View) {
+    let alarm = alarm_of(view);
     let rows = [
         Constraint::Length(1),
-        Constraint::Length(1),
+        Constraint::Length(alarm.rows(frame.area().width)),
         Constraint::Length(6),
         Constraint::Length(6),
         Constraint::Length(4),
         Constraint::Min(0),
         Constraint::Length(1),
     ];
-    let [top, alarm, arm, rest, job, notices, keys] = Layout::vertical(rows).areas(frame.area());
+    let [top, alarm_row, arm, rest, job, notices, keys] =
+        Layout::vertical(rows).areas(frame.area());
     frame.render_widget(title(view), top);
-    frame.render_widget(bar(&alarm_of(view)), alarm);
+    frame.render_widget(bar(&alarm), alarm_row);
     if let Some(state) = &view.state {
         panels::arm(frame, arm, state);
         panels::rest(frame, rest, state);
@@ -98,6 +100,18 @@ fn title(view: &View) -> Paragraph<'_> {
 pub(crate) struct Alarm {
     style: Style,
     text: String,
+}
+
+impl Alarm {
+    /// The rows that its text fills, with room for the ends of lines, at most four.
+    fn rows(&self, width: u16) -> u16 {
+        let per_row = usize::from(width).saturating_sub(LONGEST_WORD).max(1);
+        let rows = match self.text.len() + 1 {
+            len if len <= usize::from(width) => 1,
+            len => len.div_ceil(per_row),
+        };
+        u16::try_from(rows.min(4)).expect("at most four")
+    }
 }
 
 /// The most important alarm.
@@ -149,15 +163,19 @@ fn link_alarm(state: &State) -> String {
         LinkPhase::Lost => "the connection to the arm is lost",
         LinkPhase::Up => "connected",
     };
-    match &state.link.problem {
-        Some(problem) => format!("{phase}: {problem}"),
-        None => phase.to_owned(),
+    let problem = [&state.link.problem, &state.link.remedy];
+    match problem.map(|text| text.as_deref().unwrap_or_default()) {
+        ["", _] => phase.to_owned(),
+        [problem, ""] => format!("{phase}: {problem}"),
+        [problem, remedy] => format!("{phase}: {problem}; {remedy}"),
     }
 }
 
 /// An alarm as a bar across the screen.
 pub(crate) fn bar(alarm: &Alarm) -> Paragraph<'static> {
-    Paragraph::new(format!(" {}", alarm.text)).style(alarm.style)
+    Paragraph::new(format!(" {}", alarm.text))
+        .wrap(Wrap { trim: false })
+        .style(alarm.style)
 }
 
 /// The keys, and the answer to the last one.
@@ -181,6 +199,9 @@ const RED: Style = Style::new()
 const YELLOW: Style = Style::new().bg(Color::Yellow).fg(Color::Black);
 /// More than fits on any screen.
 const MAX_NOTICES: usize = 200;
+
+/// A word that does not fit into the rest of a line leaves it empty.
+const LONGEST_WORD: usize = 12;
 
 #[cfg(test)]
 mod tests {
@@ -299,11 +320,15 @@ mod tests {
         let searching = with(|state| {
             state.link.phase = LinkPhase::Searching;
             state.link.problem = Some("no permission for /dev/ttyUSB0".into());
+            state.link.remedy = Some("become a member of dialout, then log out and in".into());
             state.arm = None;
         });
         shows(
             &searching,
-            &["looking for an arm: no permission for /dev/ttyUSB0"],
+            &[
+                "looking for an arm: no permission for /dev/ttyUSB0",
+                "then log out and in",
+            ],
         );
     }
 

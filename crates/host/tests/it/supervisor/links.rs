@@ -4,13 +4,16 @@ use std::iter;
 use std::time::Duration;
 
 use dobot_api::{
-    CalibrationFile, Calibrations, ClientId, JobPhase, LinkPhase, News, Request, Role,
+    CalibrationFile, Calibrations, ClientId, JobPhase, LinkCause, LinkPhase, LinkProblem, News,
+    Request, Role,
 };
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_host::VirtualStation;
+use dobot_motion::LASER_OFF;
 use dobot_safety::Policy;
 use dobot_sim::{Fault, RECORDING_PERIOD, SerialLine, VirtualArm};
 use dobot_supervisor::{Refusal, Supervisor};
+use dobot_wire::{Dialect, Packet};
 use proptest::prelude::*;
 
 use super::drawing::{burnt_spiral, drawn_mm, spiral, virtual_station, wanted_mm};
@@ -212,8 +215,114 @@ fn each_opening_of_a_real_port_costs_the_trust_and_that_of_a_virtual_arm_does_no
             let confirmed = supervisor.handle_request(now, anna, Request::ConfirmPose);
             assert!(matches!(confirmed, Some(Ok(_))), "{address}: {confirmed:?}");
             assert!(supervisor.state().trust.trusted, "{address}");
-            supervisor.handle_link_down(now + Duration::from_secs(1), LinkPhase::Lost, None);
+            supervisor.handle_link_down(now + Duration::from_secs(1), LinkPhase::Lost, closed());
         }
+    }
+}
+
+fn closed() -> LinkProblem {
+    LinkProblem {
+        cause: LinkCause::Closed,
+        text: "the other end closed the link".to_owned(),
+        remedy: None,
+    }
+}
+
+fn unreachable() -> LinkProblem {
+    LinkProblem {
+        cause: LinkCause::Unreachable,
+        text: "connection refused".to_owned(),
+        remedy: Some("check host and port".to_owned()),
+    }
+}
+
+/// The notices since the last call that concern the link.
+fn link_notices(supervisor: &mut Supervisor) -> Vec<String> {
+    iter::from_fn(|| supervisor.poll_notice())
+        .filter(|notice| matches!(notice.news, News::LinkLost | News::NoLink { .. }))
+        .map(|notice| notice.text)
+        .collect()
+}
+
+#[test]
+fn a_port_that_cannot_be_opened_is_reported_once_with_its_remedy_and_is_no_lost_link() {
+    let mut supervisor = Supervisor::new(Policy::default(), None);
+    for second in 0..20 {
+        let now = Duration::from_secs(second);
+        supervisor.handle_link_down(now, LinkPhase::Searching, unreachable());
+        supervisor.handle_time(now + Duration::from_millis(900));
+    }
+    assert_eq!(
+        link_notices(&mut supervisor),
+        ["there is no link to an arm: connection refused; check host and port"]
+    );
+    let link = supervisor.state().link;
+    assert_eq!(link.phase, LinkPhase::Searching);
+    assert_eq!(link.cause, Some(LinkCause::Unreachable));
+    assert_eq!(link.problem.as_deref(), Some("connection refused"));
+    assert_eq!(link.remedy.as_deref(), Some("check host and port"));
+}
+
+#[test]
+fn each_new_cause_after_a_loss_is_reported_once() {
+    let now = Duration::from_secs(1);
+    let mut supervisor = Supervisor::new(Policy::default(), None);
+    supervisor.handle_link_up(now, "tcp:127.0.0.1:5555");
+    supervisor.handle_bytes(now, &status());
+    supervisor.handle_link_down(now, LinkPhase::Lost, closed());
+    for _ in 0..3 {
+        supervisor.handle_link_down(now, LinkPhase::Searching, unreachable());
+    }
+    let [lost, since] = &link_notices(&mut supervisor)[..] else {
+        panic!("two notices");
+    };
+    assert_eq!(
+        lost,
+        "the link to the arm was lost: the other end closed the link"
+    );
+    assert!(
+        since.ends_with("connection refused; check host and port"),
+        "{since}"
+    );
+}
+
+#[test]
+fn a_port_without_statuses_is_no_lost_link_and_what_it_sends_is_named() {
+    let mut big_endian = status();
+    big_endian[1..41].chunks_mut(4).for_each(<[u8]>::reverse);
+    for (bytes, cause, text) in [
+        (&[][..], LinkCause::Silent, "nothing was received"),
+        (&[7; 90][..], LinkCause::NotAnArm, "90 bytes were received"),
+        (
+            b"HTTP/1.1 400 Bad Request\r\n",
+            LinkCause::NotAnArm,
+            "HTTP/1.1 400 Bad Request",
+        ),
+        (&big_endian[..], LinkCause::BigEndian, "big-endian"),
+    ] {
+        let mut supervisor = Supervisor::new(Policy::default(), None);
+        supervisor.handle_link_up(Duration::ZERO, "serial:/dev/ttyUSB0@9600");
+        supervisor.handle_bytes(Duration::from_secs(1), bytes);
+        supervisor.handle_time(Duration::from_secs(6));
+        let notices = link_notices(&mut supervisor);
+        let [notice] = &notices[..] else {
+            panic!("{notices:?}");
+        };
+        assert!(
+            notice.starts_with("there is no link to an arm: "),
+            "{notice}"
+        );
+        assert!(notice.contains(text), "{notice}");
+        let link = supervisor.state().link;
+        assert_eq!(link.cause, Some(cause));
+        assert!(link.remedy.is_some());
+        let closed_later = Duration::from_secs(7);
+        supervisor.handle_link_down(closed_later, LinkPhase::Lost, closed());
+        assert!(
+            link_notices(&mut supervisor)
+                .iter()
+                .all(|text| !text.contains("was lost"))
+        );
     }
 }
 
@@ -223,18 +332,17 @@ fn an_arm_that_is_not_found_again_is_told_with_why_it_was_lost() {
     let mut supervisor = Supervisor::new(Policy::default(), None);
     let anna = supervisor.handle_client(now, "Anna", Role::Control, "Anna");
     supervisor.handle_link_up(now, "tcp:127.0.0.1:5555");
-    let closed = Some("the other end closed the link".to_owned());
-    supervisor.handle_link_down(now, LinkPhase::Lost, closed);
+    supervisor.handle_bytes(now, &status());
+    supervisor.handle_link_down(now, LinkPhase::Lost, closed());
     for _ in 0..2 {
-        let refused = Some("no arm was found; connection refused".to_owned());
-        supervisor.handle_link_down(now, LinkPhase::Searching, refused);
+        supervisor.handle_link_down(now, LinkPhase::Searching, unreachable());
     }
     let _ = supervisor.handle_request(now, anna, Request::TakeLease);
     let answer = supervisor.handle_request(now, anna, Request::ConfirmPose);
     let told = answer.unwrap().unwrap_err().to_string();
     assert_eq!(
         told,
-        "there is no link to an arm: the other end closed the link; since then: no arm was found; connection refused"
+        "there is no link to an arm: the other end closed the link; since then: connection refused; check host and port"
     );
 }
 
@@ -253,4 +361,26 @@ fn which_arm_a_port_is_taken_to_have_is_told() {
             .contains("the arm at serial:/dev/ttyUSB0@9600 is assumed to be desk 3")
     });
     assert!(told);
+}
+
+#[test]
+fn a_program_that_sends_big_endian_floats_is_told_so() {
+    let mut supervisor = Supervisor::new(Policy::default(), Some(Dialect::SPECIFICATION));
+    let program = supervisor.handle_client(Duration::ZERO, "program", Role::Control, "program");
+    let mut bytes = LASER_OFF.emit(&Dialect::SPECIFICATION).to_bytes();
+    bytes[1..41].chunks_mut(4).for_each(<[u8]>::reverse);
+    let packet = Packet::from_bytes(&bytes).unwrap();
+    assert!(
+        supervisor
+            .handle_raw(Duration::ZERO, program, &packet)
+            .is_err()
+    );
+    let refused = iter::from_fn(|| supervisor.poll_notice())
+        .find(|notice| matches!(notice.news, News::Refused { .. }))
+        .unwrap();
+    assert!(
+        refused.text.contains("the floats are big-endian"),
+        "{}",
+        refused.text
+    );
 }

@@ -247,6 +247,7 @@ fn troubles(it: &VirtualStation, from: usize) -> Vec<String> {
                 | News::CommandFailed { .. }
                 | News::DeadMan
                 | News::LinkLost
+                | News::NoLink { .. }
                 | News::Reset
                 | News::Trouble
         )
