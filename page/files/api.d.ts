@@ -1472,8 +1472,12 @@ export interface components {
             address?: string | null;
             /** @description The phase of the link. */
             phase: components["schemas"]["LinkPhase"];
-            /** @description What is wrong and what to do, if anything. */
+            /** @description What is wrong, if anything. */
             problem?: string | null;
+            /** @description Its kind, for programs. */
+            cause?: components["schemas"]["LinkCause"] | null;
+            /** @description What to do about it. */
+            remedy?: string | null;
             /**
              * @description Whether the link uses the Bluetooth port of a stock arm, as detected from its statuses. Its
              *     joint jogs have other axes, to which jogs are translated.
@@ -1503,6 +1507,8 @@ export interface components {
         };
         /** @description The phase of the link. */
         LinkPhase: "searching" | "listening" | "up" | "lost";
+        /** @description The kinds of reasons why there is no link to an arm. */
+        LinkCause: "none_found" | "no_such_port" | "not_allowed" | "in_use" | "not_a_serial_port" | "unreachable" | "cannot_open" | "silent" | "not_an_arm" | "big_endian" | "closed" | "broken";
         /** @description The arm's last status. */
         ArmView: {
             /**
@@ -2140,6 +2146,11 @@ export interface components {
         } | {
             /** @constant */
             type: "link_lost";
+        } | {
+            /** @description Why. */
+            cause: components["schemas"]["LinkCause"];
+            /** @constant */
+            type: "no_link";
         } | {
             /** @constant */
             type: "reset";

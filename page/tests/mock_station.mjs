@@ -12,7 +12,7 @@ export const SILENT = Symbol("no answer");
 
 /** The state of a station whose arm rests at a place, with what a test wants to be otherwise. */
 export const state = (other = {}) => ({
-  at_s: 10, link: { address: "virtual:", phase: "up", problem: null, bluetooth: false, statuses_per_s: 12.5, lost_statuses: 0, damaged_bytes: 0, latency_ms: 60 },
+  at_s: 10, link: { address: "virtual:", phase: "up", problem: null, cause: null, remedy: null, bluetooth: false, statuses_per_s: 12.5, lost_statuses: 0, damaged_bytes: 0, latency_ms: 60 },
   arm: { x_mm: 200, y_mm: 0, z_mm: 40, rotation_deg: 0, base_deg: 0, rear_deg: 30, fore_deg: 40, servo_deg: 0, suction: false, gripper_deg: 0, moving: false },
   dialect: "firmware-1.1", trust: { trusted: true, reason: null }, queue: { waiting: 0, under_way: 0, ahead_s: 0 }, lease: null, stop: null,
   laser: { armed_for_s: 0, on: false }, job: null, clients: 1, ...other,

@@ -5,6 +5,7 @@ import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { stops } from "../input/stop_button.js";
 import { TONES } from "../panels/jobs.js";
 import { groupJobs } from "../state/jobs.js";
+import { linkProblem } from "../state/selectors.js";
 import { formatClock, formatDuration } from "../i18n/i18n.js";
 import { resetQuestion } from "./footer.js";
 import { learnerLine } from "./learners.js";
@@ -64,7 +65,7 @@ function reasons({ t }, { presence, state }) {
     stop ? t(stop.of_fleet ? "stopped.by_fleet" : "stopped.by", { by: stop.by, why: stop.reason ? `: ${stop.reason}` : "", rest: t(!stop.delivered ? "stopped.not_delivered" : stop.at_rest ? "stopped.at_rest" : "stopped.moving") }) : "",
     lock ? `${t("locked.title")} ${t("locked.by", { by: lock.by, why: lock.message ? `: ${lock.message}` : "" })}` : "",
     state?.arm && !state.trust.trusted ? state.trust.reason ?? "" : "",
-    state?.link.problem ?? "",
+    state ? linkProblem(state.link) : "",
   ];
   return html`${texts.filter(Boolean).map((text) => html`<p class="reason">${text}</p>`)}`;
 }

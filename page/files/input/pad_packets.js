@@ -76,7 +76,7 @@ export function createStream({ store, socket, takeControlIfFree, next, refused }
     }
     if (message.type !== "notice") return;
     const { notice } = message;
-    if (notice.type === "link_lost") inFlight.clear();
+    if (notice.type === "link_lost" || notice.type === "no_link") inFlight.clear();
     if (notice.type !== "command_done" && notice.type !== "command_failed") return;
     if (!inFlight.delete(notice.command) && pending) finished.add(notice.command);
     void fill();

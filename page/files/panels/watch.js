@@ -2,6 +2,7 @@
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { chart } from "../parts/chart.js";
+import { linkProblem } from "../state/selectors.js";
 import { packets } from "./packets.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 
@@ -59,7 +60,7 @@ function link({ page, t }) {
   return html`
     <section class="card" aria-labelledby="link-title">
       <h2 id="link-title">${t("watch.link")}</h2>
-      ${link.problem ? html`<p id="link-problem" class="status" data-tone="warn">${link.problem}</p>` : ""}
+      ${link.problem ? html`<p id="link-problem" class="status" data-tone="warn">${linkProblem(link)}</p>` : ""}
       <dl class="list">${rows.map(([word, id, value]) => html`<div><dt>${t(word)}</dt><dd id=${id}>${value}</dd></div>`)}</dl>
     </section>`;
 }

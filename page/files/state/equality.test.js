@@ -7,7 +7,7 @@ import { begin } from "./state.js";
 
 const STATION = {
   at_s: 1,
-  link: { address: "virtual:", phase: "up", problem: null, bluetooth: false, statuses_per_s: 12.5, lost_statuses: 0, damaged_bytes: 0, latency_ms: 1 },
+  link: { address: "virtual:", phase: "up", problem: null, cause: null, remedy: null, bluetooth: false, statuses_per_s: 12.5, lost_statuses: 0, damaged_bytes: 0, latency_ms: 1 },
   arm: { x_mm: 200, y_mm: 0, z_mm: 50, rotation_deg: 10, base_deg: 0, rear_deg: 45, fore_deg: 45, servo_deg: 10, suction: false, gripper_deg: 0, moving: false },
   dialect: "firmware-1.1", trust: { trusted: true, reason: null }, queue: { waiting: 0, under_way: 0, ahead_s: 0 },
   lease: null, stop: null, laser: { armed_for_s: 0, on: false }, job: null, clients: 1, slots: null,

@@ -165,3 +165,6 @@ export function createViewOf() {
     };
   };
 }
+
+/** What is wrong with the link and what to do, in the words of the station. @param {Pick<import("./types.js").Schemas["LinkView"], "problem" | "remedy">} link */
+export const linkProblem = ({ problem, remedy }) => [problem, remedy].filter(Boolean).join("; ");

@@ -1,7 +1,7 @@
 // Setup of the arm: connection, dialect and pose.
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
-import { blockedReason } from "../../state/selectors.js";
+import { blockedReason, linkProblem } from "../../state/selectors.js";
 import { sentence } from "../../views/banners.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
@@ -35,7 +35,7 @@ export function armGuide(context) {
         <li>
           <h3>${t("arm.found")} <b class="chip" data-tone=${TONES[link.phase]}>${t(`link.${link.phase}`)}</b></h3>
           <p>${link.address ?? t("watch.not_found")}</p>
-          ${link.problem ? html`<p class="status" data-tone="warn">${sentence(link.problem)}</p>` : nothing}
+          ${link.problem ? html`<p class="status" data-tone="warn">${linkProblem(link)}</p>` : nothing}
           ${link.phase === "up" ? nothing : html`<p class="quiet">${t("arm.found.hint")}</p>`}
         </li>
         <li>
