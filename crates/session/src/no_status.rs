@@ -1,6 +1,6 @@
 //! Why an open link has no status.
 
-use dobot_wire::{Decoder, Statuses};
+use dobot_wire::{Decoder, PACKET_LEN, Packet};
 
 use crate::plausible;
 
@@ -52,23 +52,13 @@ impl NoStatus {
 }
 
 /// The bytes of a link since its last status.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct StatusWait {
-    swapped: Decoder<Statuses>,
+    /// The end of the bytes, where a packet may begin.
+    end: Vec<u8>,
     is_swapped: bool,
     beginning: Vec<u8>,
     bytes: u64,
-}
-
-impl Default for StatusWait {
-    fn default() -> Self {
-        Self {
-            swapped: Decoder::statuses(|frame| plausible(&frame.swapped())),
-            is_swapped: false,
-            beginning: Vec::new(),
-            bytes: 0,
-        }
-    }
 }
 
 impl StatusWait {
@@ -77,8 +67,10 @@ impl StatusWait {
         let free = BEGINNING.saturating_sub(self.beginning.len());
         self.beginning.extend(bytes.iter().take(free));
         self.bytes += bytes.len() as u64;
-        // Count all of them: the decoder drops bytes that it has not reached.
-        self.is_swapped |= self.swapped.feed(bytes).count() > 0;
+        self.end.extend(bytes);
+        self.is_swapped |= self.end.windows(PACKET_LEN).any(is_swapped_status);
+        self.end
+            .drain(..self.end.len().saturating_sub(PACKET_LEN - 1));
     }
 
     /// Returns what arrived instead of a status.
@@ -101,6 +93,16 @@ impl StatusWait {
         let is_text = self.beginning.iter().all(is_text);
         (is_text && line.len() >= SHORTEST_TEXT).then(|| line.trim().to_owned())
     }
+}
+
+/// Returns whether a window is a status with the high byte of each float first.
+fn is_swapped_status(window: &[u8]) -> bool {
+    let packet = window.try_into().ok().and_then(Packet::from_bytes);
+    let Some(Packet::Frame(frame)) = packet else {
+        return false;
+    };
+    let bytes = frame.swapped().to_bytes();
+    Decoder::statuses(plausible).feed(&bytes).count() > 0
 }
 
 /// The bytes kept of a text.

@@ -102,10 +102,7 @@ fn an_arm_that_falls_silent_is_told_as_lost_and_found_again() {
     it.run_for(Duration::from_secs(7));
     let link = it.supervisor().state().link;
     assert_eq!(link.phase, LinkPhase::Lost);
-    assert!(
-        link.problem
-            .is_some_and(|problem| problem.contains("cable"))
-    );
+    assert!(link.remedy.is_some_and(|remedy| remedy.contains("cable")));
     it.run_for(Duration::from_secs(10));
     assert_eq!(it.supervisor().state().link.phase, LinkPhase::Up);
 }
