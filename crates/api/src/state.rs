@@ -94,6 +94,7 @@ impl State {
                 },
                 told: None,
                 moving: false,
+                touch_refused: None,
                 near: NearView::default(),
             }),
             calibrated: None,
@@ -176,6 +177,9 @@ pub struct ArmView {
     pub told: Option<Status>,
     /// Whether the arm moves.
     pub moving: bool,
+    /// Why the pose may not be recorded as a touch of a calibration: a joint came from the other side.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub touch_refused: Option<String>,
     /// The policy limits and keep-outs close to the arm.
     #[serde(default, skip_serializing_if = "NearView::is_empty")]
     pub near: NearView,

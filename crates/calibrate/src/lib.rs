@@ -19,6 +19,7 @@
 //! # Ok::<(), dobot_calibrate::FitError>(())
 //! ```
 
+mod approach;
 mod comb;
 mod file;
 mod fit;
@@ -31,6 +32,7 @@ mod solve;
 mod touch;
 mod why;
 
+pub use approach::{Approach, OtherSide};
 pub use comb::{COMB_PAIRS, COMB_STEP_DEG, SlackJoint, comb};
 pub use file::{FileError, found, read_calibration, write_calibration};
 pub use fit::{Advice, Fit, Trust, Unsure, fit};

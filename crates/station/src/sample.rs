@@ -38,6 +38,7 @@ pub(crate) fn state(at_s: f64) -> State {
         },
         arm: Some(ArmView {
             told: None,
+            touch_refused: None,
             status: Status {
                 x_mm: 200.0,
                 y_mm: -31.5,

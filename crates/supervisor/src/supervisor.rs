@@ -286,6 +286,7 @@ impl Supervisor {
                     status,
                     told: Some(reported).filter(|_| self.arm.is_calibrated()),
                     moving: self.arm.still() == 0,
+                    touch_refused: self.arm.touch_refused(),
                     near: self.arm.near(&ArmPlace::of_status(&status)),
                 }
             }),

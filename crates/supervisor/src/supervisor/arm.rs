@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use dobot_api::{CalibratedView, NearView, PathPreview};
 use dobot_arm::{Calibration, Pose, Tool};
+use dobot_calibrate::Approach;
 use dobot_motion::{ArmPlace, Model, Trajectory, TrajectoryError};
 use dobot_safety::{Policy, Violation};
 use dobot_session::{CommandId, SendError, Session};
@@ -27,6 +28,7 @@ pub(super) struct Arm {
     calibration: Calibration,
     /// The last turn of base, rear arm and forearm, each when it last moved, in degrees.
     turned_deg: [f64; 3],
+    approach: Approach,
     /// The number of consecutive statuses with the same position.
     still: u32,
 }
@@ -44,6 +46,7 @@ impl Arm {
             last: None,
             calibration: Calibration::NONE,
             turned_deg: [0.0; 3],
+            approach: Approach::default(),
             still: 0,
         }
     }
@@ -93,6 +96,11 @@ impl Arm {
         let zeros_told = self.calibration() != self.calibration;
         self.is_calibrated()
             .then_some(CalibratedView { zeros_told })
+    }
+
+    /// Returns why the pose may not be recorded as a touch of a calibration.
+    pub(super) fn touch_refused(&self) -> Option<String> {
+        self.approach.check().err().map(|why| why.to_string())
     }
 
     /// Returns the status with calibrated positions and angles.
@@ -201,6 +209,8 @@ impl Arm {
         } else {
             0
         };
+        self.approach
+            .handle_status(&ArmPlace::of_status(&status).joints);
         if let Some(last) = self.last.replace(status) {
             let turned = [
                 status.base_deg - last.base_deg,
