@@ -59,13 +59,22 @@ class Calibration:
         return self._calibrated.expected_mm
 
     @property
-    def left_out(self) -> int | None:
-        """The touch that was left out because it contradicts all others, counted from 0."""
-        return self._calibrated.left_out
+    def wrong(self) -> list[int]:
+        """The touches that were left out because they contradict all others, counted from 0."""
+        return self._calibrated.wrong
 
     @property
-    def trust(self) -> Literal["good", "unchecked", "doubtful"]:
-        """Whether to use it; ``unchecked`` means too few touches to detect a wrong one."""
+    def left_out(self) -> int | None:
+        """The first of :attr:`wrong`; deprecated."""
+        return next(iter(self.wrong), None)
+
+    @property
+    def trust(self) -> Literal["good", "unchecked", "unmeasured", "doubtful"]:
+        """Whether to use it.
+
+        ``unchecked`` means too few touches to detect a wrong one; ``unmeasured`` means that the tool is more than
+        8 mm from its nominal position: measure it, and the print, and pass ``tool_measured=True``.
+        """
         return self._calibrated.trust
 
     @property
@@ -96,11 +105,14 @@ class Calibration:
         return f"<Calibration: {self.trust}, zeros {base:.2f}, {rear:.2f}, {fore:.2f} degrees, typically {self.typical_mm:.2f} mm off>"
 
 
-def calibrate(touches: Iterable[Touch]) -> Calibration:
+def calibrate(touches: Iterable[Touch], *, tool_measured: bool = False) -> Calibration:
     """Fits a calibration to touches of known points: at least four, better nine.
+
+    ``tool_measured`` states that a person has measured the tool and found it off by
+    :attr:`Calibration.tool_mm`.
 
     Raises :class:`ValueError` if the touches are insufficient, contradict each other, or give values that are
     not plausible.
     """
     points = [(touch.x_mm, touch.y_mm, touch.height_mm, touch.status.base_deg, touch.status.rear_deg, touch.status.fore_deg) for touch in touches]
-    return Calibration(Calibrated(points))
+    return Calibration(Calibrated(points, tool_measured))

@@ -24,10 +24,15 @@ type Touched = (f64, f64, f64, f64, f64, f64);
 #[pymethods]
 impl Calibrated {
     #[new]
-    fn new(py: Python<'_>, touches: Vec<Touched>) -> PyResult<Self> {
+    fn new(py: Python<'_>, touches: Vec<Touched>, tool_measured: bool) -> PyResult<Self> {
         let touches: Vec<Touch> = touches.into_iter().map(touch).collect();
         py.detach(|| {
             let fit = fit(&touches, TOOL).map_err(|error| value_error(&error))?;
+            let fit = if tool_measured {
+                fit.with_measured_tool()
+            } else {
+                fit
+            };
             let file = found(&fit, Backlash::default());
             Ok(Self { touches, fit, file })
         })
@@ -64,8 +69,8 @@ impl Calibrated {
     }
 
     #[getter]
-    const fn left_out(&self) -> Option<usize> {
-        self.fit.left_out
+    fn wrong(&self) -> Vec<usize> {
+        self.fit.left_out.clone()
     }
 
     #[getter]
@@ -73,6 +78,7 @@ impl Calibrated {
         match self.fit.trust {
             Trust::Good => "good",
             Trust::Unchecked => "unchecked",
+            Trust::Unmeasured => "unmeasured",
             Trust::Doubtful => "doubtful",
         }
     }

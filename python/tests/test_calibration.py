@@ -34,7 +34,7 @@ def touches(arm: dobot.Arm) -> list[dobot.Touch]:
 def test_zeros_are_found_from_nine_touches(virtual_arm: dobot.Arm) -> None:
     found = dobot.calibrate(touches(virtual_arm))
     assert found.zeros_deg == pytest.approx((0, 1.5, -2), abs=0.2)
-    assert found.trust == "good" and found.left_out is None
+    assert found.trust == "good" and found.wrong == []
     assert max(found.residuals_mm) < 0.3 and found.expected_mm < 0.5
     # The raw position leads to the calibrated one.
     virtual_arm.move_to(*found.told_place(230, 40, 0), path="movj")
@@ -51,6 +51,6 @@ def test_touches_that_tell_no_calibration_say_why(virtual_arm: dobot.Arm) -> Non
     with pytest.raises(ValueError, match="4"):
         dobot.calibrate(good[:3])
     wrong = [replace(good[0], x_mm=good[0].x_mm + 12), *good[1:]]
-    assert dobot.calibrate(wrong).left_out == 0
+    assert dobot.calibrate(wrong).wrong == [0]
     with pytest.raises(ValueError):
         dobot.calibrate(good).told_place(600, 0, 0)

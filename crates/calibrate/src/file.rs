@@ -34,7 +34,7 @@ pub fn found(fit: &Fit, backlash: Backlash) -> CalibrationFile {
         }),
         backlash,
         touched: Some(Touched {
-            points: fit.residuals_mm.len() - usize::from(fit.left_out.is_some()),
+            points: fit.residuals_mm.len() - fit.left_out.len(),
             typical_mm: fit.typical_mm,
             largest_mm: fit.largest_mm,
         }),

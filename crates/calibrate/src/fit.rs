@@ -1,12 +1,12 @@
 //! Fits a calibration to touches and reports residuals and trust.
 
 use dobot_arm::{Calibration, Plane, Position, Tool};
-use dobot_geometry::{Point, least_width};
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::solve::{Numbers, Solved, Suspect, TOUCH_MM, norm_squared, solve};
+use crate::outliers::{Kept, LEAST_WIDTH_MM, width_without, without_wrong};
+use crate::solve::{Numbers, Solved, Suspect, TOUCH_MM, length, norm_squared, solve};
 use crate::{FitError, SHEET_POINTS, Touch};
 
 /// A calibration and how well it explains the touches.
@@ -14,12 +14,15 @@ use crate::{FitError, SHEET_POINTS, Touch};
 pub struct Fit {
     /// The calibration of the arm.
     pub arm: Calibration,
+    /// The position of the tool's tip from the axis of the wrist, outwards and to the left, in mm: a
+    /// person can measure it.
+    pub tool_mm: [f64; 2],
     /// The plane of the paper.
     pub paper: Plane,
     /// The residual of each touch, in mm: X, Y, Z, in the order of the touches.
     pub residuals_mm: Vec<[f64; 3]>,
-    /// The index of the touch left out because it contradicts all others.
-    pub left_out: Option<usize>,
+    /// The indexes of the touches left out because they contradict all others, at most two.
+    pub left_out: Vec<usize>,
     /// The root mean square of the residuals that count, in mm.
     pub typical_mm: f64,
     /// The largest residual that counts, in mm.
@@ -64,7 +67,10 @@ pub enum Trust {
     Good,
     /// The touches agree, but are too few to detect a wrong one.
     Unchecked,
-    /// The touches agree poorly, or one had to be left out.
+    /// The touches agree, but put the tool so far from its nominal position that a person has to
+    /// measure it: a scaled print looks the same.
+    Unmeasured,
+    /// The touches that count agree poorly, or the base may have been turned between two of them.
     Doubtful,
 }
 
@@ -73,6 +79,16 @@ impl Fit {
     #[must_use]
     pub fn residual_mm(&self, index: usize) -> f64 {
         self.residuals_mm.get(index).map_or(0.0, length)
+    }
+
+    /// Accepts the fitted tool offset because a person has measured it.
+    #[must_use]
+    pub fn with_measured_tool(self) -> Self {
+        let trust = match self.trust {
+            Trust::Unmeasured => trust_in(self.residuals_mm.len() - self.left_out.len()),
+            trust => trust,
+        };
+        Self { trust, ..self }
     }
 }
 
@@ -84,44 +100,36 @@ impl Fit {
 /// outside the limits of an arm.
 pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
     check(touches)?;
-    let all = solve(touches, tool, Suspect::Nothing);
-    let left_out = wrong_touch(touches, tool, &all);
-    let counted: Vec<Touch> = kept(touches, left_out);
-    let solved = if left_out.is_some() {
-        solve(&counted, tool, Suspect::Nothing)
-    } else {
-        all
-    };
-    let numbers = solved.numbers;
-    let typical_mm = typical(&counted, tool, &numbers);
+    let kept = without_wrong(touches, tool);
+    let numbers = kept.solved.numbers;
+    let away_mm = |touch: &Touch| numbers.away_mm(touch, tool, false);
+    let distances: Vec<f64> = kept
+        .touches
+        .iter()
+        .map(|touch| length(&away_mm(touch)))
+        .collect();
+    let typical_mm = (norm_squared(&distances) / count(distances.len())).sqrt();
     if typical_mm > MOST_TYPICAL_MM {
         let contradiction = FitError::Contradiction {
             typical_mm,
             allowed_mm: MOST_TYPICAL_MM,
         };
-        return Err(what_went_wrong(touches, tool, &solved).unwrap_or(contradiction));
+        return Err(what_went_wrong(touches, tool, &kept.solved).unwrap_or(contradiction));
     }
     check_arm(&numbers.arm, &numbers.paper)
-        .map_err(|beyond| what_went_wrong(touches, tool, &solved).unwrap_or(beyond))?;
-    let residuals_mm: Vec<_> = touches
-        .iter()
-        .map(|touch| numbers.away_mm(touch, tool, false))
-        .collect();
-    let distances = counted
-        .iter()
-        .map(|touch| length(&numbers.away_mm(touch, tool, false)));
-    let largest_mm = distances.fold(0.0, f64::max);
+        .map_err(|beyond| what_went_wrong(touches, tool, &kept.solved).unwrap_or(beyond))?;
     Ok(Fit {
         arm: numbers.arm,
+        tool_mm: [tool.reach().0 + numbers.arm.reach_mm, numbers.arm.left_mm],
         paper: numbers.paper,
-        residuals_mm,
-        left_out,
+        residuals_mm: touches.iter().map(away_mm).collect(),
         typical_mm,
-        largest_mm,
-        expected_mm: expected(counted.len(), typical_mm),
-        unsure: unsure(&solved),
-        advice: advice(&solved, tool),
-        trust: trust(counted.len(), left_out, typical_mm),
+        largest_mm: distances.iter().copied().fold(0.0, f64::max),
+        expected_mm: expected(distances.len(), typical_mm),
+        unsure: unsure(&kept.solved),
+        advice: advice(&kept.solved, tool),
+        trust: trust(touches, tool, &kept, typical_mm),
+        left_out: kept.wrong,
     })
 }
 
@@ -144,60 +152,17 @@ fn check(touches: &[Touch]) -> Result<(), FitError> {
             found: touches.len(),
         });
     }
-    let width_mm = width(touches);
+    let width_mm = width_without(touches, &[]);
     if width_mm < LEAST_WIDTH_MM {
         return Err(FitError::InLine { width_mm });
     }
     Ok(())
 }
 
-/// Returns the width of the narrowest strip that holds all points, seen from above, in mm.
-fn width(touches: &[Touch]) -> f64 {
-    let place = |touch: &Touch| Point::from((touch.place_mm[0], touch.place_mm[1]));
-    least_width(&touches.iter().map(place).collect::<Vec<_>>())
-}
-
-/// Returns the touch without which the others agree far better, if there are enough others.
-fn wrong_touch(touches: &[Touch], tool: Tool, all: &Solved) -> Option<usize> {
-    if touches.len() < TOUCHES_TO_JUDGE {
-        return None;
-    }
-    let without = |index: usize| {
-        let others = kept(touches, Some(index));
-        let solved = solve(&others, tool, Suspect::Nothing);
-        let away_mm = length(&solved.numbers.away_mm(&touches[index], tool, false));
-        (width(&others) >= LEAST_WIDTH_MM).then_some((index, all.cost - solved.cost, away_mm))
-    };
-    let worst = (0..touches.len())
-        .filter_map(without)
-        .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let (index, gain, away_mm) = worst;
-    let is_wrong = gain > WRONG_GAIN && gain > all.cost / 2.0 && away_mm > WRONG_MM;
-    is_wrong.then_some(index)
-}
-
-fn kept(touches: &[Touch], left_out: Option<usize>) -> Vec<Touch> {
-    let counts = |&(index, _): &(usize, &Touch)| Some(index) != left_out;
-    touches
-        .iter()
-        .enumerate()
-        .filter(counts)
-        .map(|(_, touch)| *touch)
-        .collect()
-}
-
-fn typical(touches: &[Touch], tool: Tool, numbers: &Numbers) -> f64 {
-    let squares = touches
-        .iter()
-        .map(|touch| length(&numbers.away_mm(touch, tool, false)).powi(2));
-    (squares.sum::<f64>() / count(touches.len())).sqrt()
-}
-
 /// Returns the known mistake that explains the touches far better than a calibration does.
 fn what_went_wrong(touches: &[Touch], tool: Tool, plain: &Solved) -> Option<FitError> {
     let scaled = solve(touches, tool, Suspect::Scale);
-    let steps = (1..touches.len()).map(|at| (at, solve(touches, tool, Suspect::StepBefore(at))));
-    let step = steps.min_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
+    let step = best_step(touches, tool);
     let explains = |solved: &Solved| solved.cost < plain.cost / 4.0;
     match step {
         Some((last, step)) if explains(&step) && step.cost < scaled.cost => Some(FitError::Reset {
@@ -209,6 +174,13 @@ fn what_went_wrong(touches: &[Touch], tool: Tool, plain: &Solved) -> Option<FitE
         }),
         _ => None,
     }
+}
+
+/// Returns the change of the base's zero that explains the touches best, with the index of the
+/// touch before which it happened.
+fn best_step(touches: &[Touch], tool: Tool) -> Option<(usize, Solved)> {
+    let steps = (1..touches.len()).map(|at| (at, solve(touches, tool, Suspect::StepBefore(at))));
+    steps.min_by(|a, b| a.1.cost.total_cmp(&b.1.cost))
 }
 
 fn check_arm(arm: &Calibration, paper: &Plane) -> Result<(), FitError> {
@@ -288,18 +260,31 @@ fn advice(solved: &Solved, tool: Tool) -> Option<Advice> {
     })
 }
 
-fn trust(touches: usize, left_out: Option<usize>, typical_mm: f64) -> Trust {
-    if typical_mm > GOOD_TYPICAL_MM || left_out.is_some() {
+fn trust(touches: &[Touch], tool: Tool, kept: &Kept, typical_mm: f64) -> Trust {
+    let arm = &kept.solved.numbers.arm;
+    if typical_mm > GOOD_TYPICAL_MM || is_turned(touches, tool, kept) {
         Trust::Doubtful
-    } else if touches < TOUCHES_TO_JUDGE {
+    } else if arm.reach_mm.hypot(arm.left_mm) > UNUSUAL_TOOL_MM {
+        Trust::Unmeasured
+    } else {
+        trust_in(kept.touches.len())
+    }
+}
+
+/// Returns the trust in this many touches that agree.
+const fn trust_in(touches: usize) -> Trust {
+    if touches < TOUCHES_TO_JUDGE {
         Trust::Unchecked
     } else {
         Trust::Good
     }
 }
 
-fn length(away_mm: &[f64; 3]) -> f64 {
-    away_mm.iter().map(|mm| mm * mm).sum::<f64>().sqrt()
+/// Returns whether a change of the base's zero explains the touches better than wrong touches do.
+fn is_turned(touches: &[Touch], tool: Tool, kept: &Kept) -> bool {
+    let explained = |touches| best_step(touches, tool).map_or(f64::INFINITY, |step| step.1.cost);
+    explained(&kept.touches) + STEP_GAIN < kept.solved.cost
+        || !kept.wrong.is_empty() && explained(touches) < kept.solved.cost + STEP_GAIN
 }
 
 #[expect(
@@ -311,15 +296,15 @@ const fn count(touches: usize) -> f64 {
 }
 
 const LEAST_TOUCHES: usize = 4;
-/// The least number of touches in which a wrong one can be identified.
+/// The least number of touches that have to agree to detect a wrong one.
 const TOUCHES_TO_JUDGE: usize = 6;
-const LEAST_WIDTH_MM: f64 = 60.0;
 const FARTHEST_MM: f64 = 400.0;
-/// How much better the others agree without a wrong touch, in squared standard deviations of a
-/// touch.
-const WRONG_GAIN: f64 = 20.0;
-const WRONG_MM: f64 = 1.5;
-const GOOD_TYPICAL_MM: f64 = 0.8;
+/// How much better a change of the base's zero has to explain the touches to cast doubt, in squared
+/// standard deviations of a touch.
+const STEP_GAIN: f64 = 16.0;
+/// A tool offset beyond which a person has to measure it.
+const UNUSUAL_TOOL_MM: f64 = 8.0;
+const GOOD_TYPICAL_MM: f64 = 0.7;
 const MOST_TYPICAL_MM: f64 = 1.5;
 /// The number of parameters that determine a position in the plane.
 const NUMBERS_OF_A_PLACE: f64 = 6.0;

@@ -31,7 +31,7 @@ pub fn residuals_svg(touches: &[Touch], fit: &Fit) -> String {
             (right - LARGER * dy).clamp(2.0, WIDE_MM - 2.0),
             (down - LARGER * dx).clamp(2.0, HIGH_MM - 2.0),
         ];
-        let is_left_out = fit.left_out == Some(index);
+        let is_left_out = fit.left_out.contains(&index);
         let color = if is_left_out { "#c0392b" } else { "#1f5fbf" };
         let cross = if is_left_out { CROSS } else { "" };
         let _ = write!(
@@ -90,7 +90,7 @@ mod tests {
         assert!(!good.contains(CROSS) && good.contains("9: 0.0"), "{good}");
         touches[4].place_mm[0] += 12.0;
         let fit = fit(&touches, Tool::SuctionCup).unwrap();
-        assert_eq!(fit.left_out, Some(4));
+        assert_eq!(fit.left_out, [4]);
         assert!(residuals_svg(&touches, &fit).contains(CROSS));
     }
 }

@@ -18,73 +18,158 @@ pub const SHEET_POINTS: [[f64; 2]; 9] = [
     [215.0, -100.0],
 ];
 
-/// The length of the bar on a print at true size, in mm.
-pub const BAR_MM: f64 = 200.0;
+/// A sheet to print, A4 landscape. Its number determines the length of its bar, which is not printed:
+/// a person has to measure it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sheet(u16);
 
-/// Returns the sheet, A4 landscape, as SVG at true size. Its near edge faces the arm.
-#[must_use]
-pub fn sheet_svg() -> String {
-    let mut svg = String::from(concat!(
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="297mm" height="210mm" viewBox="0 0 297 210">"#,
-        r#"<rect width="297" height="210" fill="white"/>"#,
-        r#"<g fill="none" stroke="black" stroke-width="0.15" font-family="sans-serif" font-size="4">"#,
-    ));
-    for (number, [x_mm, y_mm]) in (1..).zip(SHEET_POINTS) {
-        let [right, down] = on_sheet([x_mm, y_mm]);
-        let _ = write!(
-            svg,
-            r#"<path d="M{} {down}h12M{right} {}v12"/><circle cx="{right}" cy="{down}" r="3"/>"#,
-            right - 6.0,
-            down - 6.0,
-        );
-        let _ = write!(
-            svg,
-            r#"<text x="{}" y="{}" fill="black" stroke="none">{number}: {x_mm}, {y_mm}</text>"#,
-            right + 4.0,
-            down - 4.0,
-        );
+impl Sheet {
+    /// Chooses a sheet by any number, such as the time.
+    #[must_use]
+    pub fn chosen_by(number: u64) -> Self {
+        let count = u64::from(LAST - FIRST) + 1;
+        Self(FIRST + u16::try_from(number % count).expect("the remainder is small"))
     }
-    let [left, right] = [(WIDE_MM - BAR_MM) / 2.0, f64::midpoint(WIDE_MM, BAR_MM)];
-    let _ = write!(
-        svg,
-        concat!(
-            r#"<path d="M{left} 188H{right}M{left} 184v8M{right} 184v8M148.5 196V206l-2 -3m2 3l2 -3"/>"#,
-            r#"<g fill="black" stroke="none" text-anchor="middle"><text x="148.5" y="186">"#,
-            "this bar is {bar} mm long; print at 100 %</text>",
-            r#"<text x="185" y="203">the arm stands here, {near} mm from this edge to its axis</text></g></g></svg>"#,
-            "\n"
-        ),
-        left = left,
-        right = right,
-        bar = BAR_MM,
-        near = NEAR_EDGE_MM,
-    );
-    svg
+
+    /// Returns the sheet with a number.
+    ///
+    /// # Errors
+    ///
+    /// [`BarError::NoSheet`] if no sheet has this number.
+    pub fn numbered(number: u16) -> Result<Self, BarError> {
+        if (FIRST..=LAST).contains(&number) {
+            Ok(Self(number))
+        } else {
+            Err(BarError::NoSheet(number))
+        }
+    }
+
+    /// Returns the number of the sheet, which is printed on it.
+    #[must_use]
+    pub const fn number(self) -> u16 {
+        self.0
+    }
+
+    /// Checks the length of the bar, measured on the print with a ruler.
+    ///
+    /// # Errors
+    ///
+    /// [`BarError`] if the print is scaled, or has another bar.
+    pub fn check_bar(self, measured_mm: f64) -> Result<(), BarError> {
+        let percent = measured_mm / self.bar_mm() * 100.0;
+        if (measured_mm - self.bar_mm()).abs() <= BAR_TOLERANCE_MM {
+            Ok(())
+        } else if (LEAST_PERCENT..=MOST_PERCENT).contains(&percent) {
+            Err(BarError::Scaled {
+                number: self.0,
+                measured_mm,
+                percent,
+            })
+        } else {
+            Err(BarError::OtherBar {
+                number: self.0,
+                measured_mm,
+            })
+        }
+    }
+
+    /// Returns the length of the bar on a print at true size, in mm: consecutive numbers have very
+    /// different bars, shorter than a ruler of 200 mm.
+    #[must_use]
+    pub fn bar_mm(self) -> f64 {
+        LEAST_BAR_MM + f64::from(self.0 * 37 % 80) * 0.5
+    }
+
+    /// Returns the sheet as SVG at true size. Its near edge faces the arm.
+    #[must_use]
+    pub fn svg(self) -> String {
+        let mut svg = String::from(concat!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="297mm" height="210mm" viewBox="0 0 297 210">"#,
+            r#"<rect width="297" height="210" fill="white"/>"#,
+            r#"<g fill="none" stroke="black" stroke-width="0.15" font-family="sans-serif" font-size="4">"#,
+        ));
+        for (number, [x_mm, y_mm]) in (1..).zip(SHEET_POINTS) {
+            let [right, down] = on_sheet([x_mm, y_mm]);
+            let _ = write!(
+                svg,
+                r#"<path d="M{} {down}h12M{right} {}v12"/><circle cx="{right}" cy="{down}" r="3"/>"#,
+                right - 6.0,
+                down - 6.0,
+            );
+            let _ = write!(
+                svg,
+                r#"<text x="{}" y="{}" fill="black" stroke="none">{number}: {x_mm}, {y_mm}</text>"#,
+                right + 4.0,
+                down - 4.0,
+            );
+        }
+        let bar_mm = self.bar_mm();
+        let _ = write!(
+            svg,
+            concat!(
+                r#"<path d="M{left} 188H{right}M{left} 184v8M{right} 184v8M148.5 196V206l-2 -3m2 3l2 -3"/>"#,
+                r#"<g fill="black" stroke="none" text-anchor="middle"><text x="148.5" y="186">"#,
+                "sheet {number}: print at 100 %, and measure this bar from end to end</text>",
+                r#"<text x="185" y="203">the arm stands here, {near} mm from this edge to its axis</text></g></g></svg>"#,
+                "\n"
+            ),
+            left = (WIDE_MM - bar_mm) / 2.0,
+            right = f64::midpoint(WIDE_MM, bar_mm),
+            number = self.0,
+            near = NEAR_EDGE_MM,
+        );
+        svg
+    }
 }
 
-/// Checks the length of the bar, measured on the print with a ruler.
+/// Checks the number of a sheet and the measured length of its bar, which a calibration needs.
 ///
 /// # Errors
 ///
-/// [`ScaledBar`] if the print is scaled.
-pub fn check_bar(measured_mm: f64) -> Result<(), ScaledBar> {
-    if (measured_mm - BAR_MM).abs() <= BAR_TOLERANCE_MM {
-        return Ok(());
+/// [`BarError`] if one of them is missing, or the print is scaled.
+pub fn check_bar(number: Option<u16>, measured_mm: Option<f64>) -> Result<(), BarError> {
+    match (number, measured_mm) {
+        (Some(number), Some(measured_mm)) => Sheet::numbered(number)?.check_bar(measured_mm),
+        _ => Err(BarError::NotMeasured),
     }
-    Err(ScaledBar {
-        found_mm: measured_mm,
-        percent: measured_mm / BAR_MM * 100.0,
-    })
 }
 
-/// The error returned when the printer has scaled the sheet.
+/// The error returned when the bar of a print was not measured or has the wrong length.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error(
-    "the bar is {found_mm} mm long; allowed are {BAR_MM} mm within {BAR_TOLERANCE_MM} mm; the print is at {percent:.1} % of its size; print it at 100 % (\"actual size\")"
-)]
-pub struct ScaledBar {
-    found_mm: f64,
-    percent: f64,
+#[non_exhaustive]
+pub enum BarError {
+    /// The number of the sheet or the length of its bar is missing.
+    #[error(
+        "the number of the sheet and the length of its bar are needed, because a scaled print looks like a longer tool; print a new sheet (an older one has no number), measure its bar, and give both"
+    )]
+    NotMeasured,
+    /// No sheet has this number.
+    #[error(
+        "the number of the sheet is {0}; allowed are {FIRST} to {LAST}; it is printed above the bar of the sheet"
+    )]
+    NoSheet(u16),
+    /// The printer has scaled the sheet.
+    #[error(
+        "the bar of sheet {number} is {measured_mm} mm long, so that the print is at {percent:.1} % of its size; print it at 100 % (\"actual size\"), and measure again"
+    )]
+    Scaled {
+        /// The number of the sheet.
+        number: u16,
+        /// The measured length.
+        measured_mm: f64,
+        /// The size of the print.
+        percent: f64,
+    },
+    /// No print of this sheet has such a bar.
+    #[error(
+        "no print of sheet {number} has a bar of {measured_mm} mm; measure the bar on this print with a ruler, from end to end, and check the number above it; print at 100 %"
+    )]
+    OtherBar {
+        /// The number of the sheet.
+        number: u16,
+        /// The measured length.
+        measured_mm: f64,
+    },
 }
 
 /// Returns a calibrated position on the sheet, from its upper left corner: forward is up, left is
@@ -97,7 +182,13 @@ pub(crate) const WIDE_MM: f64 = 297.0;
 pub(crate) const HIGH_MM: f64 = 210.0;
 /// The distance from the base's axis to the near edge.
 const NEAR_EDGE_MM: f64 = 95.0;
+const FIRST: u16 = 100;
+const LAST: u16 = 999;
+const LEAST_BAR_MM: f64 = 155.0;
 const BAR_TOLERANCE_MM: f64 = 0.5;
+/// The sizes at which printers scale a page.
+const LEAST_PERCENT: f64 = 90.0;
+const MOST_PERCENT: f64 = 110.0;
 
 #[cfg(test)]
 mod tests {
@@ -115,15 +206,55 @@ mod tests {
         }
     }
 
+    /// The length of the bar as drawn.
+    fn drawn_mm(sheet: Sheet) -> f64 {
+        let svg = sheet.svg();
+        let (_, path) = svg.split_once(r#"<path d="M"#).expect("it has points");
+        let (_, bar) = path.rsplit_once(r#"<path d="M"#).expect("it has a bar");
+        let (left, right) = bar.split_once(" 188H").expect("the bar is level");
+        let (right, _) = right.split_once('M').expect("it has end marks");
+        let number = |text: &str| text.parse::<f64>().expect("a number");
+        number(right) - number(left)
+    }
+
+    #[test]
+    fn each_sheet_is_accepted_with_the_bar_that_is_drawn_on_it_and_refused_with_200_mm() {
+        for number in FIRST..=LAST {
+            let sheet = Sheet::numbered(number).expect("it is a sheet");
+            assert_eq!(sheet.check_bar(drawn_mm(sheet)), Ok(()));
+            assert!(sheet.check_bar(200.0).is_err(), "sheet {number}");
+            assert!(sheet.svg().contains(&format!("sheet {number}: ")));
+        }
+    }
+
+    #[test]
+    fn the_length_of_one_bar_says_nothing_about_the_next_sheet() {
+        for number in FIRST..LAST {
+            let [this, next] = [number, number + 1].map(Sheet);
+            assert!((drawn_mm(this) - drawn_mm(next)).abs() > 10.0, "{number}");
+        }
+    }
+
     #[test]
     fn a_print_that_was_fitted_to_the_page_is_reported_by_its_bar() {
-        assert!(check_bar(199.8).is_ok());
-        let error = check_bar(194.0)
-            .expect_err("it is 3 % too small")
-            .to_string();
+        let sheet = Sheet::chosen_by(17);
+        let error = sheet
+            .check_bar(0.97 * drawn_mm(sheet))
+            .expect_err("it is 3 % too small");
+        let text = error.to_string();
+        assert!(text.contains("97.0 %") && text.contains("100 %"), "{text}");
+    }
+
+    #[test]
+    fn a_bar_without_the_number_of_its_sheet_is_refused_with_what_to_do() {
+        for (number, bar_mm) in [(None, Some(200.0)), (Some(417), None), (None, None)] {
+            assert_eq!(check_bar(number, bar_mm), Err(BarError::NotMeasured));
+        }
         assert!(
-            error.contains("97.0 %") && error.contains("100 %"),
-            "{error}"
+            BarError::NotMeasured
+                .to_string()
+                .contains("print a new sheet")
         );
+        assert_eq!(check_bar(Some(99), Some(200.0)), Err(BarError::NoSheet(99)));
     }
 }

@@ -37,6 +37,11 @@ pub(crate) struct Solved {
     /// The standard deviation of each parameter, in units of its prior.
     pub(crate) spread: [f64; COUNT],
     information: [[f64; COUNT]; COUNT],
+    at: [f64; COUNT],
+    /// The rows of the Jacobian, three for each touch.
+    rows: Vec<[f64; COUNT]>,
+    /// The deviations, three for each touch, in units of [`TOUCH_MM`].
+    away: Vec<f64>,
 }
 
 /// The number of parameters.
@@ -104,6 +109,23 @@ impl Solved {
             inverse(&more).map_or(f64::INFINITY, |inverse| (0..5).map(|i| inverse[i][i]).sum());
         spread.max(0.0)
     }
+
+    /// Returns the sum of squares of the best parameters without some touches: one step from here,
+    /// in which a touch counts by its square.
+    pub(crate) fn cost_without(&self, left_out: &[usize]) -> f64 {
+        let mut information = PRIOR;
+        let mut pull = self.at;
+        let mut cost = norm_squared(&self.at);
+        let touches = self.rows.chunks_exact(3).zip(self.away.chunks_exact(3));
+        for (index, (rows, away)) in touches.enumerate() {
+            if !left_out.contains(&index) {
+                add_touch(&mut information, &mut pull, rows, away, 1.0);
+                cost += norm_squared(away);
+            }
+        }
+        let saved = |step: Vec<f64>| step.iter().zip(&pull).map(|(a, b)| a * b).sum::<f64>();
+        solve_linear(&information, &pull).map_or(f64::INFINITY, |step| cost - saved(step))
+    }
 }
 
 impl Numbers {
@@ -139,7 +161,9 @@ pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
     let mut damping = 1e-3;
     let mut cost = cost_of(touches, tool, suspect, &at, &middle);
     for _ in 0..ROUNDS {
-        let (information, pull) = normal(touches, tool, suspect, &at, &middle);
+        let rows = jacobian(touches, tool, suspect, &at, &middle);
+        let away = residuals(touches, tool, suspect, &at, &middle);
+        let (information, pull) = normal(&rows, &away, &at);
         let mut damped = information;
         for (i, row) in damped.iter_mut().enumerate() {
             row[i] *= 1.0 + damping;
@@ -162,7 +186,9 @@ pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
             }
         }
     }
-    let (information, _) = normal(touches, tool, suspect, &at, &middle);
+    let rows = jacobian(touches, tool, suspect, &at, &middle);
+    let away = residuals(touches, tool, suspect, &at, &middle);
+    let (information, _) = normal(&rows, &away, &at);
     let spread = inverse(&information).map_or([1.0; COUNT], |inverse| {
         from_fn(|i| inverse[i][i].max(0.0).sqrt())
     });
@@ -171,31 +197,41 @@ pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
         cost,
         spread,
         information,
+        at,
+        rows,
+        away,
     }
 }
 
 /// Returns the matrix of the normal equations and their right side.
 fn normal(
-    touches: &[Touch],
-    tool: Tool,
-    suspect: Suspect,
+    rows: &[[f64; COUNT]],
+    away: &[f64],
     at: &[f64; COUNT],
-    middle: &[f64; COUNT],
 ) -> ([[f64; COUNT]; COUNT], [f64; COUNT]) {
-    let rows = jacobian(touches, tool, suspect, at, middle);
-    let away = residuals(touches, tool, suspect, at, middle);
-    let mut information = from_fn(|i| from_fn(|j| if i == j { 1.0 } else { 0.0 }));
+    let mut information = PRIOR;
     let mut pull = *at;
-    for (rows, own) in rows.chunks_exact(3).zip(away.chunks_exact(3)) {
-        let weight = (HUBER / norm(own).max(1e-12)).min(1.0);
-        for (row, away) in rows.iter().zip(own) {
-            add_square(&mut information, row, weight);
-            for (pull, number) in pull.iter_mut().zip(row) {
-                *pull += number * away * weight;
-            }
-        }
+    for (rows, away) in rows.chunks_exact(3).zip(away.chunks_exact(3)) {
+        let weight = (HUBER / norm(away).max(1e-12)).min(1.0);
+        add_touch(&mut information, &mut pull, rows, away, weight);
     }
     (information, pull)
+}
+
+/// Adds a weighted touch to the normal equations.
+fn add_touch(
+    information: &mut [[f64; COUNT]; COUNT],
+    pull: &mut [f64; COUNT],
+    rows: &[[f64; COUNT]],
+    away: &[f64],
+    weight: f64,
+) {
+    for (row, away) in rows.iter().zip(away) {
+        add_square(information, row, weight);
+        for (pull, number) in pull.iter_mut().zip(row) {
+            *pull += number * away * weight;
+        }
+    }
 }
 
 /// Adds the weighted outer product of a row of the Jacobian with itself.
@@ -271,6 +307,21 @@ pub(crate) fn norm_squared(numbers: &[f64]) -> f64 {
     numbers.iter().map(|number| number * number).sum()
 }
 
+/// Returns the length of a vector.
+pub(crate) fn length(away_mm: &[f64; 3]) -> f64 {
+    norm(away_mm)
+}
+
+/// The information of the prior knowledge: each parameter is in units of its prior deviation.
+const PRIOR: [[f64; COUNT]; COUNT] = {
+    let mut identity = [[0.0; COUNT]; COUNT];
+    let mut i = 0;
+    while i < COUNT {
+        identity[i][i] = 1.0;
+        i += 1;
+    }
+    identity
+};
 /// The prior standard deviation of each parameter, in degrees, mm, and mm per mm; a sheet is laid
 /// to a millimetre.
 const BEFORE: [f64; COUNT] = [

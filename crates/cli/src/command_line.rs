@@ -174,7 +174,8 @@ mod tests {
             ),
             ("dobot jobs show first", "expected a whole number"),
             ("dobot up --http here", "expected HOST:PORT"),
-            ("dobot calibrate a.toml --bar 1", "print it at 100 %"),
+            ("dobot calibrate a.toml --bar 200", "print a new sheet"),
+            ("dobot calibrate a.toml --bar 417:x", "as in 417:173.5"),
         ] {
             let error = error(line);
             let text = error.to_string();

@@ -1,5 +1,6 @@
 //! Calibrations fitted to touches of a sheet.
 
+use crate::arms::{CASES, Row};
 use dobot_arm::{Calibration, Degrees, Position, Tool};
 use dobot_calibrate::{FitError, SHEET_POINTS, Touch, Trust, fit};
 
@@ -50,8 +51,8 @@ fn one_wrong_touch_of_nine_is_named_and_left_out() {
         let mut touches = nine();
         touches[wrong] = touch(SHEET_POINTS[wrong], [4.0, -3.0]);
         let found = fit(&touches, Tool::SuctionCup).unwrap();
-        assert_eq!(found.left_out, Some(wrong), "touch {}", wrong + 1);
-        assert_eq!(found.trust, Trust::Doubtful);
+        assert_eq!(found.left_out, [wrong], "touch {}", wrong + 1);
+        assert_eq!(found.trust, Trust::Good);
         let away = found.residual_mm(wrong);
         assert!(
             (3.5..=7.0).contains(&away),
@@ -59,6 +60,28 @@ fn one_wrong_touch_of_nine_is_named_and_left_out() {
             wrong + 1
         );
     }
+}
+
+#[test]
+fn two_wrong_touches_of_twelve_are_named_and_left_out() {
+    let twelve = [nine(), nine()[..3].to_vec()].concat();
+    for [one, other] in [[0, 1], [2, 11], [4, 7], [9, 10]] {
+        let mut touches = twelve.clone();
+        for (wrong, miss_mm) in [(one, [9.0, -8.0]), (other, [6.0, 10.0])] {
+            touches[wrong] = touch(touches[wrong].place_mm, miss_mm);
+        }
+        let found = fit(&touches, Tool::SuctionCup).unwrap();
+        assert_eq!(found.left_out, [one, other]);
+        assert_eq!(found.trust, Trust::Good);
+    }
+}
+
+#[test]
+fn a_base_turned_by_hand_before_the_last_touch_is_not_taken_for_a_wrong_touch() {
+    let mut touches = nine();
+    touches[8].raw.base = touches[8].raw.base - Degrees(2.0);
+    let found = fit(&touches, Tool::SuctionCup).unwrap();
+    assert_eq!(found.trust, Trust::Doubtful);
 }
 
 #[test]
@@ -116,3 +139,15 @@ fn four_corners_say_which_point_would_add_most() {
     let advice = found.advice.unwrap();
     assert!(advice.gain > 0.1, "{advice:?}");
 }
+
+#[test]
+fn a_calibration_rated_good_is_accurate_to_a_millimetre_at_95_of_100_positions() {
+    // Touches from either side are refused before they come here.
+    for case in CASES.iter().filter(|case| !case.is_any_side) {
+        let row = Row::of(case, ARMS);
+        assert!(row.good_mm.iter().all(|mm| *mm < 1.0), "{row}");
+    }
+}
+
+/// The example `accuracy` calibrates more.
+const ARMS: u64 = 6;

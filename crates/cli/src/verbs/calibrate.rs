@@ -11,10 +11,11 @@ use std::ffi::OsString;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use anyhow::{Context, anyhow, bail};
 use dobot_api::{CalibrationFile, Request, Zeros};
-use dobot_calibrate::{check_bar, read_calibration, sheet_svg, write_calibration};
+use dobot_calibrate::{BarError, Sheet, read_calibration, write_calibration};
 use dobot_host::StationClient;
 use dobot_wire::{MoveJoints, MovingMode, Status};
 
@@ -33,8 +34,9 @@ use crate::{output, values};
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot calibrate --sheet sheet.svg       the sheet to print, at 100 %
-  dobot calibrate arm.toml --bar 200      touch its points; the bar was measured
+  dobot calibrate --sheet sheet.svg       a sheet to print, at 100 %
+  dobot calibrate arm.toml                touch its points; asks for the number of
+                                          the sheet and the length of its bar
   dobot draw picture.svg --calibration arm.toml
                                           draw where the sheet says
   dobot calibrate arm.toml --use          apply the calibration of a file
@@ -52,6 +54,7 @@ the right and from above, so that the backlash is on the same side.
   Enter   record the point             n   skip it: out of reach
   z       undo the last touch          b   the tip is on the block on the point
                                            (--block)
+  m       the tool was measured and is where the result puts it
   w  w    show the result, then save it; q quits without saving
 
 Four points give a result, nine its full accuracy. Nothing is saved that was
@@ -70,9 +73,9 @@ pub(crate) struct Args {
     /// Write the sheet to print, an SVG file
     #[arg(long, value_name = "OUT.svg", conflicts_with_all = ["file", "bar", "undo", "backlash"])]
     sheet: Option<PathBuf>,
-    /// Length of the bar on the printed sheet, measured with a ruler, in mm
-    #[arg(long, value_name = "MM", value_parser = bar)]
-    bar: Option<f64>,
+    /// Number of the printed sheet, and the length of its bar, measured with a ruler, in mm [default: asks]
+    #[arg(long, value_name = "SHEET:MM", value_parser = bar)]
+    bar: Option<()>,
     /// Height of a block to put on points (key b), 5 to 100 mm
     #[arg(long, value_name = "MM", value_parser = values::number(5.0..=100.0, "mm"), conflicts_with_all = ["sheet", "undo", "use_file", "forget", "angles", "comb", "test", "touch_paper"])]
     block: Option<f64>,
@@ -112,13 +115,8 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    if let Some(sheet) = &args.sheet {
-        fs::write(sheet, sheet_svg())
-            .with_context(|| format!("cannot write {}", sheet.display()))?;
-        return Ok(output::line(&format!(
-            "{}: print it at 100 %, and measure its bar",
-            sheet.display()
-        ))?);
+    if let Some(file) = &args.sheet {
+        return write_sheet(file);
     }
     if args.forget {
         let forget = async |station: &mut StationClient| apply(station, None).await;
@@ -153,6 +151,9 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         "`dobot calibrate`",
         "run it in a terminal; a person must see where the tip is",
     )?;
+    if args.bar.is_none() && !args.touch_paper {
+        ask_for_bar().await?;
+    }
     let before = known(file)?;
     let touch = async |station: &mut StationClient| {
         let file = file.to_owned();
@@ -178,6 +179,34 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     };
     let status = args.to.with_arm("calibrate", touch).await?;
     Ok(output::status(&status, false)?)
+}
+
+/// Writes a sheet: each time another one, so that its bar has to be measured.
+fn write_sheet(file: &Path) -> Result<(), Failure> {
+    let since_1970 = SystemTime::now().duration_since(UNIX_EPOCH);
+    let sheet = Sheet::chosen_by(since_1970.unwrap_or_default().as_secs());
+    fs::write(file, sheet.svg()).with_context(|| format!("cannot write {}", file.display()))?;
+    Ok(output::line(&format!(
+        "{}: sheet {}; print it at 100 %, and measure its bar",
+        file.display(),
+        sheet.number()
+    ))?)
+}
+
+/// Asks for the number of the sheet and the length of its bar, until the print has its true size.
+async fn ask_for_bar() -> Result<(), Failure> {
+    output::line(
+        "Number of the printed sheet, and the length of its bar, measured with a ruler, in mm, as in 417:173.5?",
+    )?;
+    loop {
+        let Some(line) = control::line_entered().await else {
+            return Err(anyhow!("nothing was entered").into());
+        };
+        match bar(line.trim()) {
+            Ok(()) => return Ok(()),
+            Err(why) => output::line(&format!("{why}"))?,
+        }
+    }
 }
 
 /// Applies a calibration to the arm, or none.
@@ -316,10 +345,20 @@ fn before(file: &Path) -> PathBuf {
     name.into()
 }
 
-fn bar(text: &str) -> anyhow::Result<f64> {
-    let bar_mm = text.parse().context("expected its length in mm")?;
-    check_bar(bar_mm)?;
-    Ok(bar_mm)
+/// Checks the number of a sheet and the measured length of its bar.
+fn bar(text: &str) -> anyhow::Result<()> {
+    let Some((number, measured_mm)) = text.split_once(':') else {
+        bail!(BarError::NotMeasured);
+    };
+    let numbers = number
+        .trim()
+        .parse()
+        .ok()
+        .zip(measured_mm.trim().parse().ok());
+    let (number, measured_mm) = numbers.context(
+        "expected the number of the sheet and the length of its bar in mm, as in 417:173.5",
+    )?;
+    Ok(Sheet::numbered(number)?.check_bar(measured_mm)?)
 }
 
 fn backlash(text: &str) -> anyhow::Result<[f64; 3]> {

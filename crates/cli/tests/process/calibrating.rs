@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use dobot_calibrate::Sheet;
+
 use crate::support::program::{dobot, example};
 
 const KNOWN: &str = "\
@@ -30,8 +32,10 @@ fn the_sheet_is_drawn_and_a_scaled_print_is_refused() {
     assert!(text.contains("width=\"297mm\""), "{text}");
     let file = folder.path().join("arm.toml");
     let file = file.to_str().expect("the path is text");
-    dobot(&["calibrate", file, "--bar", "194", "--to", "virtual:"])
-        .fails(2, &["the bar is 194 mm long", "97.0 %"]);
+    let print = Sheet::chosen_by(17);
+    let bar = format!("{}:{:.3}", print.number(), 0.97 * print.bar_mm());
+    dobot(&["calibrate", file, "--bar", &bar, "--to", "virtual:"])
+        .fails(2, &["97.0 %", "print it at 100 %"]);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use data_encoding::BASE64;
 use dobot_arm::{Calibration, Joints, Position, Tool};
-use dobot_calibrate::SHEET_POINTS;
+use dobot_calibrate::{SHEET_POINTS, Sheet};
 use dobot_geometry::{Point, Stroke, bounds_of_strokes, deviation};
 use dobot_wire::{Command, Status};
 use serde_json::{Value, json};
@@ -148,7 +148,11 @@ impl Person {
         for (axis, wanted_mm) in [(0, 215.0), (1, y), (0, x), (2, PAPER_MM + 4.0)] {
             self.holds(axis, wanted_mm);
         }
-        self.presses([x, y, PAPER_MM + 1.0], 1.0);
+        // From the right and from above, so that the backlash of each joint is on the same side.
+        self.presses([x, y - 4.0, PAPER_MM + 4.0], 1.0);
+        for step_mm in [1.0, 0.1] {
+            self.presses([x, y - 1.0, PAPER_MM + 2.0], step_mm);
+        }
         self.presses([x, y, PAPER_MM], 0.1);
     }
 
@@ -190,7 +194,9 @@ fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_shou
 
     let arm = ["--tcp", "127.0.0.1:0", "--calibration", &truth];
     let arm = WiredArm::new(fast_arm(&arm));
-    let calibrate = ["calibrate", &found, "--bar", "200", "--to", &arm.address];
+    let sheet = Sheet::chosen_by(17);
+    let bar = format!("{}:{}", sheet.number(), sheet.bar_mm());
+    let calibrate = ["calibrate", &found, "--bar", &bar, "--to", &arm.address];
     let calibrate = [
         &calibrate[..],
         &["--dialect", "specification", "--pose-confirmed"],
@@ -253,7 +259,8 @@ fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should
         let arm = &api.asks("GET", "state", &Value::Null)["arm"];
         json!({"place_mm": [x, y], "told_deg": [arm["base_deg"], arm["rear_deg"], arm["fore_deg"]]})
     });
-    let touches = json!({"touches": touches, "bar_mm": 200});
+    let sheet = Sheet::chosen_by(17);
+    let touches = json!({"touches": touches, "sheet": sheet.number(), "bar_mm": sheet.bar_mm()});
     let fit = api.asks("POST", "calibration/fit", &touches);
     assert_eq!(fit["trust"], "good", "{fit}");
     api.asks(

@@ -14,7 +14,7 @@ use crate::verbs::watch::panels;
 
 /// Draws the screen.
 pub(super) fn draw(frame: &mut Frame, toucher: &Toucher) {
-    let more = [("b", "on the block")];
+    let more = [("b", "on the block"), ("m", "measured")];
     draw_touching(
         frame,
         &toucher.pendant,
@@ -81,7 +81,11 @@ fn lines(toucher: &Toucher) -> Vec<Line<'static>> {
 
 fn result(fit: &Fit, known: Option<&CalibrationFile>) -> Vec<Line<'static>> {
     let away = (0..fit.residuals_mm.len()).map(|index| {
-        let mark = if fit.left_out == Some(index) { "!" } else { "" };
+        let mark = if fit.left_out.contains(&index) {
+            "!"
+        } else {
+            ""
+        };
         format!("{}{mark} {:.1}", index + 1, fit.residual_mm(index))
     });
     let away: Vec<String> = away.collect();
@@ -92,8 +96,9 @@ fn result(fit: &Fit, known: Option<&CalibrationFile>) -> Vec<Line<'static>> {
             "zeros: base {:.2}  rear {:.2}  fore {:.2} deg   tool: out {:.1}  left {:.1} mm",
             arm.base_deg, arm.rear_deg, arm.fore_deg, arm.reach_mm, arm.left_mm
         )),
-        trust(fit),
     ];
+    lines.extend(trust(fit));
+    lines.extend(left_out(fit));
     if let Some(known) = known {
         lines.push(Line::from(format!(
             "change: base {:+.2}  rear {:+.2}  fore {:+.2} deg",
@@ -118,24 +123,41 @@ fn result(fit: &Fit, known: Option<&CalibrationFile>) -> Vec<Line<'static>> {
     lines
 }
 
-fn trust(fit: &Fit) -> Line<'static> {
+fn trust(fit: &Fit) -> Vec<Line<'static>> {
     let expected = format!("expected error {:.2} mm", fit.expected_mm);
-    match (fit.trust, fit.left_out) {
-        (Trust::Good, _) => Line::from(format!("good: {expected}")).green(),
-        (Trust::Unchecked, _) => Line::from(format!(
+    match fit.trust {
+        Trust::Good => vec![Line::from(format!("good: {expected}")).green()],
+        Trust::Unchecked => vec![Line::from(format!(
             "{expected} if no touch is wrong; touch six points or more to check"
-        )),
-        (Trust::Doubtful, Some(index)) => Line::from(format!(
-            "touch {} contradicts the others and is ignored; press z to undo back to it, or keep it so",
-            index + 1
-        ))
-        .yellow(),
-        (Trust::Doubtful, None) => Line::from(format!(
-            "doubtful: the touches differ by {:.1} mm",
+        ))],
+        Trust::Unmeasured => {
+            let [out_mm, left_mm] = fit.tool_mm;
+            vec![
+                Line::from(format!(
+                    "measure from the axis of the wrist to the tip: {out_mm:.0} mm outwards, {left_mm:.0} mm to the left?"
+                ))
+                .yellow(),
+                Line::from("within 8 mm: press m; otherwise: measure the bar of the sheet, and touch again")
+                    .yellow(),
+            ]
+        }
+        Trust::Doubtful => vec![Line::from(format!(
+            "doubtful: the touches differ by {:.1} mm, or the base was turned by hand; touch again",
             fit.typical_mm
         ))
-        .yellow(),
+        .yellow()],
     }
+}
+
+/// The touches that do not count.
+fn left_out(fit: &Fit) -> Option<Line<'static>> {
+    let numbers: Vec<String> = fit
+        .left_out
+        .iter()
+        .map(|index| (index + 1).to_string())
+        .collect();
+    let line = |numbers| format!("left out, because they contradict the others: touch {numbers}");
+    (!numbers.is_empty()).then(|| Line::from(line(numbers.join(" and "))))
 }
 
 /// The width of a text on the screen.

@@ -7,7 +7,7 @@ use std::time::Duration;
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use dobot_api::{Backlash, CalibrationFile, State};
 use dobot_arm::{Joints, Tool};
-use dobot_calibrate::{Fit, FitError, Procedure, found, residuals_svg};
+use dobot_calibrate::{Fit, FitError, Procedure, Trust, found, residuals_svg};
 use ratatui::Frame;
 
 use super::kept::Kept;
@@ -85,6 +85,17 @@ impl Toucher {
         self.on_block = !self.on_block;
     }
 
+    /// Accepts the fitted tool offset, which the person has measured.
+    fn accept_tool(&mut self) {
+        match self.outcome.clone() {
+            Ok(fit) if fit.trust == Trust::Unmeasured => {
+                self.outcome = Ok(fit.with_measured_tool());
+                self.pendant.show("the tool is as measured".into());
+            }
+            _ => self.pendant.show("the tool needs no measurement".into()),
+        }
+    }
+
     fn handle_key(&mut self, key: TouchKey) {
         self.pendant.release();
         if key != TouchKey::Save {
@@ -97,22 +108,29 @@ impl Toucher {
                     self.on_block = false;
                     self.judge();
                 }
-                Err(why) => self.pendant.show(format!("not touched: {why}")),
+                Err(why) => {
+                    let text = format!("not touched: {why}");
+                    self.pendant.show(text);
+                }
             },
             TouchKey::Undo if self.procedure.undo() => self.judge(),
             TouchKey::Undo => self.pendant.show("no point is touched yet".into()),
             TouchKey::Skip => self.procedure.skip(),
             TouchKey::Save => self.save(),
             TouchKey::Block => self.toggle_block(),
+            TouchKey::Measured => self.accept_tool(),
         }
     }
 
     /// The reported joint angles of an arm at rest with a confirmed pose.
-    fn joints(&self) -> Result<Joints, &'static str> {
+    fn joints(&self) -> Result<Joints, &str> {
         let untrusted = "the pose is not confirmed; press r, look, and press y";
         let status = self.pendant.status_at_rest(untrusted)?;
-        // The raw angles of an arm that is already calibrated.
         let arm = self.pendant.state().and_then(|state| state.arm.as_ref());
+        if let Some(why) = arm.and_then(|arm| arm.touch_refused.as_deref()) {
+            return Err(why);
+        }
+        // The raw angles of an arm that is already calibrated.
         let status = arm.and_then(|arm| arm.told.as_ref()).unwrap_or(status);
         Ok(Joints::new(
             status.base_deg.into(),
@@ -132,6 +150,9 @@ impl Toucher {
     /// Saves a result that was shown, otherwise shows it.
     fn save(&mut self) {
         let text = match &self.outcome {
+            Ok(fit) if fit.trust == Trust::Unmeasured => Some(
+                "not saved: measure the tool, and press m if it is where the result puts it".into(),
+            ),
             Ok(fit) => {
                 let text = self.kept.save(found(fit, self.backlash));
                 if let Some(picture) = self.picture.clone().filter(|_| text.is_none()) {
@@ -208,6 +229,8 @@ pub(super) enum TouchKey {
     Save,
     /// Put the block on the point, or take it away.
     Block,
+    /// Accept the fitted tool offset, which was measured.
+    Measured,
 }
 
 /// Returns the action of a key; `None` for a key of the pendant.
@@ -221,6 +244,7 @@ pub(super) fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
         KeyCode::Char('z') => Some(TouchKey::Undo),
         KeyCode::Char('w') => Some(TouchKey::Save),
         KeyCode::Char('b') => Some(TouchKey::Block),
+        KeyCode::Char('m') => Some(TouchKey::Measured),
         _ => None,
     }
 }
@@ -259,9 +283,13 @@ mod tests {
         at(Position::new(x, y, -40.0))
     }
 
-    #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
     fn at(place: Position) -> State {
-        let raw = ARM.told_joints(place, Tool::SuctionCup).unwrap();
+        state_of(&ARM, place)
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
+    fn state_of(arm: &Calibration, place: Position) -> State {
+        let raw = arm.told_joints(place, Tool::SuctionCup).unwrap();
         let mut state = State::sample();
         let status = &mut state.arm.as_mut().unwrap().status;
         status.base_deg = raw.base.0 as f32;
@@ -325,10 +353,30 @@ mod tests {
         press(&mut it, KeyCode::Enter);
         let found = it.outcome.clone().unwrap();
         assert!(found.residual_mm(9) < 0.1, "{}", found.residual_mm(9));
-        assert_eq!(found.left_out, None);
+        assert!(found.left_out.is_empty());
         assert!(found.unsure.len() <= flat.unsure.len());
         // The next touch is on the paper again.
         assert_eq!(it.height_mm(), 0.0);
+    }
+
+    #[test]
+    fn an_unusual_tool_is_kept_only_after_it_was_measured() {
+        let mut it = toucher(None);
+        let long = Calibration {
+            reach_mm: 10.0,
+            ..ARM
+        };
+        for [x, y] in SHEET_POINTS {
+            it.handle_state(state_of(&long, Position::new(x, y, -40.0)));
+            press(&mut it, KeyCode::Enter);
+        }
+        press(&mut it, KeyCode::Char('w'));
+        press(&mut it, KeyCode::Char('w'));
+        assert_eq!(it.poll_file(), None);
+        press(&mut it, KeyCode::Char('m'));
+        press(&mut it, KeyCode::Char('w'));
+        press(&mut it, KeyCode::Char('w'));
+        assert!(it.poll_file().is_some());
     }
 
     #[test]
@@ -356,6 +404,17 @@ mod tests {
             it.procedure.touches().is_empty(),
             "not touched before it is confirmed"
         );
+    }
+
+    #[test]
+    fn a_touch_from_the_other_side_is_not_recorded() {
+        let mut it = toucher(None);
+        let mut state = on(SHEET_POINTS[0]);
+        state.arm.as_mut().unwrap().touch_refused =
+            Some("the base came from the other side".into());
+        it.handle_state(state);
+        press(&mut it, KeyCode::Enter);
+        assert!(it.procedure.touches().is_empty());
     }
 
     #[test]

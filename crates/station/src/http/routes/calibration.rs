@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use axum::Json;
 use axum::extract::State;
+use axum::http::StatusCode;
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{
@@ -12,8 +13,8 @@ use dobot_api::problem_kinds::{
 use dobot_api::{Backlash, CalibrationFile, Calibrations, PaperPlane, Reply, Request};
 use dobot_arm::{Joints, Tool};
 use dobot_calibrate::{
-    Advice, BAR_MM, Fit, SHEET_POINTS, Touch, Trust, Unsure, check_bar, fit, found, paper,
-    residuals_svg, sheet_svg,
+    Advice, Fit, SHEET_POINTS, Sheet, Touch, Trust, Unsure, check_bar, fit, found, paper,
+    residuals_svg,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -53,6 +54,16 @@ pub(super) fn all() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the command is accepted")
         .problems(MOVES),
+        Route::new(
+            POST,
+            "/api/v1/calibration/bar",
+            "Checks the measured length of the bar on a printed sheet",
+            bar,
+        )
+        .brings::<Body<MeasuredBar>>()
+        .example(r#"{"sheet": 417, "bar_mm": 189.5}"#)
+        .gives_nothing(204, "the print has its true size")
+        .problems(&[BAD_TOUCHES]),
         Route::new(
             POST,
             "/api/v1/calibration/fit",
@@ -95,14 +106,14 @@ pub(super) fn all() -> Vec<Route> {
         Route::new(
             GET,
             "/api/v1/calibration/sheet",
-            "The sheet to print, A4 landscape, at 100 %",
+            "A sheet to print, A4 landscape, at 100 %: each time another one, with its own number and a bar to measure",
             sheet,
         )
         .gives_text(200, "image/svg+xml", "the sheet"),
     ]
 }
 
-const FIT_EXAMPLE: &str = r#"{"bar_mm": 200, "touches": [
+const FIT_EXAMPLE: &str = r#"{"sheet": 417, "bar_mm": 189.5, "touches": [
     {"place_mm": [215, 0], "told_deg": [0.0, 35.1, 47.2]},
     {"place_mm": [155, 100], "told_deg": [32.8, 20.4, 51.0]},
     {"place_mm": [275, 100], "told_deg": [20.0, 58.6, 40.3]},
@@ -147,15 +158,33 @@ pub(super) struct NewTouches {
     /// The reported angles at each point, in the order of touching.
     #[schemars(length(max = 100))]
     touches: Vec<TouchedPoint>,
-    /// The length of the bar on the print, measured with a ruler, in mm; a scaled print is refused.
+    /// The number of the sheet, which is printed above its bar; required.
+    #[serde(default)]
+    sheet: Option<u16>,
+    /// The length of the bar on the print, measured with a ruler, in mm; required. A scaled print is
+    /// refused.
     #[serde(default)]
     bar_mm: Option<f64>,
+    /// Whether a person has measured the tool and found it about at `tool_mm` of the fit: the answer
+    /// to `unmeasured`.
+    #[serde(default)]
+    tool_measured: bool,
     /// Whether the laser is mounted instead of a suction cup.
     #[serde(default)]
     laser: bool,
     /// The known backlash of the joints.
     #[serde(default)]
     backlash: Backlash,
+}
+
+/// A printed sheet and its bar.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MeasuredBar {
+    /// The number of the sheet, which is printed above its bar.
+    sheet: u16,
+    /// The length of the bar on the print, measured with a ruler, in mm.
+    bar_mm: f64,
 }
 
 /// A known point, and the reported angles when the tool touched it.
@@ -179,16 +208,22 @@ struct FitReport {
     calibration: CalibrationFile,
     /// The residual of each touch, in mm.
     away_mm: Vec<f64>,
-    /// The touch that was left out because it contradicts all others, counted from 0.
+    /// The touches that are left out because they contradict all others, at most two, counted from 0.
+    wrong: Vec<usize>,
+    /// The first of `wrong`.
+    #[schemars(extend("deprecated" = true))]
     left_out: Option<usize>,
+    /// The position of the tool's tip from the axis of the wrist: outwards and to the left, in mm.
+    tool_mm: [f64; 2],
     /// The typical remaining error of a position on the sheet, in mm.
     expected_mm: f64,
     /// Quantities that these points determine badly.
     unsure: Vec<Unsure>,
     /// The most useful further point.
     advice: Option<Advice>,
-    /// Whether to use it: `good`; `unchecked` if there are too few points to detect a wrong one; or
-    /// `doubtful`.
+    /// Whether to use it: `good`; `unchecked` if there are too few points to detect a wrong one;
+    /// `unmeasured` if the tool is so far from its nominal position that a person has to measure
+    /// whether it is at `tool_mm`; or `doubtful`.
     trust: Trust,
 }
 
@@ -197,8 +232,6 @@ struct FitReport {
 struct SheetPoints {
     /// Their positions, forward and to the left of the base's axis, in mm.
     points_mm: [[f64; 2]; SHEET_POINTS.len()],
-    /// The length of the bar on a correct print, in mm.
-    bar_mm: f64,
 }
 
 async fn known(State(app): State<Arc<App>>) -> Json<Calibrations> {
@@ -208,12 +241,19 @@ async fn known(State(app): State<Arc<App>>) -> Json<Calibrations> {
 async fn points() -> Json<SheetPoints> {
     Json(SheetPoints {
         points_mm: SHEET_POINTS,
-        bar_mm: BAR_MM,
     })
 }
 
 async fn sheet() -> Response {
-    ([(CONTENT_TYPE, "image/svg+xml")], sheet_svg()).into_response()
+    // Without random numbers all sheets are the same one, whose bar still has to be measured.
+    let sheet = Sheet::chosen_by(getrandom::u64().unwrap_or_default());
+    ([(CONTENT_TYPE, "image/svg+xml")], sheet.svg()).into_response()
+}
+
+async fn bar(Body(print): Body<MeasuredBar>) -> Result<StatusCode, RequestFailed> {
+    check_bar(Some(print.sheet), Some(print.bar_mm))
+        .map_err(|why| BAD_TOUCHES.problem(why.to_string()))?;
+    Ok(StatusCode::NO_CONTENT)
 }
 
 async fn fit_paper(Body(asked): Body<PaperTouches>) -> Result<Json<PaperReport>, RequestFailed> {
@@ -232,7 +272,9 @@ async fn fit_touches(Body(asked): Body<NewTouches>) -> Result<Json<FitReport>, R
         away_mm: (0..touches.len())
             .map(|index| fit.residual_mm(index))
             .collect(),
-        left_out: fit.left_out,
+        left_out: fit.left_out.first().copied(),
+        wrong: fit.left_out,
+        tool_mm: fit.tool_mm,
         expected_mm: fit.expected_mm,
         unsure: fit.unsure,
         advice: fit.advice,
@@ -252,9 +294,7 @@ async fn picture(Body(asked): Body<NewTouches>) -> Result<Response, RequestFaile
 /// Returns the touches, and their fit.
 fn fitted(asked: &NewTouches) -> Result<(Vec<Touch>, Fit), RequestFailed> {
     let bad = |why: &dyn std::fmt::Display| BAD_TOUCHES.problem(why.to_string());
-    if let Some(bar_mm) = asked.bar_mm {
-        check_bar(bar_mm).map_err(|why| bad(&why))?;
-    }
+    check_bar(asked.sheet, asked.bar_mm).map_err(|why| bad(&why))?;
     let touches = asked.touches.iter().map(|touch| {
         let [base_deg, rear_deg, fore_deg] = touch.told_deg;
         Touch {
@@ -270,5 +310,10 @@ fn fitted(asked: &NewTouches) -> Result<(Vec<Touch>, Fit), RequestFailed> {
         Tool::SuctionCup
     };
     let fit = fit(&touches, tool).map_err(|why| bad(&why))?;
+    let fit = if asked.tool_measured {
+        fit.with_measured_tool()
+    } else {
+        fit
+    };
     Ok((touches, fit))
 }

@@ -2,6 +2,7 @@
 
 use dobot_api::Request;
 use dobot_arm::{Calibration, Joints, Position, Tool};
+use dobot_calibrate::Sheet;
 use serde_json::{Value, json};
 
 use super::Harness;
@@ -29,6 +30,12 @@ fn touch(point: [f64; 2]) -> Value {
     json!({"place_mm": point, "told_deg": [it.base.0, it.rear.0, it.fore.0]})
 }
 
+/// What the station is asked about touches of a sheet whose bar was measured.
+fn question(touches: &[Value]) -> Value {
+    let sheet = Sheet::chosen_by(17);
+    json!({"touches": touches, "sheet": sheet.number(), "bar_mm": sheet.bar_mm() + 0.2})
+}
+
 async fn points(harness: &Harness) -> Vec<[f64; 2]> {
     let answer = harness.get("/api/v1/calibration/points").await;
     serde_json::from_value(answer.is(200).value()["points_mm"].clone()).unwrap()
@@ -38,7 +45,7 @@ async fn points(harness: &Harness) -> Vec<[f64; 2]> {
 async fn touches_of_the_sheet_tell_what_is_wrong_with_the_arm() {
     let harness = Harness::near();
     let touches: Vec<Value> = points(&harness).await.into_iter().map(touch).collect();
-    let body = json!({"touches": touches, "bar_mm": 200.2}).to_string();
+    let body = question(&touches).to_string();
     let fit = harness.json("POST", "/api/v1/calibration/fit", body).await;
     let fit = fit.is(200).value();
     assert_eq!(fit["trust"], "good");
@@ -77,11 +84,15 @@ async fn touches_that_tell_nothing_are_refused_with_what_to_do() {
     let mut wrong: Vec<Value> = all[..5].iter().copied().map(touch).collect();
     wrong[2] = json!({"place_mm": all[2], "told_deg": [80.0, 10.0, 10.0]});
     let nine: Vec<Value> = all.iter().copied().map(touch).collect();
+    let mut scaled = question(&nine);
+    scaled["bar_mm"] = json!(0.97 * Sheet::chosen_by(17).bar_mm());
     for (body, says) in [
-        (json!({"touches": []}), "the number of touches is 0"),
-        (json!({"touches": three}), "at least 4"),
-        (json!({"touches": wrong}), "again"),
-        (json!({"touches": nine, "bar_mm": 190}), "100 %"),
+        (question(&[]), "the number of touches is 0"),
+        (question(&three), "at least 4"),
+        (question(&wrong), "again"),
+        (scaled, "100 %"),
+        (json!({"touches": nine, "bar_mm": 200}), "print a new sheet"),
+        (json!({"touches": nine}), "measure its bar"),
     ] {
         let answer = harness
             .json("POST", "/api/v1/calibration/fit", body.to_string())
@@ -141,8 +152,43 @@ async fn touches_of_the_paper_tell_how_it_lies_and_that_may_be_kept() {
 async fn how_far_each_touch_is_off_is_a_picture() {
     let harness = Harness::near();
     let touches: Vec<Value> = points(&harness).await.into_iter().map(touch).collect();
-    let body = json!({"touches": touches}).to_string();
+    let body = question(&touches).to_string();
     let answer = harness.json("POST", "/api/v1/calibration/picture", body);
     let answer = answer.await;
     assert!(answer.is(200).body.starts_with("<svg"));
+}
+
+#[tokio::test]
+async fn a_measured_bar_is_checked_before_any_touch() {
+    let harness = Harness::near();
+    let sheet = Sheet::chosen_by(17);
+    for (bar_mm, status) in [(sheet.bar_mm(), 204), (0.99 * sheet.bar_mm(), 422)] {
+        let body = json!({"sheet": sheet.number(), "bar_mm": bar_mm}).to_string();
+        let answer = harness.json("POST", "/api/v1/calibration/bar", body).await;
+        answer.is(status);
+    }
+}
+
+#[tokio::test]
+async fn an_unusual_tool_is_trusted_after_a_person_has_measured_it() {
+    let harness = Harness::near();
+    let long = Calibration {
+        reach_mm: 9.5,
+        ..ARM
+    };
+    let touches = points(&harness).await.into_iter().map(|point| {
+        let there = Position::new(point[0], point[1], -45.0);
+        let raw = long.told_joints(there, Tool::SuctionCup).unwrap();
+        json!({"place_mm": point, "told_deg": [raw.base.0, raw.rear.0, raw.fore.0]})
+    });
+    let mut body = question(&touches.collect::<Vec<_>>());
+    for (tool_measured, trust) in [(false, "unmeasured"), (true, "good")] {
+        body["tool_measured"] = json!(tool_measured);
+        let fit = harness.json("POST", "/api/v1/calibration/fit", body.to_string());
+        let fit = fit.await.is(200).value();
+        assert_eq!(fit["trust"], trust);
+        // From the wrist to a suction cup it is 55.07 mm as drawn.
+        let out_mm = fit["tool_mm"][0].as_f64().unwrap();
+        assert!((out_mm - 64.57).abs() < 2.0, "{out_mm}");
+    }
 }
