@@ -1562,6 +1562,8 @@ export interface components {
             told?: components["schemas"]["Status"] | null;
             /** @description Whether the arm moves. */
             moving: boolean;
+            /** @description Why the pose may not be recorded as a touch of a calibration: a joint came from the other side. */
+            touch_refused?: string | null;
             /** @description The policy limits and keep-outs close to the arm. */
             near?: components["schemas"]["NearView"];
         };
@@ -3536,11 +3538,24 @@ export interface components {
             /** @description The reported angles at each point, in the order of touching. */
             touches: components["schemas"]["TouchedPoint"][];
             /**
+             * Format: uint16
+             * @description The number of the sheet, which is printed above its bar; required.
+             * @default null
+             */
+            sheet: number | null;
+            /**
              * Format: double
-             * @description The length of the bar on the print, measured with a ruler, in mm; a scaled print is refused.
+             * @description The length of the bar on the print, measured with a ruler, in mm; required. A scaled print is
+             *     refused.
              * @default null
              */
             bar_mm: number | null;
+            /**
+             * @description Whether a person has measured the tool and found it about at `tool_mm` of the fit: the answer
+             *     to `unmeasured`.
+             * @default false
+             */
+            tool_measured: boolean;
             /**
              * @description Whether the laser is mounted instead of a suction cup.
              * @default false
@@ -3578,11 +3593,16 @@ export interface components {
             calibration: components["schemas"]["CalibrationFile"];
             /** @description The residual of each touch, in mm. */
             away_mm: number[];
+            /** @description The touches that are left out because they contradict all others, at most two, counted from 0. */
+            wrong: number[];
             /**
              * Format: uint
-             * @description The touch that was left out because it contradicts all others, counted from 0.
+             * @deprecated
+             * @description The first of `wrong`.
              */
             left_out?: number | null;
+            /** @description The position of the tool's tip from the axis of the wrist: outwards and to the left, in mm. */
+            tool_mm: number[];
             /**
              * Format: double
              * @description The typical remaining error of a position on the sheet, in mm.
@@ -3593,8 +3613,9 @@ export interface components {
             /** @description The most useful further point. */
             advice?: components["schemas"]["Advice"] | null;
             /**
-             * @description Whether to use it: `good`; `unchecked` if there are too few points to detect a wrong one; or
-             *     `doubtful`.
+             * @description Whether to use it: `good`; `unchecked` if there are too few points to detect a wrong one;
+             *     `unmeasured` if the tool is so far from its nominal position that a person has to measure
+             *     whether it is at `tool_mm`; or `doubtful`.
              */
             trust: components["schemas"]["Trust"];
         };
@@ -3626,7 +3647,7 @@ export interface components {
             gain: number;
         };
         /** @description How far a calibration can be trusted. */
-        Trust: "good" | "unchecked" | "doubtful";
+        Trust: "good" | "unchecked" | "unmeasured" | "doubtful";
         /** @description Positions of the paper that the tool has touched. */
         PaperTouches: {
             /** @description The positions of the arm: forward, to the left and up, in mm, calibrated, as in its state. */
@@ -3648,11 +3669,6 @@ export interface components {
         SheetPoints: {
             /** @description Their positions, forward and to the left of the base's axis, in mm. */
             points_mm: number[][];
-            /**
-             * Format: double
-             * @description The length of the bar on a correct print, in mm.
-             */
-            bar_mm: number;
         };
         /** @description A job to queue. */
         NewJob: {

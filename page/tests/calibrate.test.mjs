@@ -42,11 +42,22 @@ async function ask(method, path, body) {
   return text && JSON.parse(text);
 }
 
+/** A sheet as it is printed: its number, and the length of its bar as drawn. */
+async function print() {
+  const answer = await fetch(new URL("api/v1/calibration/sheet", bench.url));
+  const svg = await answer.text();
+  const [, left, right] = /M([\d.]+) 188H([\d.]+)M/.exec(svg);
+  return { sheet: /sheet (\d+):/.exec(svg)[1], bar_mm: right - left };
+}
+
 /** Has the arm stand as it would with its tip on a point. */
 async function stand(place) {
   const [base_deg, rear_deg, fore_deg] = toldAt(place);
-  const command = { type: "move_joints", base_deg, rear_deg, fore_deg, servo_deg: 0, suction: false, gripper_deg: 0, mode: "movj", pause_s: 0 };
-  await ask("POST", "api/v1/commands", { command });
+  // From the right and from above.
+  for (const more of [-1, 0]) {
+    const command = { type: "move_joints", base_deg: base_deg + more, rear_deg: rear_deg + more, fore_deg: fore_deg + more, servo_deg: 0, suction: false, gripper_deg: 0, mode: "movj", pause_s: 0 };
+    await ask("POST", "api/v1/commands", { command });
+  }
   await page.waitForFunction((angles) => {
     const isThere = ([name, angle]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - angle) < 0.06;
     return Object.entries(angles).every(isThere) && !document.querySelector("#calibrate-touch").disabled;
@@ -58,10 +69,12 @@ test("a person finds the zeros of an arm, sees what would be kept, keeps it, and
   await waitForText("calibrate-known", "Not calibrated");
   assert.equal(await page.isDisabled("#calibrate-before"), true);
   await page.click("#calibrate-begin");
-  await page.fill("#calibrate-bar", "194");
+  const { sheet, bar_mm } = await print();
+  await page.fill("#calibrate-number", sheet);
+  await page.fill("#calibrate-bar", String(bar_mm * 0.97));
   await page.click("#calibrate-next");
   await waitForText("calibrate", "97.0 %");
-  await page.fill("#calibrate-bar", "200.2");
+  await page.fill("#calibrate-bar", String(bar_mm + 0.2));
   await page.keyboard.press("Enter");
   await waitForText("calibrate-point", "point 1");
 
@@ -128,7 +141,9 @@ test("the arm is told its angles with its base straight ahead, and a reset makes
   await page.click("#confirm-pose");
   await page.click("#confirm-yes");
   await page.click("#calibrate-begin");
-  await page.fill("#calibrate-bar", "200");
+  const { sheet, bar_mm } = await print();
+  await page.fill("#calibrate-number", sheet);
+  await page.fill("#calibrate-bar", String(bar_mm));
   await page.keyboard.press("Enter");
   await page.click("#calibrate-touch");
   await waitForText("calibrate-point", "point 2 ");

@@ -81,7 +81,8 @@ export const VIEWS = {
     await tab("set_up")(page);
     await confirm(page);
     await page.click("#calibrate-begin");
-    await page.fill("#calibrate-bar", "200");
+    await page.fill("#calibrate-number", "417");
+    await page.fill("#calibrate-bar", "189.5");
     await page.click("#calibrate-next");
     // Anywhere: what the touches tell is a problem then, which is shown, too.
     for (let touch = 0; touch < 4; touch += 1) await page.click("#calibrate-touch");

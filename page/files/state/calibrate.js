@@ -9,6 +9,8 @@ import { rests, silence_ms } from "./selectors.js";
 /** A touched point, and how high the block was on it. @typedef {{ point: number, told_deg: readonly number[], height_mm: number }} Touch */
 /** Why no point can be recorded now: the end of a text key. @typedef {"no_connection" | "no_arm" | "not_confirmed" | "moving"} TouchBlockedReason */
 
+/** A printed sheet and the measured length of its bar. @typedef {{ sheet: number, bar_mm: number }} Print */
+
 /** The fewest points for a fit. */
 export const LEAST_TOUCHES = 4;
 /** A higher block is none that stands on a sheet, in mm. */
@@ -18,26 +20,30 @@ export const HIGHEST_BLOCK_MM = 100;
  * @typedef {object} Calibrate
  * @property {Schemas["Calibrations"] | null} known
  * @property {Schemas["SheetPoints"] | null} sheet The points of the sheet; null while no calibration runs.
+ * @property {string} number Number of the printed sheet, as typed.
  * @property {string} bar Length of the printed bar, as typed.
- * @property {number | null} bar_mm Length of the printed bar, once accepted by the station.
+ * @property {Print | null} print Number of the printed sheet and length of its bar, once accepted by the station.
  * @property {Problem | null} bar_refused Why the bar was refused.
  * @property {string} block Height of the block on the next point, as typed.
  * @property {readonly Visit[]} visits
  * @property {number} revision Revision of the visits; results for earlier revisions are ignored.
  * @property {Schemas["FitReport"] | null} fit The result of the fit.
  * @property {Problem | null} problem Why the fit failed.
+ * @property {boolean} tool_measured Whether the person has measured the tool and found it where the fit puts it.
  * @property {CalibrationFile | null} shown The calibration under review.
  * @property {number} lost Number of points discarded by the last reset of the arm.
  */
 
 /** @type {Calibrate} */
-export const NO_CALIBRATE = { known: null, sheet: null, bar: "", bar_mm: null, bar_refused: null, block: "", visits: [], revision: 0, fit: null, problem: null, shown: null, lost: 0 };
+export const NO_CALIBRATE = { known: null, sheet: null, number: "", bar: "", print: null, bar_refused: null, block: "", visits: [], revision: 0, fit: null, problem: null, tool_measured: false, shown: null, lost: 0 };
 
 /** @typedef {{ type: "calibrations", known: Schemas["Calibrations"] }
  * | { type: "calibrate_begun", sheet: Schemas["SheetPoints"] }
  * | { type: "calibrate_ended" }
+ * | { type: "calibrate_number_typed", text: string }
  * | { type: "calibrate_bar_typed", text: string }
- * | { type: "calibrate_bar", bar_mm: number, problem: Problem | null }
+ * | { type: "calibrate_bar", print: Print, problem: Problem | null }
+ * | { type: "calibrate_tool_measured" }
  * | { type: "calibrate_block_typed", text: string }
  * | { type: "calibrate_visited", told_deg: readonly number[] | null }
  * | { type: "calibrate_back" }
@@ -58,10 +64,10 @@ function blockHeight({ block }) {
 
 /** The fit request. @param {Calibrate} calibrate */
 export function questionOf(calibrate) {
-  const { sheet, bar_mm, known } = calibrate;
+  const { sheet, print, known, tool_measured } = calibrate;
   const touches = touchesOf(calibrate).map(({ point, told_deg, height_mm }) => ({ place_mm: sheet?.points_mm[point], told_deg, height_mm }));
   // Keeps the measured backlash.
-  return { touches, bar_mm, backlash: known?.calibration?.backlash };
+  return { touches, ...print, tool_measured, backlash: known?.calibration?.backlash };
 }
 
 /** A number of a calibration: the end of its word. @typedef {"base" | "rear" | "fore" | "out" | "left" | "axis_x" | "axis_y" | "paper" | "slope_x" | "slope_y" | "slack_base" | "slack_rear" | "slack_fore"} NumberName */
@@ -104,7 +110,12 @@ export function touchBlockedReason(page) {
 }
 
 /** Why the next point cannot be recorded now: the end of a text key. @param {import("./state.js").Page} page */
-export const pointBlockedReason = (page) => touchBlockedReason(page) ?? (Number.isNaN(blockHeight(page.calibrate)) ? "no_block" : null);
+export function pointBlockedReason(page) {
+  const reason = touchBlockedReason(page);
+  if (reason) return reason;
+  if (page.station?.arm?.touch_refused) return "other_side";
+  return Number.isNaN(blockHeight(page.calibrate)) ? "no_block" : null;
+}
 
 /** The raw joint angles, as the arm reports them. @param {import("./types.js").Arm} arm */
 export function rawDegrees(arm) {
@@ -113,7 +124,7 @@ export function rawDegrees(arm) {
 }
 
 /** Other visits invalidate earlier results. @param {Calibrate} calibrate @param {readonly Visit[]} visits @returns {Calibrate} */
-const visited = (calibrate, visits) => ({ ...calibrate, visits, revision: calibrate.revision + 1, fit: null, problem: null, shown: null, lost: 0 });
+const visited = (calibrate, visits) => ({ ...calibrate, visits, revision: calibrate.revision + 1, fit: null, problem: null, tool_measured: false, shown: null, lost: 0 });
 
 /** An arm whose pose is not trusted has a new base zero. @param {Calibrate} calibrate @param {import("./types.js").Station} station */
 function heard(calibrate, station) {
@@ -133,8 +144,12 @@ export function reduceCalibrate(calibrate, message) {
       return { ...NO_CALIBRATE, known, revision: revision + 1 };
     case "calibrate_bar_typed":
       return { ...calibrate, bar: message.text, bar_refused: null };
+    case "calibrate_number_typed":
+      return { ...calibrate, number: message.text, bar_refused: null };
     case "calibrate_bar":
-      return { ...calibrate, bar_mm: message.problem ? null : message.bar_mm, bar_refused: message.problem };
+      return { ...calibrate, print: message.problem ? null : message.print, bar_refused: message.problem };
+    case "calibrate_tool_measured":
+      return { ...calibrate, revision: revision + 1, tool_measured: true };
     case "calibrate_visited":
       return { ...visited(calibrate, [...visits, { point: nextPoint(calibrate), told_deg: message.told_deg, height_mm: blockHeight(calibrate) }]), block: "" };
     case "calibrate_block_typed":

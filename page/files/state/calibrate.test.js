@@ -3,16 +3,17 @@ import { test } from "node:test";
 
 import { NO_CALIBRATE, nextPoint, numbersOf, pointBlockedReason, questionOf, reduceCalibrate, rawDegrees, touchBlockedReason, touchesOf } from "./calibrate.js";
 
-const SHEET = { points_mm: [[215, 0], [155, 100], [275, 100]], bar_mm: 200 };
+const SHEET = { points_mm: [[215, 0], [155, 100], [275, 100]] };
+const PRINT = { sheet: 417, bar_mm: 189.5 };
 const FILE = { zeros: { base: 3, rear: -4, fore: 2 }, tool: { out_mm: 1, left_mm: 0 }, axis: { x_mm: 0, y_mm: 0 }, paper: null, backlash: { base: 0.2, rear: 0, fore: 0 }, touched: null };
-const FIT = { calibration: FILE, away_mm: [0.1], left_out: null, expected_mm: 0.2, unsure: [], advice: null, trust: "good" };
+const FIT = { calibration: FILE, away_mm: [0.1], wrong: [], left_out: null, tool_mm: [56, 0], expected_mm: 0.2, unsure: [], advice: null, trust: "good" };
 const ARM = { base_deg: 1, rear_deg: 45, fore_deg: 45, moving: false, told: null };
 const STATION = { link: { phase: "up" }, arm: ARM, trust: { trusted: true }, queue: { waiting: 0, under_way: 0 } };
 
 const after = (messages, calibrate = NO_CALIBRATE) => messages.reduce(reduceCalibrate, calibrate);
 const touched = (base_deg) => ({ type: "calibrate_visited", told_deg: [base_deg, 45, 45] });
 const SKIPPED = { type: "calibrate_visited", told_deg: null };
-const BEGUN = after([{ type: "calibrate_begun", sheet: SHEET }, { type: "calibrate_bar", bar_mm: 200, problem: null }]);
+const BEGUN = after([{ type: "calibrate_begun", sheet: SHEET }, { type: "calibrate_bar", print: PRINT, problem: null }]);
 
 /** The state after what is told of the touches as they are. */
 const fitted = (calibrate) => after([{ type: "calibrate_fitted", revision: calibrate.revision, fit: FIT, problem: null }], calibrate);
@@ -28,7 +29,7 @@ test("each touch and each point that is left out leads to the next one, and both
 
 test("the station is asked about the touches with their places, the bar, and the backlash that is known", () => {
   const known = after([{ type: "calibrations", known: { calibration: FILE, before: null } }, SKIPPED, touched(2)], BEGUN);
-  assert.deepEqual(questionOf(known), { touches: [{ place_mm: [155, 100], told_deg: [2, 45, 45], height_mm: 0 }], bar_mm: 200, backlash: FILE.backlash });
+  assert.deepEqual(questionOf(known), { touches: [{ place_mm: [155, 100], told_deg: [2, 45, 45], height_mm: 0 }], ...PRINT, tool_measured: false, backlash: FILE.backlash });
 });
 
 test("a block on a point counts for one touch, and a height that no block has hinders it", () => {
@@ -42,8 +43,8 @@ test("a block on a point counts for one touch, and a height that no block has hi
 
 test("a bar that is refused leads nowhere, and another one is asked for again", () => {
   const problem = { title: "", detail: "it is 194 mm long" };
-  const refused = after([{ type: "calibrate_bar", bar_mm: 194, problem }], BEGUN);
-  assert.deepEqual([refused.bar_mm, refused.bar_refused], [null, problem]);
+  const refused = after([{ type: "calibrate_bar", print: { ...PRINT, bar_mm: 184 }, problem }], BEGUN);
+  assert.deepEqual([refused.print, refused.bar_refused], [null, problem]);
   assert.equal(after([{ type: "calibrate_bar_typed", text: "200" }], refused).bar_refused, null);
 });
 
@@ -52,6 +53,18 @@ test("what is kept was shown: another touch takes the view of it away, and so do
   assert.equal(shown.shown, FILE);
   for (const message of [touched(2), { type: "calibrate_back" }, SKIPPED]) assert.deepEqual([after([message], shown).shown, after([message], shown).fit], [null, null]);
   assert.equal(after([{ type: "calibrate_shown" }], BEGUN).shown, null);
+});
+
+test("a measured tool is accepted for these touches alone", () => {
+  const measured = after([{ type: "calibrate_tool_measured" }], fitted(after([touched(1)], BEGUN)));
+  assert.equal(questionOf(measured).tool_measured, true);
+  assert.equal(questionOf(after([touched(2)], measured)).tool_measured, false);
+});
+
+test("a joint that came from the other side hinders a touch", () => {
+  const page = (touch_refused) => ({ connection: "open", station: { ...STATION, arm: { ...ARM, touch_refused } }, received_ms: 0, now_ms: 0, calibrate: BEGUN });
+  assert.equal(pointBlockedReason(page("the base came from the other side")), "other_side");
+  assert.equal(pointBlockedReason(page(undefined)), null);
 });
 
 test("what is told of earlier touches is not taken", () => {

@@ -65,12 +65,12 @@ export function createCalibrate(store, http, change) {
     },
     /** Gives a person the sheet: with the token, which a link would not carry. */
     saveSheet: () => saveFrom(http, `${KNOWN}/sheet`, "sheet.svg"),
-    /** Has the bar of the print looked at. Without touches the station always refuses: what it says with a bar, and not without one, is about the bar. */
+    /** Has the station check the bar of the print. */
     async takeBar() {
-      const bar_mm = Number(store.page.calibrate.bar);
-      const [given, without] = await Promise.all([ask({ touches: [], bar_mm }), ask({ touches: [] })]);
-      const isGood = given.problem?.detail === without.problem?.detail;
-      send({ type: "calibrate_bar", bar_mm, problem: isGood ? null : given.problem ?? null });
+      const { number, bar } = store.page.calibrate;
+      const print = { sheet: Number(number), bar_mm: Number(bar) };
+      const { problem } = await http.ask("POST", `${KNOWN}/bar`, print);
+      send({ type: "calibrate_bar", print, problem: problem ?? null });
     },
     /** The tip stands on the point. */
     touch() {

@@ -13,7 +13,7 @@ import { refusal } from "./arm.js";
 
 /** The sheet (A4 landscape), and the distance of its near edge from the base axis. */
 const SHEET = { wide_mm: 297, high_mm: 210, near_mm: 95 };
-const TONES = { good: "good", unchecked: "warn", doubtful: "bad" };
+const TONES = { good: "good", unchecked: "warn", unmeasured: "warn", doubtful: "bad" };
 /** The values shown before the review. */
 const MAIN = new Set(["base", "rear", "fore", "out", "left"]);
 
@@ -37,9 +37,9 @@ const problemLine = (problem) => (problem ? html`<p class="status" data-tone="ba
 /** @param {Context} context */
 export function calibrateGuide(context) {
   const { page, t } = context;
-  const { known, sheet, bar_mm } = page.calibrate;
+  const { known, sheet, print } = page.calibrate;
   if (!known) return nothing;
-  const part = !sheet ? choices : bar_mm === null ? printing : touching;
+  const part = !sheet ? choices : print === null ? printing : touching;
   return html`
     <section id="calibrate" class="card" aria-labelledby="calibrate-title">
       <h2 id="calibrate-title">${t("calibrate")}</h2>
@@ -71,7 +71,7 @@ function whatIsKnown(context, { calibration }) {
 function choices({ page, t, act }) {
   const { known } = page.calibrate;
   const mayKeep = page.role === "admin";
-  const begin = () => act.calibrate.begin().then(() => focusOn("calibrate-bar"));
+  const begin = () => act.calibrate.begin().then(() => focusOn("calibrate-number"));
   const mayTell = known?.calibration && page.station?.calibrated?.zeros_told === false;
   return html`
     <p class="quiet">${t(mayKeep ? "calibrate.hint" : "policy.admin")}</p>
@@ -95,7 +95,7 @@ function leave({ t, act }) {
 /** The first step: a sheet, and whether the printer has scaled it. @param {Context} context */
 function printing(context) {
   const { page, t, act } = context;
-  const { bar, bar_refused } = page.calibrate;
+  const { number, bar, bar_refused } = page.calibrate;
   const take = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
     void act.calibrate.takeBar().then(() => focusOn("calibrate-touch"));
@@ -105,8 +105,10 @@ function printing(context) {
     <p class="quiet">${t("calibrate.print.hint")}</p>
     <div class="row"><button id="calibrate-sheet" type="button" class="small" @click=${() => act.calibrate.saveSheet()}>${t("calibrate.sheet")}</button></div>
     <form class="row" @submit=${take}>
+      <label for="calibrate-number">${t("calibrate.sheet.number")}</label>
+      <input id="calibrate-number" class="length" type="number" required .value=${live(number)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_number_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}>
       <label for="calibrate-bar">${t("calibrate.bar")}</label>
-      <input id="calibrate-bar" class="length" type="number" step="any" required placeholder="200" .value=${live(bar)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_bar_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}> mm
+      <input id="calibrate-bar" class="length" type="number" step="any" required .value=${live(bar)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_bar_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}> mm
       <button id="calibrate-next" type="submit" class="small strong">${t("calibrate.next")}</button>
       ${leave(context)}
     </form>
@@ -167,14 +169,15 @@ function touches({ page, t }) {
   const missing = LEAST_TOUCHES - all.length;
   return html`
     <dl id="calibrate-touches" class="list">${all.map(({ point, height_mm }, n) => html`<div><dt>${t(height_mm ? "calibrate.touched.block" : "calibrate.touched", { point: point + 1, height: height_mm })}</dt>
-      <dd>${away(n)} ${fit?.left_out === n ? html`<b class="chip" data-tone="bad">${t("calibrate.left_out")}</b>` : nothing}</dd></div>`)}</dl>
+      <dd>${away(n)} ${fit?.wrong.includes(n) ? html`<b class="chip" data-tone="bad">${t("calibrate.left_out")}</b>` : nothing}</dd></div>`)}</dl>
     ${missing > 0 ? html`<p class="quiet">${t("calibrate.missing", { missing })}</p>` : nothing}`;
 }
 
 /** @param {Context} context @param {Schemas["FitReport"]} fit */
 function result(context, fit) {
   const { page, t, act } = context;
-  const { calibration, expected_mm, trust, unsure, advice } = fit;
+  const { calibration, expected_mm, trust, unsure, advice, tool_mm } = fit;
+  const isUnmeasured = trust === "unmeasured";
   const before = page.calibrate.known?.calibration ?? null;
   const best = advice && page.calibrate.sheet?.points_mm.findIndex((place) => String(place) === String(advice.place_mm));
   const show = () => {
@@ -184,13 +187,14 @@ function result(context, fit) {
   return html`
     <div id="calibrate-result" role="status">
       <p><b id="calibrate-trust" class="chip" data-tone=${TONES[trust]}>${t(`calibrate.trust.${trust}`)}</b> ${t("calibrate.expected", { mm: number(expected_mm) })}</p>
-      <p class="quiet">${t(`calibrate.trust.${trust}.text`)}</p>
+      <p class="quiet">${t(`calibrate.trust.${trust}.text`, { out: tool_mm[0].toFixed(0), left: tool_mm[1].toFixed(0) })}</p>
+      ${isUnmeasured ? html`<div class="row"><button id="calibrate-measured" type="button" class="small" @click=${() => act.send({ type: "calibrate_tool_measured" })}>${t("calibrate.measured")}</button></div>` : nothing}
       ${unsure.map(({ what, by, unit }) => html`<p class="quiet">${t("calibrate.uncertain", { what, by: number(by), unit })}</p>`)}
       ${typeof best === "number" && best >= 0 ? html`<p class="quiet">${t(advice?.height_mm ? "calibrate.advice.block" : "calibrate.advice", { point: best + 1, height: advice?.height_mm ?? 0 })}</p>` : nothing}
     </div>
     ${numbers(context, numbersOf(calibration, before).filter(({ name }) => MAIN.has(name)))}
     ${before ? html`<p class="quiet">${t("calibrate.since")}</p>` : nothing}
-    <div class="row"><button id="calibrate-show" type="button" class="small" @click=${show}>${t("calibrate.review")}</button></div>`;
+    <div class="row"><button id="calibrate-show" type="button" class="small" ?disabled=${isUnmeasured} @click=${show}>${t("calibrate.review")}</button></div>`;
 }
 
 /** The last step: all that is kept. @param {Context} context @param {Schemas["CalibrationFile"]} shown */
