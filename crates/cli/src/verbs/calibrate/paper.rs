@@ -65,6 +65,9 @@ impl PaperToucher {
             TouchKey::Block => self
                 .pendant
                 .show("a block cannot be used on the paper".into()),
+            TouchKey::Measured => self
+                .pendant
+                .show("no tool has to be measured for the paper".into()),
         }
     }
 
