@@ -111,7 +111,7 @@ impl Verb {
         match self {
             Self::Up(args) => wait_for(up::run(args)),
             Self::Draw(args) => wait_for(draw::run(*args)),
-            Self::Check(args) => check::run(args).await,
+            Self::Check(args) => wait_for(check::run(args)),
             Self::Convert(args) => convert::run(&args),
             Self::Materials(args) => materials::run(&args),
             Self::Model(args) => model::run(&args),

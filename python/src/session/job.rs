@@ -2,9 +2,8 @@
 
 use dobot_api::{JobPhase, JobView, NewJob, RemoteError, Request, State, StationEvent};
 use dobot_draw::{DrawingRequest, WITHOUT_ARM_Z_MM};
-use dobot_host::{JobWatch, PlannedFor, Rules, drawing_job};
+use dobot_host::{JobWatch, PlannedFor, drawing_job};
 use dobot_motion::burns;
-use dobot_safety::Policy;
 
 use super::{Session, publish};
 use crate::failure::{Failure, failed};

@@ -83,11 +83,13 @@ pub(crate) async fn run_with(
             continue;
         }
         look(&event);
+        let is_last = match &event {
+            Event::Completed(id) => *id == last,
+            event => matches!(event, Event::NotReached { .. } | Event::LinkLost { .. }),
+        };
         events.push(event);
-        match event {
-            Event::Completed(id) if id == last => return events,
-            Event::NotReached { .. } | Event::LinkLost { .. } => return events,
-            _ => {}
+        if is_last {
+            return events;
         }
     }
     panic!("no end in sight: {events:?}");
