@@ -605,6 +605,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/calibration/bar": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Checks the measured length of the bar on a printed sheet */
+        post: operations["post_calibration_bar"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/calibration/fit": {
         parameters: {
             query?: never;
@@ -680,7 +697,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The sheet to print, A4 landscape, at 100 % */
+        /** A sheet to print, A4 landscape, at 100 %: each time another one, with its own number and a bar to measure */
         get: operations["get_calibration_sheet"];
         put?: never;
         post?: never;
@@ -1437,6 +1454,11 @@ export interface components {
             calibrated?: components["schemas"]["CalibratedView"] | null;
             /** @description The dialect that the arm speaks, if known. */
             dialect?: components["schemas"]["Dialect"] | null;
+            /**
+             * @description The commands that give the arm's current settings (speeds, heights, pauses and tool) to an
+             *     arm that was just switched on; absent if it has the settings of power-up.
+             */
+            settings?: components["schemas"]["Command"][];
             /** @description Whether the pose can be trusted. */
             trust: components["schemas"]["TrustView"];
             /** @description The command queue. */
@@ -1660,6 +1682,325 @@ export interface components {
          * @enum {string}
          */
         Dialect: "specification" | "firmware-1.1";
+        /** @description A command from a client (Table 2.2). */
+        Command: {
+            /** @constant */
+            type: "mouse_move";
+            /**
+             * Format: float
+             * @description How far along Y; on a stock arm the base swings by -0.225 degrees for each unit.
+             */
+            y: number;
+            /**
+             * Format: float
+             * @description How far along X; on a stock arm the reach grows by 0.4 mm for each unit.
+             */
+            x: number;
+            /**
+             * Format: float
+             * @description How far along Z; on a stock arm 0.4 mm for each unit.
+             */
+            z: number;
+            /**
+             * Format: float
+             * @description The rotation of the end effector, absolute, in degrees (note N9).
+             */
+            rotation_deg: number;
+            /** @description Whether the pump runs. */
+            suction: boolean;
+        } | {
+            /** @constant */
+            type: "joint_jog";
+            /** @description The axis or switch of the button. */
+            axis: components["schemas"]["JointJogAxis"];
+            /**
+             * Format: float
+             * @description The speed in percent of the largest: 1 to 100, and 0 too for a release or a switch.
+             */
+            speed_percent: number;
+        } | {
+            /** @constant */
+            type: "move_to";
+            /**
+             * Format: float
+             * @description Forward of the base's axis, in millimetres.
+             */
+            x_mm: number;
+            /**
+             * Format: float
+             * @description To the left of it, in millimetres.
+             */
+            y_mm: number;
+            /**
+             * Format: float
+             * @description Above the rear arm's pivot, in millimetres.
+             */
+            z_mm: number;
+            /**
+             * Format: float
+             * @description The end effector's rotation relative to the base, in degrees: servo plus base angle, not the
+             *     joint 4 angle.
+             */
+            rotation_deg: number;
+            /** @description Whether the pump runs after the move. */
+            suction: boolean;
+            /** @description The way there. */
+            mode: components["schemas"]["MovingMode"];
+            /**
+             * Format: float
+             * @description The gripper's angle after the move, -90 to 90 degrees.
+             */
+            gripper_deg: number;
+            /**
+             * Format: float
+             * @description The pause after the move, 0 to 655 seconds (note N10).
+             */
+            pause_s: number;
+        } | {
+            /** @constant */
+            type: "write_vector";
+            /** @description Pen or laser. */
+            mode: components["schemas"]["WriteMode"];
+            /**
+             * Format: float
+             * @description How far along X in the arm's frame, in millimetres, whatever the dialect's sign (note N4).
+             */
+            x_mm: number;
+            /**
+             * Format: float
+             * @description How far along Y, in millimetres.
+             */
+            y_mm: number;
+            /**
+             * Format: float
+             * @description How far along Z, in millimetres.
+             */
+            z_mm: number;
+            /** @description Whether the laser is on. */
+            laser: boolean;
+            /**
+             * Format: float
+             * @description The speed at the start, 0 or above, in mm/s (note N5).
+             */
+            start_speed_mm_s: number;
+            /**
+             * Format: float
+             * @description The speed at the end, 0 or above, in mm/s.
+             */
+            end_speed_mm_s: number;
+            /**
+             * Format: float
+             * @description The largest speed on the way, above 0, in mm/s.
+             */
+            max_speed_mm_s: number;
+            /** @description Laser off and no motion; only some dialects have it (note N7). */
+            stop: boolean;
+        } | {
+            /** @constant */
+            type: "voice";
+            /** @description The text, filled up with zeros. */
+            text: string;
+        } | {
+            /** @constant */
+            type: "move_joints";
+            /**
+             * Format: float
+             * @description The base's angle (joint 1) in degrees, counter-clockwise seen from above.
+             */
+            base_deg: number;
+            /**
+             * Format: float
+             * @description The rear arm's angle (joint 2) in degrees from the vertical, forward positive.
+             */
+            rear_deg: number;
+            /**
+             * Format: float
+             * @description The forearm's angle (joint 3) in degrees below the horizontal.
+             */
+            fore_deg: number;
+            /**
+             * Format: float
+             * @description The servo's angle (joint 4) in degrees; 0 is parallel to the forearm (note N19).
+             */
+            servo_deg: number;
+            /** @description Whether the pump runs after the move. */
+            suction: boolean;
+            /** @description The way there. */
+            mode: components["schemas"]["MovingMode"];
+            /**
+             * Format: float
+             * @description The gripper's angle after the move, -90 to 90 degrees.
+             */
+            gripper_deg: number;
+            /**
+             * Format: float
+             * @description The pause after the move, 0 to 655 seconds (note N10).
+             */
+            pause_s: number;
+        } | {
+            /** @constant */
+            type: "linear_jog";
+            /** @description The axis or switch of the button. */
+            axis: components["schemas"]["LinearJogAxis"];
+            /**
+             * Format: float
+             * @description The speed in percent of the largest: 1 to 100, and 0 too for a release or a switch.
+             */
+            speed_percent: number;
+        } | {
+            /** @constant */
+            type: "gesture";
+            /**
+             * Format: float
+             * @description The hand's position along X.
+             */
+            x: number;
+            /**
+             * Format: float
+             * @description The hand's position along Y.
+             */
+            y: number;
+            /**
+             * Format: float
+             * @description The hand's position along Z.
+             */
+            z: number;
+            /** @description Whether the hand is closed: pump and gripper act together. */
+            grab: boolean;
+        } | ({
+            /** @constant */
+            type: "configuration";
+        } & ({
+            /** @constant */
+            mode: "teach";
+            /**
+             * Format: float
+             * @description The speed of base, rear arm and forearm, in degrees/s.
+             */
+            joint_speed_deg_s: number;
+            /**
+             * Format: float
+             * @description Their acceleration, in degrees/s2.
+             */
+            joint_acceleration_deg_s2: number;
+            /**
+             * Format: float
+             * @description The speed of the servo (joint 4), in degrees/s.
+             */
+            servo_speed_deg_s: number;
+            /**
+             * Format: float
+             * @description Its acceleration, in degrees/s2.
+             */
+            servo_acceleration_deg_s2: number;
+            /**
+             * Format: float
+             * @description The speed along an axis, in mm/s.
+             */
+            linear_speed_mm_s: number;
+            /**
+             * Format: float
+             * @description The acceleration along an axis, in mm/s2.
+             */
+            linear_acceleration_mm_s2: number;
+        } | {
+            /** @constant */
+            mode: "playback";
+            /**
+             * Format: float
+             * @description The largest speed of base, rear arm and forearm, in degrees/s.
+             */
+            joint_speed_deg_s: number;
+            /**
+             * Format: float
+             * @description Their largest acceleration, in degrees/s2.
+             */
+            joint_acceleration_deg_s2: number;
+            /**
+             * Format: float
+             * @description The largest speed of the servo, in degrees/s.
+             */
+            servo_speed_deg_s: number;
+            /**
+             * Format: float
+             * @description Its largest acceleration, in degrees/s2.
+             */
+            servo_acceleration_deg_s2: number;
+            /**
+             * Format: float
+             * @description The largest speed along a line, in mm/s.
+             */
+            linear_speed_mm_s: number;
+            /**
+             * Format: float
+             * @description The largest acceleration along a line, in mm/s2.
+             */
+            linear_acceleration_mm_s2: number;
+            /**
+             * Format: float
+             * @description The pause of targets that have none, 0 to 655 seconds (note N10).
+             */
+            default_pause_s: number;
+            /**
+             * Format: float
+             * @description How high a JUMP lifts, 0 or above, in millimetres (note N11).
+             */
+            jump_height_mm: number;
+        } | {
+            /** @constant */
+            mode: "writing";
+            /**
+             * Format: float
+             * @description The acceleration, in mm/s2.
+             */
+            acceleration_mm_s2: number;
+        } | {
+            /** @constant */
+            mode: "initial_angles";
+            /**
+             * Format: float
+             * @description The rear arm's angle in degrees from the vertical, whatever the dialect's form.
+             */
+            rear_deg: number;
+            /**
+             * Format: float
+             * @description The forearm's angle in degrees below the horizontal.
+             */
+            fore_deg: number;
+        } | {
+            /** @constant */
+            mode: "end_effector";
+            /** @description The tool. */
+            tool: components["schemas"]["Tool"];
+        })) | {
+            /** @constant */
+            type: "playback_adjustment";
+            /**
+             * Format: float
+             * @description The speed of targets in percent of the configured one, above 0 to 100.
+             */
+            speed_percent: number;
+            /**
+             * Format: float
+             * @description The acceleration of targets in percent of the configured one, above 0 to 100.
+             */
+            acceleration_percent: number;
+            /**
+             * Format: float
+             * @description The speed of jogs in percent, above 0 to 100; each jog carries its own too (note N15).
+             */
+            teach_speed_percent: number;
+        };
+        /** @description The axis or switch of a joint jog button (Table 2.5; note N14). */
+        JointJogAxis: "released" | "base_plus" | "base_minus" | "rear_plus" | "rear_minus" | "fore_plus" | "fore_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
+        /** @description The way to a target (float 8 of states 3 and 6; Table 3.7). */
+        MovingMode: "jump" | "movl" | "movj";
+        /** @description Pen or laser (float 2 of state 4; Table 2.6). */
+        WriteMode: "writing" | "laser";
+        /** @description The axis or switch of a linear jog button (Table 2.5; note N14). */
+        LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
+        /** @description The tool mounted at the end of the arm. */
+        Tool: "suction_cup" | "gripper" | "pen" | "laser";
         /** @description Whether the pose can be trusted. */
         TrustView: {
             /** @description Whether it can. */
@@ -2009,8 +2350,6 @@ export interface components {
              */
             gesture?: components["schemas"]["GestureFacts"] | null;
         };
-        /** @description The tool mounted at the end of the arm. */
-        Tool: "suction_cup" | "gripper" | "pen" | "laser";
         /** @description The units of a gesture packet. */
         GestureFacts: {
             /** @description The X axis. */
@@ -2149,10 +2488,10 @@ export interface components {
             /** @constant */
             type: "link_lost";
         } | {
-            /** @description Why. */
-            cause: components["schemas"]["LinkCause"];
             /** @constant */
             type: "no_link";
+            /** @description Why. */
+            cause: components["schemas"]["LinkCause"];
         } | {
             /** @constant */
             type: "reset";
@@ -2749,323 +3088,6 @@ export interface components {
              */
             wait: boolean;
         };
-        /** @description A command from a client (Table 2.2). */
-        Command: {
-            /** @constant */
-            type: "mouse_move";
-            /**
-             * Format: float
-             * @description How far along Y; on a stock arm the base swings by -0.225 degrees for each unit.
-             */
-            y: number;
-            /**
-             * Format: float
-             * @description How far along X; on a stock arm the reach grows by 0.4 mm for each unit.
-             */
-            x: number;
-            /**
-             * Format: float
-             * @description How far along Z; on a stock arm 0.4 mm for each unit.
-             */
-            z: number;
-            /**
-             * Format: float
-             * @description The rotation of the end effector, absolute, in degrees (note N9).
-             */
-            rotation_deg: number;
-            /** @description Whether the pump runs. */
-            suction: boolean;
-        } | {
-            /** @constant */
-            type: "joint_jog";
-            /** @description The axis or switch of the button. */
-            axis: components["schemas"]["JointJogAxis"];
-            /**
-             * Format: float
-             * @description The speed in percent of the largest: 1 to 100, and 0 too for a release or a switch.
-             */
-            speed_percent: number;
-        } | {
-            /** @constant */
-            type: "move_to";
-            /**
-             * Format: float
-             * @description Forward of the base's axis, in millimetres.
-             */
-            x_mm: number;
-            /**
-             * Format: float
-             * @description To the left of it, in millimetres.
-             */
-            y_mm: number;
-            /**
-             * Format: float
-             * @description Above the rear arm's pivot, in millimetres.
-             */
-            z_mm: number;
-            /**
-             * Format: float
-             * @description The end effector's rotation relative to the base, in degrees: servo plus base angle, not the
-             *     joint 4 angle.
-             */
-            rotation_deg: number;
-            /** @description Whether the pump runs after the move. */
-            suction: boolean;
-            /** @description The way there. */
-            mode: components["schemas"]["MovingMode"];
-            /**
-             * Format: float
-             * @description The gripper's angle after the move, -90 to 90 degrees.
-             */
-            gripper_deg: number;
-            /**
-             * Format: float
-             * @description The pause after the move, 0 to 655 seconds (note N10).
-             */
-            pause_s: number;
-        } | {
-            /** @constant */
-            type: "write_vector";
-            /** @description Pen or laser. */
-            mode: components["schemas"]["WriteMode"];
-            /**
-             * Format: float
-             * @description How far along X in the arm's frame, in millimetres, whatever the dialect's sign (note N4).
-             */
-            x_mm: number;
-            /**
-             * Format: float
-             * @description How far along Y, in millimetres.
-             */
-            y_mm: number;
-            /**
-             * Format: float
-             * @description How far along Z, in millimetres.
-             */
-            z_mm: number;
-            /** @description Whether the laser is on. */
-            laser: boolean;
-            /**
-             * Format: float
-             * @description The speed at the start, 0 or above, in mm/s (note N5).
-             */
-            start_speed_mm_s: number;
-            /**
-             * Format: float
-             * @description The speed at the end, 0 or above, in mm/s.
-             */
-            end_speed_mm_s: number;
-            /**
-             * Format: float
-             * @description The largest speed on the way, above 0, in mm/s.
-             */
-            max_speed_mm_s: number;
-            /** @description Laser off and no motion; only some dialects have it (note N7). */
-            stop: boolean;
-        } | {
-            /** @constant */
-            type: "voice";
-            /** @description The text, filled up with zeros. */
-            text: string;
-        } | {
-            /** @constant */
-            type: "move_joints";
-            /**
-             * Format: float
-             * @description The base's angle (joint 1) in degrees, counter-clockwise seen from above.
-             */
-            base_deg: number;
-            /**
-             * Format: float
-             * @description The rear arm's angle (joint 2) in degrees from the vertical, forward positive.
-             */
-            rear_deg: number;
-            /**
-             * Format: float
-             * @description The forearm's angle (joint 3) in degrees below the horizontal.
-             */
-            fore_deg: number;
-            /**
-             * Format: float
-             * @description The servo's angle (joint 4) in degrees; 0 is parallel to the forearm (note N19).
-             */
-            servo_deg: number;
-            /** @description Whether the pump runs after the move. */
-            suction: boolean;
-            /** @description The way there. */
-            mode: components["schemas"]["MovingMode"];
-            /**
-             * Format: float
-             * @description The gripper's angle after the move, -90 to 90 degrees.
-             */
-            gripper_deg: number;
-            /**
-             * Format: float
-             * @description The pause after the move, 0 to 655 seconds (note N10).
-             */
-            pause_s: number;
-        } | {
-            /** @constant */
-            type: "linear_jog";
-            /** @description The axis or switch of the button. */
-            axis: components["schemas"]["LinearJogAxis"];
-            /**
-             * Format: float
-             * @description The speed in percent of the largest: 1 to 100, and 0 too for a release or a switch.
-             */
-            speed_percent: number;
-        } | {
-            /** @constant */
-            type: "gesture";
-            /**
-             * Format: float
-             * @description The hand's position along X.
-             */
-            x: number;
-            /**
-             * Format: float
-             * @description The hand's position along Y.
-             */
-            y: number;
-            /**
-             * Format: float
-             * @description The hand's position along Z.
-             */
-            z: number;
-            /** @description Whether the hand is closed: pump and gripper act together. */
-            grab: boolean;
-        } | ({
-            /** @constant */
-            type: "configuration";
-        } & ({
-            /** @constant */
-            mode: "teach";
-            /**
-             * Format: float
-             * @description The speed of base, rear arm and forearm, in degrees/s.
-             */
-            joint_speed_deg_s: number;
-            /**
-             * Format: float
-             * @description Their acceleration, in degrees/s2.
-             */
-            joint_acceleration_deg_s2: number;
-            /**
-             * Format: float
-             * @description The speed of the servo (joint 4), in degrees/s.
-             */
-            servo_speed_deg_s: number;
-            /**
-             * Format: float
-             * @description Its acceleration, in degrees/s2.
-             */
-            servo_acceleration_deg_s2: number;
-            /**
-             * Format: float
-             * @description The speed along an axis, in mm/s.
-             */
-            linear_speed_mm_s: number;
-            /**
-             * Format: float
-             * @description The acceleration along an axis, in mm/s2.
-             */
-            linear_acceleration_mm_s2: number;
-        } | {
-            /** @constant */
-            mode: "playback";
-            /**
-             * Format: float
-             * @description The largest speed of base, rear arm and forearm, in degrees/s.
-             */
-            joint_speed_deg_s: number;
-            /**
-             * Format: float
-             * @description Their largest acceleration, in degrees/s2.
-             */
-            joint_acceleration_deg_s2: number;
-            /**
-             * Format: float
-             * @description The largest speed of the servo, in degrees/s.
-             */
-            servo_speed_deg_s: number;
-            /**
-             * Format: float
-             * @description Its largest acceleration, in degrees/s2.
-             */
-            servo_acceleration_deg_s2: number;
-            /**
-             * Format: float
-             * @description The largest speed along a line, in mm/s.
-             */
-            linear_speed_mm_s: number;
-            /**
-             * Format: float
-             * @description The largest acceleration along a line, in mm/s2.
-             */
-            linear_acceleration_mm_s2: number;
-            /**
-             * Format: float
-             * @description The pause of targets that have none, 0 to 655 seconds (note N10).
-             */
-            default_pause_s: number;
-            /**
-             * Format: float
-             * @description How high a JUMP lifts, 0 or above, in millimetres (note N11).
-             */
-            jump_height_mm: number;
-        } | {
-            /** @constant */
-            mode: "writing";
-            /**
-             * Format: float
-             * @description The acceleration, in mm/s2.
-             */
-            acceleration_mm_s2: number;
-        } | {
-            /** @constant */
-            mode: "initial_angles";
-            /**
-             * Format: float
-             * @description The rear arm's angle in degrees from the vertical, whatever the dialect's form.
-             */
-            rear_deg: number;
-            /**
-             * Format: float
-             * @description The forearm's angle in degrees below the horizontal.
-             */
-            fore_deg: number;
-        } | {
-            /** @constant */
-            mode: "end_effector";
-            /** @description The tool. */
-            tool: components["schemas"]["Tool"];
-        })) | {
-            /** @constant */
-            type: "playback_adjustment";
-            /**
-             * Format: float
-             * @description The speed of targets in percent of the configured one, above 0 to 100.
-             */
-            speed_percent: number;
-            /**
-             * Format: float
-             * @description The acceleration of targets in percent of the configured one, above 0 to 100.
-             */
-            acceleration_percent: number;
-            /**
-             * Format: float
-             * @description The speed of jogs in percent, above 0 to 100; each jog carries its own too (note N15).
-             */
-            teach_speed_percent: number;
-        };
-        /** @description The axis or switch of a joint jog button (Table 2.5; note N14). */
-        JointJogAxis: "released" | "base_plus" | "base_minus" | "rear_plus" | "rear_minus" | "fore_plus" | "fore_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
-        /** @description The way to a target (float 8 of states 3 and 6; Table 3.7). */
-        MovingMode: "jump" | "movl" | "movj";
-        /** @description Pen or laser (float 2 of state 4; Table 2.6). */
-        WriteMode: "writing" | "laser";
-        /** @description The axis or switch of a linear jog button (Table 2.5; note N14). */
-        LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
         /** @description The answer to an accepted request. */
         Reply: {
             /** @constant */
@@ -3533,6 +3555,19 @@ export interface components {
             /** @description The calibration; `null` for nominal dimensions. */
             calibration?: components["schemas"]["CalibrationFile"] | null;
         };
+        /** @description A printed sheet and its bar. */
+        MeasuredBar: {
+            /**
+             * Format: uint16
+             * @description The number of the sheet, which is printed above its bar.
+             */
+            sheet: number;
+            /**
+             * Format: double
+             * @description The length of the bar on the print, measured with a ruler, in mm.
+             */
+            bar_mm: number;
+        };
         /** @description Points that the tool has touched. */
         NewTouches: {
             /** @description The reported angles at each point, in the order of touching. */
@@ -3786,17 +3821,20 @@ export interface components {
             problems: components["schemas"]["ProgramProblem"][];
             /**
              * Format: double
-             * @description The duration of the first pass through all steps, in seconds, by the motion model.
+             * @description The duration of the first pass through all steps, in seconds, from the current position of
+             *     the arm; null if there are problems.
              */
-            once_s: number;
+            once_s?: number | null;
             /**
              * Format: double
-             * @description The duration of a repeated cycle, in seconds; absent if nothing is repeated.
+             * @description The duration of each further cycle, in seconds; null if nothing is repeated or there are
+             *     problems.
              */
             cycle_s?: number | null;
             /**
              * Format: double
-             * @description The total duration, in seconds; absent if it repeats until a person ends it.
+             * @description The total duration, in seconds; null if it repeats until a person ends it or there are
+             *     problems.
              */
             total_s?: number | null;
         };
@@ -11114,6 +11152,139 @@ export interface operations {
             };
         };
     };
+    post_calibration_bar: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "sheet": 417,
+                 *       "bar_mm": 189.5
+                 *     }
+                 */
+                "application/json": components["schemas"]["MeasuredBar"];
+            };
+        };
+        responses: {
+            /** @description the print has its true size */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is no longer valid */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-touches`: no calibration fits the touched points
+             *     - `invalid`: a field is invalid
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_calibration_fit: {
         parameters: {
             query?: never;
@@ -11129,7 +11300,8 @@ export interface operations {
             content: {
                 /**
                  * @example {
-                 *       "bar_mm": 200,
+                 *       "sheet": 417,
+                 *       "bar_mm": 189.5,
                  *       "touches": [
                  *         {
                  *           "place_mm": [
@@ -11459,7 +11631,8 @@ export interface operations {
             content: {
                 /**
                  * @example {
-                 *       "bar_mm": 200,
+                 *       "sheet": 417,
+                 *       "bar_mm": 189.5,
                  *       "touches": [
                  *         {
                  *           "place_mm": [
