@@ -25,6 +25,10 @@ pub struct Sheet(u16);
 
 impl Sheet {
     /// Chooses a sheet by any number, such as the time.
+    ///
+    /// # Panics
+    ///
+    /// Never: there are few sheets.
     #[must_use]
     pub fn chosen_by(number: u64) -> Self {
         let count = u64::from(LAST - FIRST) + 1;

@@ -56,9 +56,9 @@ pub fn dry_run(program: &Compiled, arm: &PlannedFor) -> DryRun {
         Ok(times) => DryRun {
             problems: Vec::new(),
             steps_s,
-            first_s: Some(times.first_s),
-            cycle_s: times.cycle_s,
-            total_s: times.total_s,
+            first_s: Some(times.first),
+            cycle_s: times.cycle,
+            total_s: times.total,
         },
         Err(failed) => without_times(failed.problem(program).into_iter().collect()),
     }
@@ -67,11 +67,11 @@ pub fn dry_run(program: &Compiled, arm: &PlannedFor) -> DryRun {
 /// The durations of a job on the twin, in seconds.
 struct Times {
     /// Of its first cycle.
-    first_s: f64,
+    first: f64,
     /// Of each further cycle; `None` if nothing repeats.
-    cycle_s: Option<f64>,
+    cycle: Option<f64>,
     /// Of all cycles; `None` if the job repeats until a person ends it.
-    total_s: Option<f64>,
+    total: Option<f64>,
 }
 
 /// Why the twin does not execute a job.
@@ -111,9 +111,9 @@ fn times(job: &NewJob, arm: &PlannedFor) -> Result<Times, Failed> {
     let times = job.program.repeat.map_or(Some(1), |repeat| repeat.times);
     if times == Some(1) {
         return Ok(Times {
-            first_s,
-            cycle_s: None,
-            total_s: Some(first_s),
+            first: first_s,
+            cycle: None,
+            total: Some(first_s),
         });
     }
     #[expect(
@@ -135,9 +135,9 @@ fn times(job: &NewJob, arm: &PlannedFor) -> Result<Times, Failed> {
         Some(times) => Some(all_s + cycle_s * (times - 2 * cycles) as f64),
     };
     Ok(Times {
-        first_s,
-        cycle_s: Some(cycle_s),
-        total_s,
+        first: first_s,
+        cycle: Some(cycle_s),
+        total: total_s,
     })
 }
 
@@ -192,7 +192,9 @@ impl TwinRun {
             let calibration = Some(calibration);
             station.ask(client, Request::Calibrate { calibration })?;
         }
-        station.run_for(SETTLED);
+        if !arm.settings.is_empty() || arm.calibration.is_some() {
+            station.run_for(SETTLED);
+        }
         let job = station.submit(job)?;
         station.start(client, job)?;
         Ok(Self {

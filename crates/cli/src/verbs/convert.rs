@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::program_file::{self, Kind};
 
-/// Convert a program: .toml, PlayBackPoints.xml, .play, .playback, PlayBackParams.json
+/// Convert a program between .toml and the formats of the vendor
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:

@@ -193,15 +193,17 @@ fn a_port_in_use_is_told() {
 }
 
 /// A peer that does one thing with its one client.
-fn peer(act: impl FnOnce(TcpStream) + Send + 'static) -> String {
+fn peer(act: impl Fn(TcpStream) + Send + 'static) -> String {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = listener.local_addr().expect("it is bound");
     thread::spawn(move || {
-        let (stream, _) = listener.accept().expect("the program connects");
-        let handle = stream.try_clone().expect("a handle");
-        act(stream);
-        // A program that is started meanwhile may have a copy of the socket for a moment. The other end may be gone.
-        let _ = handle.shutdown(Shutdown::Both);
+        for stream in listener.incoming() {
+            let stream = stream.expect("the program connects");
+            let handle = stream.try_clone().expect("a handle");
+            act(stream);
+            // A program that is started meanwhile may have a copy of the socket for a moment. The other end may be gone.
+            let _ = handle.shutdown(Shutdown::Both);
+        }
     });
     format!("tcp:{address}")
 }

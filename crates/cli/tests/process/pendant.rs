@@ -88,7 +88,10 @@ fn a_program_is_taught_run_and_saved_with_keys() {
     );
     bench.gets(|it| x_mm(it) > first);
     bench.rests();
-    bench.terminal.types("w");
+    while bench.terminal.shows_one_of(&["saved /", "quit"]) != 0 {
+        bench.terminal.types("w");
+        bench.rests();
+    }
     bench.leaves();
     let text = std::fs::read_to_string(&file).expect("it was saved");
     let program = Program::from_toml(&text).expect("it is a program");

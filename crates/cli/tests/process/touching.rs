@@ -214,8 +214,7 @@ fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_shou
     person.terminal.shows_one_of(&["press w again"]);
     person.terminal.types("w");
     person.terminal.shows_one_of(&["saved in"]);
-    person.terminal.types("q");
-    assert!(person.terminal.ends().success());
+    assert!(person.terminal.types_until_the_end("q").success());
     let kept = fs::read_to_string(&found).expect("the calibration was kept");
     assert!(kept.contains("points = 5"), "{kept}");
     // It is called as its file.

@@ -91,9 +91,8 @@ impl Bench {
         last.map_or(f32::NAN, |[x_mm, _, _]| x_mm)
     }
 
-    pub(crate) fn leaves(mut self) {
-        self.terminal.types("q");
-        assert!(self.terminal.ends().success());
+    pub(crate) fn leaves(self) {
+        assert!(self.terminal.types_until_the_end("q").success());
     }
 }
 

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{Read, Write};
 use std::num::NonZero;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::mpsc::{self, Receiver};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -130,6 +130,22 @@ impl Terminal {
     /// What keys send.
     pub(crate) fn types(&mut self, keys: &str) {
         self.keys.write_all(keys.as_bytes()).expect("it is open");
+    }
+
+    /// Presses keys until the program has ended: a key that follows another one too closely is ignored.
+    pub(crate) fn types_until_the_end(mut self, keys: &str) -> ExitStatus {
+        const TRIED_AGAIN_AFTER: Duration = Duration::from_millis(500);
+        loop {
+            // The program may end at the same time.
+            let _ = self.keys.write_all(keys.as_bytes());
+            loop {
+                match self.shown.recv_timeout(TRIED_AGAIN_AFTER) {
+                    Ok(_) => {}
+                    Err(RecvTimeoutError::Timeout) => break,
+                    Err(RecvTimeoutError::Disconnected) => return self.ends(),
+                }
+            }
+        }
     }
 
     /// Waits until the program has ended.

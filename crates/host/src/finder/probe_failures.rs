@@ -47,12 +47,13 @@ impl ProbeFailure {
     pub fn hint(&self) -> Option<String> {
         match self {
             Self::Open(error) => error.hint(),
-            Self::NoStatus(received) => Some(received.hint().to_owned()),
             Self::Link {
                 error,
                 received: NoStatus::Nothing,
             } => error.hint().map(str::to_owned),
-            Self::Link { received, .. } => Some(received.hint().to_owned()),
+            Self::NoStatus(received) | Self::Link { received, .. } => {
+                Some(received.hint().to_owned())
+            }
             Self::Before(problem) => problem.remedy.clone(),
         }
     }

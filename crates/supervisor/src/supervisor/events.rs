@@ -261,7 +261,7 @@ impl Supervisor {
                 Event::LinkLost {
                     silent_for,
                     received,
-                } => self.fall_silent(silent_for, received),
+                } => self.fall_silent(silent_for, &received),
                 Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
                 Event::NotSent { command, reason } => {
                     self.command_forgotten(command, &Refusal::from(reason).to_string());
@@ -372,12 +372,12 @@ impl Supervisor {
         );
     }
 
-    fn fall_silent(&mut self, silent_for: Duration, received: NoStatus) {
+    fn fall_silent(&mut self, silent_for: Duration, received: &NoStatus) {
         let error = LinkError::Silent {
             silent_for,
             received: received.clone(),
         };
-        let end = self.link.handle_silence(error.to_string(), &received);
+        let end = self.link.handle_silence(error.to_string(), received);
         self.handle_link_end(end);
     }
 

@@ -63,7 +63,8 @@ impl UsedArm {
         let latest = started + Duration::from_secs(3600);
         assert!(self.station.run_until(latest, is_over));
         let job = self.station.job(job).expect("it was queued");
-        (job.state == JobState::Done).then(|| (self.station.now() - started).as_secs_f64())
+        (job.state == JobState::Done)
+            .then(|| self.station.now().saturating_sub(started).as_secs_f64())
     }
 }
 
