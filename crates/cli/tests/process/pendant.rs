@@ -88,7 +88,7 @@ fn a_program_is_taught_run_and_saved_with_keys() {
     );
     bench.gets(|it| x_mm(it) > first);
     bench.rests();
-    while bench.terminal.shows_one_of(&["saved /", "quit"]) != 0 {
+    while bench.terminal.shows_one_of(&["saved /", "STOP"]) != 0 {
         bench.terminal.types("w");
         bench.rests();
     }

@@ -32,7 +32,7 @@ fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
     let mut session = Session::trusted(None);
     session.handle_time(Duration::from_millis(4900));
     assert_eq!(session.poll_event(), None);
-    session.handle_bytes(Duration::from_millis(4950), &[0x42; 30]);
+    session.handle_bytes(Duration::from_millis(4950), &[0x07; 30]);
     session.handle_time(Duration::from_secs(5));
     assert_eq!(
         session.poll_event(),

@@ -25,6 +25,7 @@ use crate::http::exchange::responses::{Body, Maybe, Nothing, RequestFailed};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
+    // table
     vec![
         Route::new(
             GET,
