@@ -138,8 +138,11 @@ impl Terminal {
         loop {
             // The program may end at the same time.
             let _ = self.keys.write_all(keys.as_bytes());
+            let until = Instant::now() + TRIED_AGAIN_AFTER;
             loop {
-                match self.shown.recv_timeout(TRIED_AGAIN_AFTER) {
+                let left = until.saturating_duration_since(Instant::now());
+                match self.shown.recv_timeout(left) {
+                    Ok(_) if left.is_zero() => break,
                     Ok(_) => {}
                     Err(RecvTimeoutError::Timeout) => break,
                     Err(RecvTimeoutError::Disconnected) => return self.ends(),
