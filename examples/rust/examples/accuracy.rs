@@ -1,5 +1,4 @@
-//! `cargo run --release -p dobot-examples --example accuracy`: the ratings and the accuracy of
-//! calibrations.
+//! `cargo run -p dobot-examples --example accuracy`: the ratings and the accuracy of calibrations.
 //!
 //! Prints the table of `docs/calibration.md`, for two hundred random arms.
 
