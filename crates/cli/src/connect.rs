@@ -119,11 +119,8 @@ impl To {
         let mut arm = planned?;
         arm.dialect = self.dialect.or(arm.dialect);
         if self.policy.is_some() {
-            arm.rules = Rules {
-                calibrations: arm.rules.calibrations.clone(),
-                ..Rules::of(&self.policy()?)
-            }
-            .into();
+            let calibrations = arm.rules.calibrations.clone();
+            arm.rules = Rules::with_calibrations(&self.policy()?, calibrations).into();
         }
         let line = format!(
             "for the station's {} arm, from its current position",

@@ -25,7 +25,7 @@ pub(crate) use self::hold::KeyReports;
 pub(crate) use self::mouse::Mouse;
 pub(crate) use self::paste::{IGNORED, PasteFilter};
 pub(crate) use self::screen::{alarm, answer, held_line, key_line, move_lines};
-pub(crate) use self::session::{Panel, run};
+pub(crate) use self::session::{Panel, run, wait_until};
 pub(crate) use self::terminal::check_terminal;
 
 /// The pendant as an engine: it takes events of the terminal and of the station, and returns requests.

@@ -354,11 +354,7 @@ impl StationClient {
             ClientRoute::Running(_, address) => {
                 let policy: Policy = fetch(address, "/api/v1/policy").await?;
                 let calibrations = fetch(address, "/api/v1/calibration").await?;
-                Rules {
-                    calibrations,
-                    ..Rules::of(&policy)
-                }
-                .into()
+                Rules::with_calibrations(&policy, calibrations).into()
             }
             ClientRoute::Local(local) => local.rules(),
             ClientRoute::Virtual(station) => station.rules().into(),

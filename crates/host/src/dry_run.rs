@@ -32,8 +32,7 @@ pub struct DryRun {
 }
 
 /// Runs a program on the twin of an arm, in virtual time: from where the arm stands, with its
-/// settings and calibration, under its policy. Pauses
-/// for a person are confirmed immediately.
+/// settings and calibration, under its policy. Pauses for a person are confirmed immediately.
 #[must_use]
 pub fn dry_run(program: &Compiled, arm: &PlannedFor) -> DryRun {
     let report = check(program, &arm.rules.policy, arm.model());
@@ -122,15 +121,14 @@ fn times(job: &NewJob, arm: &PlannedFor) -> Result<Times, Failed> {
         reason = "it is small"
     )]
     let cycles = ((EXECUTED_S / first_s) as u64).clamp(2, 5);
-    let (some_s, all_s) = (
-        duration_s(job, arm, cycles)?,
-        duration_s(job, arm, 2 * cycles)?,
-    );
+    let some_s = duration_s(job, arm, cycles)?;
+    let all_s = duration_s(job, arm, 2 * cycles)?;
     #[expect(clippy::cast_precision_loss, reason = "2^53 cycles never end")]
     let cycle_s = (all_s - some_s) / cycles as f64;
     let total_s = match times {
         None => None,
-        Some(times) if times <= 2 * cycles => Some(duration_s(job, arm, times)?),
+        Some(times) if times == cycles => Some(some_s),
+        Some(times) if times < 2 * cycles => Some(duration_s(job, arm, times)?),
         #[expect(clippy::cast_precision_loss, reason = "2^53 cycles never end")]
         Some(times) => Some(all_s + cycle_s * (times - 2 * cycles) as f64),
     };

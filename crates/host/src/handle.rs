@@ -71,6 +71,15 @@ pub struct Rules {
 }
 
 impl Rules {
+    /// Returns the rules of a policy and of the calibrations of an arm.
+    #[must_use]
+    pub fn with_calibrations(policy: &Policy, calibrations: Calibrations) -> Self {
+        Self {
+            calibrations,
+            ..Self::of(policy)
+        }
+    }
+
     /// Returns the rules of a policy.
     #[must_use]
     pub fn of(policy: &Policy) -> Self {

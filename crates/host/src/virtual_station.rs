@@ -14,11 +14,10 @@ use dobot_sim::{SerialLine, VirtualArm};
 use dobot_supervisor::{Effect, Refusal, SavedFleetStop, StartedJob, StoppedBy, Supervisor};
 use dobot_wire::Packet;
 
-use crate::Rules;
 use crate::job_path::path_of;
 use crate::jobs;
 use crate::watchdog::GAP;
-use crate::{OfferAnswer, OfferRequest};
+use crate::{OfferAnswer, OfferRequest, Rules};
 
 /// A supervisor and a virtual arm in virtual time, with a real journal: for tests of everything
 /// that can go wrong, thousands of times faster than real time.
@@ -455,10 +454,7 @@ impl VirtualStation {
     /// Returns the rules in force.
     #[must_use]
     pub fn rules(&self) -> Rules {
-        Rules {
-            calibrations: self.calibrations.clone(),
-            ..Rules::of(&self.policy)
-        }
+        Rules::with_calibrations(&self.policy, self.calibrations.clone())
     }
 
     /// Returns the supervisor.

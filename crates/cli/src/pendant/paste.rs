@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind};
+use dobot_api::JogFrame;
 
 use super::keys::{KeyMeaning, folded, meaning};
-use dobot_api::JogFrame;
 
 /// Discards pasted text, and bursts of different keys from terminals that do not mark pasted text.
 /// A pressed key is held back for [`BURST`] to see whether it begins a burst. A key that stops the

@@ -174,6 +174,14 @@ async fn send_requests(
     Ok(())
 }
 
+/// Waits until a time after the beginning, or forever for `None`.
+pub(crate) async fn wait_until(began: Instant, time: Option<Duration>) {
+    match time {
+        Some(time) => tokio::time::sleep_until(began + time).await,
+        None => std::future::pending().await,
+    }
+}
+
 /// Real time. A virtual arm in this process has its own clock, which advances only while waiting; it is kept
 /// in step with real time.
 #[derive(Clone, Copy)]
@@ -199,10 +207,7 @@ impl Clock {
 
     /// Waits until a time, or forever for `None`.
     pub(crate) async fn wait_until(&self, time: Option<Duration>) {
-        match time {
-            Some(time) => tokio::time::sleep_until(self.began + time).await,
-            None => std::future::pending().await,
-        }
+        wait_until(self.began, time).await;
     }
 
     /// Waits for the next event of the station.

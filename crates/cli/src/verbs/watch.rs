@@ -22,7 +22,7 @@ use tokio::time::Instant;
 use self::dashboard::{View, draw};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
-use crate::pendant::{IGNORED, PasteFilter};
+use crate::pendant::{IGNORED, PasteFilter, wait_until};
 use crate::reach::{Station, client_name};
 
 /// Watch arm, link, job, control and events; stop the arm with a key
@@ -182,14 +182,6 @@ impl Watch {
                 Some("no answer".into())
             }
         };
-    }
-}
-
-/// Waits until a time after the beginning, or forever for `None`.
-async fn wait_until(began: Instant, time: Option<Duration>) {
-    match time {
-        Some(time) => tokio::time::sleep_until(began + time).await,
-        None => std::future::pending().await,
     }
 }
 

@@ -5,6 +5,8 @@ use std::net::{Shutdown, TcpListener, TcpStream};
 use std::sync::mpsc;
 use std::thread;
 
+use tempfile::TempDir;
+
 use crate::support::arm::fast_arm;
 use crate::support::program::{Outcome, command, command_at, dobot, example};
 use crate::support::running_process::RunningProcess;
@@ -105,16 +107,38 @@ fn link_of(arm: &str) -> serde_json::Value {
     state["link"].clone()
 }
 
+/// The serial port of an arm that a program uses.
+struct UsedPort {
+    _user: RunningProcess,
+    _arm: RunningProcess,
+    _folder: TempDir,
+    address: String,
+}
+
+impl UsedPort {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().expect("there is room");
+        let link = folder.path().join("dobot");
+        let mut arm = fast_arm(&["--pty", link.to_str().expect("the path is text")]);
+        let address = arm.address();
+        let mut user = RunningProcess::new(command(&["status", "--json", "--to", &address]));
+        // A line of it shows that it has the port.
+        user.wait_for_line("");
+        Self {
+            _user: user,
+            _arm: arm,
+            _folder: folder,
+            address,
+        }
+    }
+}
+
 #[test]
 fn a_station_reports_why_it_cannot_open_its_port_and_what_to_do() {
     let file = tempfile::NamedTempFile::new().expect("there is room");
     let file = format!("serial:{}", file.path().display());
-    let folder = tempfile::tempdir().expect("there is room");
-    let pty = folder.path().join("dobot");
-    let mut arm = fast_arm(&["--pty", pty.to_str().expect("the path is text")]);
-    let used = arm.address();
-    let mut user = RunningProcess::new(command(&["status", "--json", "--to", &used]));
-    user.wait_for_line("");
+    let port = UsedPort::new();
+    let used = &port.address;
     let closed = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let closed_address = format!("tcp:{}", closed.local_addr().expect("it is bound"));
     drop(closed);
@@ -131,7 +155,7 @@ fn a_station_reports_why_it_cannot_open_its_port_and_what_to_do() {
             "is not a serial port",
             "dobot ports",
         ),
-        (&used, "in_use", "is in use by another program", "fuser"),
+        (used, "in_use", "is in use by another program", "fuser"),
         (
             &closed_address,
             "unreachable",
@@ -180,15 +204,8 @@ fn the_start_of_a_station_shows_the_cause_and_not_a_lost_link() {
 
 #[test]
 fn a_port_in_use_is_told() {
-    let folder = tempfile::tempdir().expect("there is room");
-    let link = folder.path().join("dobot");
-    let mut arm = fast_arm(&["--pty", link.to_str().expect("the path is text")]);
-    let address = arm.address();
-    let mut first = RunningProcess::new(command(&["status", "--json", "--to", &address]));
-    // A line of it shows that the first one has the port.
-    first.wait_for_line("");
-    let second = dobot(&["status", "--to", &address]);
-    drop(first);
+    let port = UsedPort::new();
+    let second = dobot(&["status", "--to", &port.address]);
     second.fails(1, &["in use by another program", "fuser"]);
 }
 

@@ -12,11 +12,10 @@ use dobot_supervisor::Refusal;
 use dobot_wire::Dialect;
 use tokio::sync::broadcast::{self, error::RecvError};
 
-use crate::Rules;
 use crate::host::{Host, HostError, Setup};
 use crate::prepared_arm::PreparedArm;
 use crate::watchdog::wait_for_watchdog;
-use crate::{Client, Snapshot};
+use crate::{Client, Rules, Snapshot};
 
 /// An arm at an address and the rules for it.
 #[derive(Clone, Debug)]

@@ -9,8 +9,7 @@ use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
 use dobot_supervisor::Refusal;
 
-use crate::Rules;
-use crate::VirtualStation;
+use crate::{Rules, VirtualStation};
 
 /// A client of a supervisor in virtual time: time passes while it waits.
 #[derive(Debug)]

@@ -569,4 +569,40 @@ proptest! {
             model = after;
         }
     }
+
+    /// An arm that was just switched on has the same settings after the configuration of another one.
+    #[test]
+    fn a_configuration_gives_another_arm_the_same_settings(
+        stock in any::<bool>(),
+        speeds in prop::array::uniform6(1.0..300.0_f32),
+        pause_s in 0.0..10.0_f32,
+        percents in prop::array::uniform3(1.0..100.0_f32),
+        is_pen in any::<bool>(),
+    ) {
+        let [speed_percent, acceleration_percent, teach_speed_percent] = percents;
+        let [joint, joint_2, servo, servo_2, line, line_2] = speeds;
+        let mut used = model(if stock { STOCK } else { DOCUMENT });
+        let tool = if is_pen { Tool::Pen } else { Tool::Laser };
+        let commands: [Command; 4] = [
+            Configuration::Playback {
+                joint_speed_deg_s: joint,
+                joint_acceleration_deg_s2: joint_2,
+                servo_speed_deg_s: servo,
+                servo_acceleration_deg_s2: servo_2,
+                linear_speed_mm_s: line,
+                linear_acceleration_mm_s2: line_2,
+                default_pause_s: pause_s,
+                jump_height_mm: line,
+            }.into(),
+            Configuration::Writing { acceleration_mm_s2: line_2 }.into(),
+            Configuration::EndEffector { tool: tool.into() }.into(),
+            PlaybackAdjustment { speed_percent, acceleration_percent, teach_speed_percent }.into(),
+        ];
+        for command in commands {
+            used = after(&used, command);
+        }
+        let fresh = used.configuration().fold(model(used.dialect), |model, command| after(&model, command));
+        prop_assert_eq!(fresh.settings, used.settings);
+        prop_assert_eq!(fresh.tool, used.tool);
+    }
 }

@@ -8,7 +8,7 @@ use dobot_session::{Address, CommandId, Event, LinkError, NoStatus};
 
 use super::Supervisor;
 use super::fleet_stops::SavedFleetStop;
-use super::link::{LinkEnd, cause_of_silence};
+use super::link::{LOST, LinkEnd, cause_of_silence};
 use super::request::REASON_LEN;
 use super::run::{Effect, Run};
 use super::stop_latch::StopLatch;
@@ -435,4 +435,3 @@ pub(super) const NOT_DELIVERED: &str =
 const SWITCHED_OFF: &str =
     "the laser was switched off: no further motion came in time, and it may not burn in one place";
 const OPENED: &str = "its port was opened, which resets a stock arm: it then assumes a base angle of 0, wherever it points";
-const LOST: &str = "the link to the arm was lost";

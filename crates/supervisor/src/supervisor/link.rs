@@ -143,7 +143,7 @@ impl Link {
     /// Returns what ended and why, in one line.
     pub(super) fn loss(&self, end: LinkEnd) -> String {
         let what = match end {
-            LinkEnd::Lost => "the link to the arm was lost",
+            LinkEnd::Lost => LOST,
             LinkEnd::NeverUp | LinkEnd::None => "there is no link to an arm",
         };
         match &self.problem {
@@ -179,6 +179,9 @@ pub(super) enum LinkEnd {
     /// A link that was up.
     Lost,
 }
+
+/// Why something ends with a link that is lost.
+pub(super) const LOST: &str = "the link to the arm was lost";
 
 /// Returns the cause for what arrived instead of a status.
 #[must_use]

@@ -79,7 +79,7 @@ pub struct PlaybackParams {
     pub velocity_ratio: f64,
 }
 
-/// The parameters of a file, which its keys tell apart.
+/// The parameters of a file, recognised by their keys.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Params {
     /// Those of jogs.

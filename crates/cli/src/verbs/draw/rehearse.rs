@@ -6,7 +6,7 @@ use dobot_api::Request;
 use dobot_controller::PowerUp;
 use dobot_draw::{Estimate, InkLine, Prepared, Sample, Settings, Timeline, Trace};
 use dobot_geometry::Stroke;
-use dobot_host::StationClient;
+use dobot_host::{StationClient, personality_of};
 use dobot_safety::Policy;
 use dobot_sim::{RECORDING_PERIOD, VirtualArm};
 use dobot_wire::{Dialect, MoveJoints, MovingMode, Status};
@@ -16,7 +16,6 @@ use super::execute::execute;
 use crate::control::{self, run_command, take_control};
 use crate::failure::Failure;
 use crate::reach::client_name;
-use dobot_host::personality_of;
 
 /// The result of a virtual arm.
 #[derive(Debug)]
