@@ -387,7 +387,7 @@ impl Place {
         let between = self.next.min(other.next)..self.next.max(other.next);
         let mut moves = commands[between]
             .iter()
-            .filter(|command| is_vector(command));
+            .filter(|command| !matches!(command, Command::Configuration(_)));
         let way = moves
             .next()
             .map(|command| program::end(Position::default(), command));

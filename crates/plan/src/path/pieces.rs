@@ -406,7 +406,10 @@ mod tests {
         let stroke = stroke.prop_map(|(y, steps)| {
             let mut points = vec![Point::new(220.0, y)];
             points.extend(steps.iter().scan(points[0], |here, (turn_deg, length_mm)| {
-                *here += Vec2::from_angle(turn_deg.to_radians()) * *length_mm;
+                let next = *here + Vec2::from_angle(turn_deg.to_radians()) * *length_mm;
+                // Within reach of a pen on the paper.
+                let radius_mm = next.to_vec2().length();
+                *here = (next.to_vec2() * (radius_mm.clamp(150.0, 300.0) / radius_mm)).to_point();
                 Some(*here)
             }));
             Stroke::open(points)
