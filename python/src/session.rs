@@ -85,7 +85,7 @@ impl Session {
                 () = tokio::time::sleep(beat), if beats => self.beat().await,
                 // A broken connection is reported to the next call.
                 event = self.client.next(), if listens => match event {
-                    Ok(event) => self.handle_event(&event),
+                    Ok(event) => publish_state(&self.subscribers, &event),
                     Err(_) => listens = false,
                 },
             }
@@ -230,15 +230,8 @@ impl Session {
 
     /// Lets at most this time pass, and less if there is a message. A button stays held.
     async fn pass(&mut self, time: Duration) -> Result<(), Failure> {
-        if self.client.virtual_arm().is_some() {
-            self.client.wait(time).await;
-            while let Some(event) = self.client.buffered() {
-                self.handle_event(&event);
-            }
-            // Lets a stop be received.
-            tokio::task::yield_now().await;
-        } else if let Ok(event) = timeout(time, self.client.next()).await {
-            self.handle_event(&event?);
+        if let Some(event) = self.client.next_within(time).await? {
+            publish_state(&self.subscribers, &event);
         }
         if self.time_to_beat().is_zero() {
             self.beat().await;
@@ -269,15 +262,12 @@ impl Session {
             return Err(failure);
         }
         self.client.request(Request::Release).await?;
-        let until = self.client.now() + REST;
-        loop {
-            let state = self.client.state().await?;
-            publish(&self.subscribers, &state);
-            let moves = state.arm.is_some_and(|arm| arm.moving);
-            if !moves || self.client.now() >= until {
-                return Ok(());
-            }
-        }
+        let subscribers = &self.subscribers;
+        let rest = self
+            .client
+            .rest_with_events(|event| publish_state(subscribers, event));
+        timeout(REST, rest).await.ok().transpose()?;
+        Ok(())
     }
 
     /// Returns the time until the button is pressed again.
@@ -314,11 +304,11 @@ impl Session {
             held.over = Some(error.into());
         }
     }
+}
 
-    fn handle_event(&self, event: &StationEvent) {
-        if let StationEvent::State(state) = event {
-            publish(&self.subscribers, state);
-        }
+fn publish_state(subscribers: &Subscribers, event: &StationEvent) {
+    if let StationEvent::State(state) = event {
+        publish(subscribers, state);
     }
 }
 

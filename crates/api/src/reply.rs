@@ -4,7 +4,7 @@ use dobot_wire::Finding;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Calibrations, JobView, LeaseView, NearView, PathPreview, TimeSlot};
+use crate::{Calibrations, JobView, LeaseView, NearView, PathPreview, State, TimeSlot};
 
 /// The answer to an accepted request.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -42,6 +42,11 @@ pub enum Reply {
     Lease {
         /// The lease holder, if any.
         lease: Option<LeaseView>,
+    },
+    /// The current state.
+    State {
+        /// The state.
+        state: Box<State>,
     },
     /// The current and upcoming time slots, in order.
     Slots {

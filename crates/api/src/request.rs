@@ -98,6 +98,9 @@ pub enum Request {
         #[schemars(length(max = 200))]
         slots: Vec<TimeSlot>,
     },
+    /// Return the current state.
+    #[serde(deserialize_with = "without_fields")]
+    ShowState,
     /// Return all time slots.
     #[serde(deserialize_with = "without_fields")]
     ShowSlots,
@@ -226,9 +229,11 @@ impl Request {
     #[must_use]
     pub const fn role(&self) -> Role {
         match self {
-            Self::Stop { .. } | Self::CheckCommand { .. } | Self::Near { .. } | Self::ShowSlots => {
-                Role::Watch
-            }
+            Self::Stop { .. }
+            | Self::CheckCommand { .. }
+            | Self::Near { .. }
+            | Self::ShowSlots
+            | Self::ShowState => Role::Watch,
             Self::SubmitJob { .. } | Self::QueueAgain { .. } => Role::Queue,
             Self::SetDialect { .. }
             | Self::Calibrate { .. }

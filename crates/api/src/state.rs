@@ -175,7 +175,8 @@ pub struct ArmView {
     /// The raw status of a calibrated arm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub told: Option<Status>,
-    /// Whether the arm moves.
+    /// Whether the arm moves or may still move; otherwise it is at rest: no command waits or is in flight, no
+    /// button is held, and the last statuses are equal.
     pub moving: bool,
     /// Why the pose may not be recorded as a touch of a calibration: a joint came from the other side.
     #[serde(default, skip_serializing_if = "Option::is_none")]

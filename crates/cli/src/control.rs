@@ -163,18 +163,12 @@ async fn ask_about_pose(why: &str, status: &Status) -> Result<bool, Failure> {
 
 /// Waits until the arm is at rest, and returns its status.
 pub(crate) async fn wait_for_rest(station: &mut StationClient) -> Result<Status, Failure> {
-    loop {
-        let (arm, _) = arm(station).await?;
-        if !arm.moving {
-            return Ok(arm.status);
-        }
-    }
+    Ok(station.rest().await?.status)
 }
 
 /// Waits until the arm is at rest, at most 5 s.
 pub(crate) async fn wait_briefly_for_rest(station: &mut StationClient) -> Result<(), Failure> {
-    let until = station.now() + PATIENCE;
-    while arm(station).await?.0.moving && station.now() < until {}
+    timeout(PATIENCE, station.rest()).await.ok().transpose()?;
     Ok(())
 }
 

@@ -1,5 +1,6 @@
 //! A client of a supervisor: in a running station, in this process, or in virtual time.
 
+mod jog;
 mod local;
 mod virtual_time;
 
@@ -7,8 +8,8 @@ use std::fmt;
 use std::time::Duration;
 
 use dobot_api::{
-    ClientId, ConnectError, JobPhase, JobView, LinkPhase, NewJob, News, Notice, Problem, Remote,
-    RemoteError, Reply, Request, Role, State, StationAddress, StationEvent, fetch,
+    ArmView, ClientId, ConnectError, JobPhase, JobView, LinkPhase, NewJob, News, Notice, Problem,
+    Remote, RemoteError, Reply, Request, Role, State, StationAddress, StationEvent, fetch,
 };
 use dobot_controller::{Controller, PowerUp};
 use dobot_safety::Policy;
@@ -19,6 +20,7 @@ use tokio::time::{Instant, timeout};
 
 use crate::{PlannedFor, Rules};
 
+pub use self::jog::JogEnd;
 use self::local::Local;
 use self::virtual_time::VirtualTimeClient;
 
@@ -210,33 +212,69 @@ impl StationClient {
         }
     }
 
-    /// Returns the next buffered event in virtual time; no time passes.
-    pub fn buffered(&mut self) -> Option<StationEvent> {
-        match &mut self.route {
-            ClientRoute::Virtual(station) => station.buffered(),
-            ClientRoute::Running(..) | ClientRoute::Local(_) => None,
-        }
-    }
-
-    /// Waits until nothing is in flight, or there is no arm. That takes three idle states in a row,
-    /// because the arm also looks idle between two commands.
+    /// Returns the next event, or `None` if none comes within this time by the arm's clock. Cancelling this
+    /// loses nothing.
     ///
     /// # Errors
     ///
-    /// Same as [`next`](Self::next); [`RemoteError::Silent`] if no state comes for five seconds.
-    pub async fn idle(&mut self) -> Result<(), RemoteError> {
-        let mut idle = 0;
-        while idle < 3 {
-            let state = timeout(PATIENCE, self.state()).await;
-            let state = state.map_err(|_| RemoteError::Silent)??;
-            if state.link.phase != LinkPhase::Up {
-                return Ok(());
-            }
-            let moving = state.arm.as_ref().is_some_and(|arm| arm.moving);
-            let busy = moving || state.queue.waiting + state.queue.under_way > 0;
-            idle = if busy { 0 } else { idle + 1 };
+    /// Same as [`next`](Self::next).
+    pub async fn next_within(
+        &mut self,
+        time: Duration,
+    ) -> Result<Option<StationEvent>, RemoteError> {
+        if let ClientRoute::Virtual(station) = &mut self.route {
+            tokio::task::consume_budget().await;
+            return Ok(station.next_within(time));
         }
-        Ok(())
+        timeout(time, self.next()).await.ok().transpose()
+    }
+
+    /// Waits until the arm is at rest after everything it was given, and returns it.
+    ///
+    /// # Errors
+    ///
+    /// [`NoArm`] if there is none, or no state comes for five seconds.
+    pub async fn rest(&mut self) -> Result<ArmView, NoArm> {
+        self.rest_with_events(|_| {}).await
+    }
+
+    /// Waits like [`rest`](Self::rest), passing every event to `see`.
+    ///
+    /// # Errors
+    ///
+    /// Same as [`rest`](Self::rest).
+    pub async fn rest_with_events(
+        &mut self,
+        mut see: impl FnMut(&StationEvent),
+    ) -> Result<ArmView, NoArm> {
+        loop {
+            // A state among the events may be older than the last request.
+            let state = self.current_state().await?;
+            match &state.arm {
+                Some(arm) if state.link.phase == LinkPhase::Up => {
+                    if !arm.moving {
+                        return Ok(arm.clone());
+                    }
+                }
+                _ => return Err(NoArm::of(&state)),
+            }
+            loop {
+                let event = timeout(PATIENCE, self.next()).await;
+                let event = event.map_err(|_| RemoteError::Silent)??;
+                see(&event);
+                if matches!(event, StationEvent::State(_)) {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Returns the state after everything requested so far.
+    async fn current_state(&mut self) -> Result<Box<State>, RemoteError> {
+        match self.request(Request::ShowState).await? {
+            Reply::State { state } => Ok(state),
+            reply => Err(RemoteError::Garbled(format!("{reply:?}"))),
+        }
     }
 
     /// Returns the first state with an arm. After the start of a station, waits up to six seconds

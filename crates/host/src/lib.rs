@@ -60,7 +60,7 @@ mod voice_command;
 mod watchdog;
 
 pub use background::Background;
-pub use client::{JobWatch, JobsError, LocalArm, NoArm, OpenArmError, StationClient};
+pub use client::{JobWatch, JobsError, JogEnd, LocalArm, NoArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
 pub use dry_run::{DryRun, dry_run, personality_of};

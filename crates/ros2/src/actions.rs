@@ -32,22 +32,20 @@ pub(crate) async fn take_at_rest(station: &mut StationClient) -> Result<Stand, S
 
 /// Waits until the arm is at rest, and returns its state.
 async fn stands(station: &mut StationClient) -> Result<Stand, String> {
-    loop {
-        let state = station
-            .first_state()
-            .await
-            .map_err(|error| match error.hint() {
-                Some(hint) => format!("{error}; {hint}"),
-                None => error.to_string(),
-            })?;
-        if let Some(arm) = state.arm.filter(|arm| !arm.moving) {
-            let dialect = state.dialect.unwrap_or(Dialect::FIRMWARE_1_1);
-            return Ok(Stand {
-                status: arm.status,
-                period: dialect.status_period(),
-            });
+    let mut dialect = None;
+    let rest = station.rest_with_events(|event| {
+        if let StationEvent::State(state) = event {
+            dialect = state.dialect;
         }
-    }
+    });
+    let arm = rest.await.map_err(|error| match error.hint() {
+        Some(hint) => format!("{error}; {hint}"),
+        None => error.to_string(),
+    })?;
+    Ok(Stand {
+        status: arm.status,
+        period: dialect.unwrap_or(Dialect::FIRMWARE_1_1).status_period(),
+    })
 }
 
 /// Takes control.

@@ -322,6 +322,11 @@ impl ArmEstimate {
         self.release
     }
 
+    /// Whether the last jog button sent is pressed.
+    pub(crate) const fn is_jogging(&self) -> bool {
+        self.jogs
+    }
+
     /// Whether the base is at 0 after an in-flight command.
     pub(crate) fn comes_to_zero(&self) -> bool {
         self.in_flight.iter().any(|sent| ends_ahead(&sent.plan))

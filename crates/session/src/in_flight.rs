@@ -16,6 +16,8 @@ pub(crate) struct InFlight {
     numbered: u64,
     /// The expected end of the last command.
     last_ends: Duration,
+    /// When the last motion was sent.
+    last_motion: Duration,
 }
 
 /// A sent command and its prediction.
@@ -79,6 +81,9 @@ impl InFlight {
         sent.ends += sent.duration();
         sent.bound = sent.bound_after(bound);
         self.last_ends = sent.ends;
+        if sent.id.is_some() && !sent.plan.is_still() {
+            self.last_motion = now;
+        }
         self.numbered += 1;
         self.all.push_back(sent);
     }
@@ -181,6 +186,11 @@ impl InFlight {
     /// From when on two equal statuses show that everything has ended. Earlier, the arm may not have started.
     pub(crate) fn rest_visible_from(&self) -> Duration {
         self.last_ends + SHOWN
+    }
+
+    /// From when on a status shows whether the last motion sent has started.
+    pub(crate) fn start_visible_from(&self) -> Duration {
+        self.last_motion + SHOWN
     }
 
     /// Time until all commands have ended; a jog counts as ended.

@@ -285,7 +285,7 @@ impl Supervisor {
                 ArmView {
                     status,
                     told: Some(reported).filter(|_| self.arm.is_calibrated()),
-                    moving: self.arm.still() == 0,
+                    moving: !self.arm.is_at_rest(),
                     touch_refused: self.arm.touch_refused(),
                     near: self.arm.near(&ArmPlace::of_status(&status)),
                 }

@@ -107,7 +107,6 @@ test("a touch is taken while the arm rests and its pose is trusted", () => {
   const why = (change, page = {}) => touchBlockedReason({ connection: "open", received_ms: 0, now_ms: 0, station: { ...STATION, ...change }, ...page });
   assert.equal(why({}), null);
   assert.equal(why({ arm: { ...ARM, moving: true } }), "moving");
-  assert.equal(why({ queue: { waiting: 0, under_way: 1 } }), "moving");
   assert.equal(why({ trust: { trusted: false } }), "not_confirmed");
   assert.equal(why({ arm: null }), "no_arm");
   assert.equal(why({}, { connection: "closed" }), "no_connection");

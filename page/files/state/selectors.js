@@ -44,8 +44,8 @@ export function othersTime({ station, role, person }) {
 /** Whether this page has control. @param {Page} page */
 export const hasControl = ({ station, me }) => station?.lease != null && station.lease.client === me;
 
-/** Whether the arm is at rest with an empty queue. @param {import("./types.js").Station} station */
-export const rests = ({ arm, queue }) => arm !== null && !arm.moving && queue.waiting + queue.under_way === 0;
+/** Whether the arm is at rest. @param {import("./types.js").Station} station */
+export const rests = ({ arm }) => arm !== null && !arm.moving;
 
 /** Whether the arm is the station's own virtual arm. @param {Page} page */
 export const isVirtual = ({ station }) => station?.link.address === "virtual:";

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{Button, Jog, JogFrame, Request};
+use dobot_api::{Button, JogFrame};
 use dobot_host::StationClient;
 use dobot_wire::Status;
 
@@ -39,7 +39,7 @@ pub(crate) struct Args {
     /// Axis or switch: base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
     /// suction-on suction-off laser-on laser-off (default: jog with the keyboard)
     button: Option<Button>,
-    /// Duration, 0.02 to 60 seconds
+    /// Duration of the motion, 0.02 to 60 seconds, at least until a status shows it (about 0.2 s)
     #[arg(long = "for", value_name = "SECONDS", default_value = "0.5", value_parser = values::seconds(0.02..=60.0), requires = "button")]
     time: Duration,
     /// Kind of jog: joint (state 2) or linear (state 7); x, y and z have only linear, base, rear and fore only
@@ -97,31 +97,24 @@ impl Args {
         if button.moves() {
             check_pose(station, self.to.pose_confirmed).await?;
         }
-        let before = control::status(station).await?;
         take_control(station).await?;
         arm_laser(station, self.arm_laser).await?;
         if button.moves() {
-            let held = hold(station, jog, self.time).await;
-            station.request(Request::Release).await?;
-            held?;
-        } else {
-            run_command(station, jog.command()).await?;
-            if let Some(end) = button.end() {
-                tokio::select! {
-                    () = station.wait(self.time) => {}
-                    () = interrupt() => {}
-                }
-                run_command(station, end.command()).await?;
+            let end = station.jog_for(jog, self.time, interrupt()).await?;
+            if !end.has_moved {
+                eprintln!("the arm did not move: the axis is at its limit");
             }
+            return Ok(end.arm.status);
         }
-        let now = control::wait_for_rest(station).await?;
-        if button.moves() && now == before {
-            eprintln!(
-                "the arm did not move: the axis is at its limit, or the time was over before the motion began; jog longer, \
-                 for example `--for 1`"
-            );
+        run_command(station, jog.command()).await?;
+        if let Some(end) = button.end() {
+            tokio::select! {
+                () = station.wait(self.time) => {}
+                () = interrupt() => {}
+            }
+            run_command(station, end.command()).await?;
         }
-        Ok(now)
+        control::wait_for_rest(station).await
     }
 }
 
@@ -141,26 +134,3 @@ pub(crate) async fn with_keys<P: Panel>(
     pendant::run(station, drive, pad, panel).await?;
     control::wait_for_rest(station).await
 }
-
-/// Holds a button by repeated requests, until its time is over or Ctrl-C is pressed.
-async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(), Failure> {
-    let mut interrupt = std::pin::pin!(interrupt());
-    // A press waits for the previous motion to end; the time is that of the motion itself.
-    control::wait_briefly_for_rest(station).await?;
-    station.request_at_rest(Request::Jog { jog }).await?;
-    let until = station.now() + time;
-    while station.now() < until {
-        let left = until.saturating_sub(station.now());
-        tokio::select! {
-            () = station.wait(BEAT.min(left)) => {}
-            () = &mut interrupt => break,
-        }
-        if station.now() < until {
-            station.request(Request::Jog { jog }).await?;
-        }
-    }
-    Ok(())
-}
-
-/// The period of the requests: a third of the time after which a station releases a button.
-const BEAT: Duration = Duration::from_millis(50);

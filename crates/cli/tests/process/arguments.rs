@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use crate::support::program::dobot;
+use crate::support::up::Up;
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("it is one line of JSON")
@@ -212,9 +213,13 @@ fn a_jog_moves_its_axis_and_comes_to_rest() {
 
 #[test]
 fn a_jog_that_did_not_move_the_arm_says_so() {
-    // The gripper is at its end already.
-    let jog = dobot(&["jog", "gripper-", "--for", "0.1"]).succeeds();
-    assert!(jog.stderr.contains("did not move"), "{jog:?}");
+    let up = Up::at_speed("10", &[]);
+    let jog = ["jog", "gripper+", "--for", "1", "--percent", "100"];
+    let moved = up.dobot(&jog).succeeds();
+    assert!(!moved.stderr.contains("did not move"), "{moved:?}");
+    // Ten seconds of the arm opened the gripper fully.
+    let stayed = up.dobot(&jog).succeeds();
+    assert!(stayed.stderr.contains("did not move"), "{stayed:?}");
 }
 
 #[test]

@@ -84,9 +84,6 @@ fn hurdle(state: &State) -> Option<String> {
     why.map(|reason| format!("its pose must be confirmed: {reason}"))
 }
 
-/// Whether the arm has no commands left and is at rest.
 fn rests(state: &State) -> bool {
-    let queue = &state.queue;
-    let moves = state.arm.as_ref().is_some_and(|arm| arm.moving);
-    queue.waiting == 0 && queue.under_way == 0 && !moves
+    state.arm.as_ref().is_none_or(|arm| !arm.moving)
 }

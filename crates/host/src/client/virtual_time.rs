@@ -42,19 +42,25 @@ impl VirtualTimeClient {
         self.station.ask(self.client, request)
     }
 
-    /// Returns the next event not taken yet.
-    pub(super) fn buffered(&mut self) -> Option<StationEvent> {
-        self.listen();
-        self.heard.pop_front()
-    }
-
     /// Lets time pass until the next event.
     pub(super) fn next(&mut self) -> StationEvent {
         loop {
-            if let Some(heard) = self.buffered() {
-                return heard;
+            if let Some(event) = self.next_within(Duration::MAX) {
+                return event;
             }
-            self.station.step(Duration::MAX);
+        }
+    }
+
+    /// Lets time pass until the next event, at most this long.
+    pub(super) fn next_within(&mut self, time: Duration) -> Option<StationEvent> {
+        let until = self.station.now().saturating_add(time);
+        loop {
+            self.listen();
+            let event = self.heard.pop_front();
+            if event.is_some() || self.station.now() >= until {
+                return event;
+            }
+            self.station.step(until);
         }
     }
 

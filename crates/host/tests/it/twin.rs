@@ -5,5 +5,6 @@ mod breaks;
 mod calibrated;
 mod lasers;
 mod policy;
+mod timed_jogs;
 mod traces;
 mod true_places;

@@ -85,6 +85,18 @@ impl Session {
         !self.rests_within().is_zero()
     }
 
+    /// Whether a jog button is pressed: it was sent, and its release was not.
+    #[must_use]
+    pub const fn is_jogging(&self) -> bool {
+        self.estimate.is_jogging()
+    }
+
+    /// Whether a status that arrives now shows whether the last motion has started.
+    #[must_use]
+    pub fn is_start_visible(&self) -> bool {
+        self.now >= self.estimate.in_flight().start_visible_from()
+    }
+
     /// Whether this is the Bluetooth port of a stock arm, detected from the statuses (note N38). Joint jogs
     /// are sent with the axes of that port.
     #[must_use]

@@ -29,7 +29,7 @@ pub(super) struct Arm {
     /// The last turn of base, rear arm and forearm, each when it last moved, in degrees.
     turned_deg: [f64; 3],
     approach: Approach,
-    /// The number of consecutive statuses with the same position.
+    /// The number of consecutive equal statuses since the last motion was sent.
     still: u32,
 }
 
@@ -179,7 +179,7 @@ impl Arm {
         self.last
     }
 
-    /// Returns the number of consecutive statuses with the same position.
+    /// Returns the number of consecutive equal statuses since the last motion was sent.
     pub(super) const fn still(&self) -> u32 {
         self.still
     }
@@ -204,7 +204,7 @@ impl Arm {
     }
 
     pub(super) fn handle_status(&mut self, status: Status) {
-        self.still = if self.last == Some(status) {
+        self.still = if self.last == Some(status) && self.session.is_start_visible() {
             self.still + 1
         } else {
             0
@@ -230,9 +230,16 @@ impl Arm {
         self.still = 0;
     }
 
-    /// Returns whether the arm has been seen at rest for a while after everything it was sent.
+    /// Returns whether the arm is at rest: no command waits or is in flight, no button is held, and the last
+    /// statuses, which came after everything that was sent, are equal.
     pub(super) fn is_at_rest(&self) -> bool {
-        self.still >= AT_REST && self.session.in_flight() == 0
+        self.still >= AT_REST && self.is_idle() && !self.session.is_jogging()
+    }
+
+    /// Returns whether a press has to wait. An arm at rest may still have to receive repetitions of the last
+    /// release; a press can follow them as soon as the line is free.
+    pub(super) fn is_busy(&self) -> bool {
+        self.session.is_moving() && !(self.is_at_rest() && self.line_wakeup().is_none())
     }
 
     /// Returns whether no command waits or is in flight, as far as the session has reported.

@@ -69,7 +69,7 @@ impl Supervisor {
     /// Starts a waiting press as soon as the arm is at rest.
     pub(super) fn watch_press(&mut self) {
         let waits = self.jogging.waits();
-        let Some((client, jog)) = waits.filter(|_| !self.arm.session().is_moving()) else {
+        let Some((client, jog)) = waits.filter(|_| !self.arm.is_busy()) else {
             return;
         };
         match self.check_free().and_then(|()| act(&mut self.arm, jog)) {

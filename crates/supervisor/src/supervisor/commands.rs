@@ -87,8 +87,7 @@ pub(super) fn translate(
     };
     if dialect.hears_voice && !arm.session().is_bluetooth() {
         // From the first byte of a text on, a running motion would stop and lose its position.
-        let rests = arm.is_at_rest() && arm.is_idle() && !arm.session().is_moving();
-        return if rests {
+        return if arm.is_at_rest() && !arm.session().is_moving() {
             Ok(*command)
         } else {
             Err(still_moving(rests_within))

@@ -232,7 +232,7 @@ impl Jogging {
 
 /// Starts a press, if allowed.
 fn begin(arm: &mut Arm, jog: Jog, rests_within: Duration) -> Result<JogPhase, Refusal> {
-    if !arm.session().is_moving() {
+    if !arm.is_busy() {
         let command = act(arm, jog)?;
         let seen = arm.now();
         return Ok(JogPhase::Moving { command, seen });

@@ -188,7 +188,7 @@ impl Supervisor {
     fn set_angles(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
         let model = self.arm.session().model().copied();
-        let Some(model) = model.filter(|_| self.arm.is_at_rest() && self.arm.is_idle()) else {
+        let Some(model) = model.filter(|_| self.arm.is_at_rest()) else {
             return Err(self.still_moving());
         };
         let joints = model.calibrated_place(&model.place).joints;
@@ -255,6 +255,9 @@ impl Supervisor {
                 Ok(Reply::Done)
             }
             Request::SetSlots { slots } => self.set_slots(client, &slots),
+            Request::ShowState => Ok(Reply::State {
+                state: Box::new(self.state()),
+            }),
             Request::ShowSlots => Ok(self.slots_reply()),
             Request::Message { text } => {
                 let text = plain(&text, REASON_LEN);

@@ -119,18 +119,16 @@ impl Bench {
         }
     }
 
-    /// Waits until nothing is in flight; returns the job.
+    /// Waits until the arm is at rest; returns the job.
     async fn rest(&mut self) -> Option<JobView> {
-        let mut idle = 0;
-        loop {
-            let state = self.station.state().await.unwrap();
-            let moves = state.arm.is_some_and(|arm| arm.moving);
-            let busy = moves || state.queue.waiting + state.queue.under_way > 0;
-            idle = if busy { 0 } else { idle + 1 };
-            if idle > 3 {
-                return state.job;
+        let mut job = None;
+        let rest = self.station.rest_with_events(|event| {
+            if let StationEvent::State(state) = event {
+                job.clone_from(&state.job);
             }
-        }
+        });
+        rest.await.unwrap();
+        job
     }
 
     pub(crate) fn samples(&self) -> Vec<Sample> {
