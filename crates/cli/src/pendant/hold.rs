@@ -150,6 +150,14 @@ impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
         self.keys
     }
 
+    /// How long after its release a key counts as held.
+    pub(crate) const fn release_delay(&self) -> Duration {
+        match self.keys {
+            KeyReports::Presses => self.dead_man,
+            KeyReports::Releases => Duration::ZERO,
+        }
+    }
+
     fn first_timeout(&self) -> Duration {
         match self.keys {
             KeyReports::Presses => self.dead_man,

@@ -149,6 +149,15 @@ impl JogTrajectory {
 }
 
 impl JogAxis {
+    /// Returns how far the axis moves on, in degrees or mm, if a button held at a share of its speed, 0 to 1, is
+    /// released and the arm receives the release after a time, in seconds.
+    #[must_use]
+    pub fn coasting(self, settings: &ArmSettings, share: f64, delay_s: f64) -> f64 {
+        let (max, acceleration) = self.speeds(settings);
+        let speed = max * share * settings.teach_percent / 100.0;
+        speed * delay_s + speed * speed / (2.0 * acceleration)
+    }
+
     /// Returns speed and acceleration at 100 %, in degrees or millimetres.
     const fn speeds(self, settings: &ArmSettings) -> (f64, f64) {
         let teach = &settings.teach;

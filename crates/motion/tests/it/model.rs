@@ -297,6 +297,24 @@ fn a_jog_goes_on_and_its_release_runs_down() {
 }
 
 #[test]
+fn an_axis_coasts_as_far_as_its_release_moves_it() {
+    let standing = model(STOCK);
+    let jogging = after(&standing, jog(JointJogAxis::BasePlus, 80.0));
+    let released = trajectory(&jogging, jog(JointJogAxis::Released, 0.0));
+    let begin = jogging.place.joints.base.0;
+    let end = released
+        .jog()
+        .expect("it is one")
+        .place_at(1.0)
+        .expect("it is in reach");
+    let coasting = JogAxis::Base.coasting(&standing.settings, 0.8, 0.0);
+    assert!(
+        (end.joints.base.0 - begin - coasting).abs() < 1e-9,
+        "{coasting}"
+    );
+}
+
+#[test]
 fn behind_a_jog_a_target_has_a_known_end_and_a_step_has_none() {
     let jogging = after(&model(STOCK), jog(JointJogAxis::BasePlus, 50.0));
     let target = trajectory(&jogging, to(MovingMode::MovL, 220.0, 50.0, 20.0));
