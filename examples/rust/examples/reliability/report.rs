@@ -439,8 +439,7 @@ document: a stock arm hangs at a packet with a damaged state until it is switche
 ";
 
 const CARRIES_END: &str = "
-After a lost command the arm comes to rest, and the program resumes by itself.
-";
+After a lost command the arm comes to rest, and the program resumes by itself.";
 
 const CABLES: &str = "
 ## The cable is pulled
@@ -509,8 +508,7 @@ rests. Limits: 0.5 s for a laser; 0.7 s for a pen, 1.5 s in a pause, in which it
 const LONG_LINES_END: &str = "
 Long lines are [split](drawing.md#how-the-plan-is-made). On a stock arm a vector that only speeds up and brakes is not: at
 30 mm/s it takes up to 0.6 s, and the light lasts up to 0.9 s. A slower link needs vectors earlier, and the light lasts longer
-by as much.
-";
+by as much.";
 
 const STANDS: &str = "
 ## The laser and an arm that stands
