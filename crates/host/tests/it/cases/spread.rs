@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-/// Measured values, summarized by minimum, median and maximum.
+/// Measured values, summarized by median and maximum.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spread(Vec<f64>);
 
@@ -37,10 +37,10 @@ impl Spread {
     }
 }
 
-/// As cells of a table: least, middle, 99 of 100, most.
+/// As cells of a table: middle, 99 of 100, most.
 impl fmt::Display for Spread {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [least, middle, nearly, most] = [0, 50, 99, 100].map(|percent| self.percent(percent));
-        write!(f, "{least:.2} | {middle:.2} | {nearly:.2} | {most:.2}")
+        let [middle, nearly, most] = [50, 99, 100].map(|percent| self.percent(percent));
+        write!(f, "{middle:.2} | {nearly:.2} | {most:.2}")
     }
 }
