@@ -1582,7 +1582,10 @@ export interface components {
             gripper_deg: number;
             /** @description The raw status of a calibrated arm. */
             told?: components["schemas"]["Status"] | null;
-            /** @description Whether the arm moves. */
+            /**
+             * @description Whether the arm moves or may still move; otherwise it is at rest: no command waits or is in flight, no
+             *     button is held, and the last statuses are equal.
+             */
             moving: boolean;
             /** @description Why the pose may not be recorded as a touch of a calibration: a joint came from the other side. */
             touch_refused?: string | null;
@@ -3134,6 +3137,11 @@ export interface components {
             type: "lease";
             /** @description The lease holder, if any. */
             lease?: components["schemas"]["LeaseView"] | null;
+        } | {
+            /** @constant */
+            type: "state";
+            /** @description The state. */
+            state: components["schemas"]["State"];
         } | {
             /** @constant */
             type: "slots";
@@ -5970,6 +5978,9 @@ export interface components {
             type: "set_slots";
             /** @description The slots, in any order: at most 200, not overlapping. */
             slots: components["schemas"]["TimeSlot"][];
+        } | {
+            /** @constant */
+            type: "show_state";
         } | {
             /** @constant */
             type: "show_slots";

@@ -33,6 +33,24 @@ test("a place that is typed is checked, and only Go brings the arm there", async
   await page.waitForFunction(() => document.querySelector("#target-x_mm").value === "");
 });
 
+test("one line is written to the typed place at its speed", async () => {
+  const [x_mm, y_mm, z_mm] = [await pose(page, "x_mm"), await pose(page, "y_mm"), await pose(page, "z_mm")];
+  await page.click("label:has([name=path][value=vector])");
+  await page.fill("#target-speed", "0");
+  await typeTarget(page, { x_mm: x_mm + 10, y_mm: y_mm - 20, z_mm });
+  await waitForText("needs a number above 0");
+  assert.equal(await page.isDisabled("#target-go"), true);
+  await page.fill("#target-speed", "30");
+  await waitForText("The path is free");
+  assert.equal(await page.isDisabled("#target-rotation_deg"), true);
+  await page.click("#target-go");
+  await at("y_mm", y_mm - 20);
+  await at("x_mm", x_mm + 10);
+  const lines = traffic.packets.slice(from).filter(({ floats: [state] }) => state === 4);
+  assert.equal(lines.length, 1);
+  await page.click("label:has([name=path][value=movj])");
+});
+
 test("a place beyond reach is refused with what is allowed, and the nearest place is one click away", async () => {
   await typeTarget(page, { x_mm: 600, y_mm: 0, z_mm: 20 });
   await waitForText("too far");

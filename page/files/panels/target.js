@@ -8,18 +8,19 @@ import { FIELDS, placeOf } from "../state/target.js";
 import { sentence } from "../views/banners.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../state/target.js").Path} Path */
+/** @typedef {import("../state/target.js").TargetPath} TargetPath */
 
 /** @type {Record<import("../state/target.js").Field, [string, string]>} */
 const NAMES = { x_mm: ["X", "mm"], y_mm: ["Y", "mm"], z_mm: ["Z", "mm"], rotation_deg: ["R", "°"] };
-/** @type {readonly Path[]} */
-const PATHS = ["movj", "movl", "jump"];
+/** @type {readonly TargetPath[]} */
+const PATHS = ["movj", "movl", "jump", "vector"];
 
 /** Status text of the target, and its tone. @param {Context} context @returns {[string, string]} */
 function statusOf({ page, t }) {
   const { target } = page;
   if (!target.typed) return [t("target.hint"), "off"];
   if (!placeOf(target)) return [t("target.number"), "off"];
+  if (target.path === "vector" && !(Number(target.speed) > 0)) return [t("target.speed.number"), "off"];
   if (target.goes) return [t("target.going"), "good"];
   switch (target.check.type) {
     case "unknown":
@@ -33,6 +34,15 @@ function statusOf({ page, t }) {
   }
 }
 
+/** The speed and the tool of a line. @param {Context} context */
+const lineFields = ({ page: { target }, t, act }) => html`
+  <div class="row">
+    <label class="field"><span>${t("target.speed")} <small>mm/s</small></span>
+      <input id="target-speed" type="text" inputmode="decimal" autocomplete="off" .value=${live(target.speed)}
+        @input=${(/** @type {Event} */ event) => act.send({ type: "target_speed", text: /** @type {HTMLInputElement} */ (event.target).value })}></label>
+    <label class="check"><input id="target-burns" type="checkbox" .checked=${live(target.burns)} @change=${(/** @type {Event} */ event) => act.send({ type: "target_burns", burns: /** @type {HTMLInputElement} */ (event.target).checked })}> ${t("target.burns")}</label>
+  </div>`;
+
 /** @param {Context} context */
 export function targetPanel(context) {
   const { page, t, act } = context;
@@ -41,6 +51,7 @@ export function targetPanel(context) {
   const why = blockedReason(page);
   const nearest = target.check.type === "refused" ? target.check.problem.nearest_mm : null;
   const arm = page.station?.arm;
+  const isLine = target.path === "vector";
   const submit = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
     act.go();
@@ -51,13 +62,14 @@ export function targetPanel(context) {
       <form id="target" novalidate @submit=${submit}>
         <div class="fields">
           ${FIELDS.map((field) => html`<label><span>${NAMES[field][0]} <small>${NAMES[field][1]}</small></span>
-            <input id="target-${field}" type="text" inputmode="decimal" autocomplete="off" placeholder=${arm ? arm[field].toFixed(1) : ""} .value=${live(target.typed?.[field] ?? "")}
+            <input id="target-${field}" type="text" inputmode="decimal" autocomplete="off" ?disabled=${isLine && field === "rotation_deg"} placeholder=${arm ? arm[field].toFixed(1) : ""} .value=${live(target.typed?.[field] ?? "")}
               @input=${(/** @type {Event} */ event) => act.send({ type: "target_typed", field, text: /** @type {HTMLInputElement} */ (event.target).value })}></label>`)}
         </div>
         <fieldset class="segments">
           <legend>${t("target.path")}</legend>
           ${PATHS.map((path) => html`<label><input type="radio" name="path" value=${path} .checked=${live(path === target.path)} @change=${() => act.send({ type: "target_path", path })}><span>${t(`target.${path}`)}</span></label>`)}
         </fieldset>
+        ${isLine ? lineFields(context) : nothing}
         <p id="target-status" class="status" role="status" data-tone=${tone}>${why && target.check.type === "free" ? t(`blocked.${why}`) : text}</p>
         <div class="row">
           <button id="target-go" type="submit" class="strong" ?disabled=${target.check.type !== "free" || why !== null || target.goes}>${t("target.go")}</button>

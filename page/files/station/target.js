@@ -5,7 +5,7 @@
 /** @typedef {import("../state/state.js").Page} Page */
 
 import { ghostPlace } from "../state/selectors.js";
-import { placeOf } from "../state/target.js";
+import { lineOf, placeOf } from "../state/target.js";
 
 /** Delay after the last input before the path is checked. */
 const CHECK_MS = 80;
@@ -15,6 +15,10 @@ export function commandOf({ target, station }) {
   const place = placeOf(target);
   if (!place || !station?.arm) return null;
   const { suction, gripper_deg } = station.arm;
+  if (target.path === "vector") {
+    const line = lineOf(target, station.arm);
+    return line && { type: "write_vector", mode: target.burns ? "laser" : "writing", laser: target.burns, start_speed_mm_s: 0, end_speed_mm_s: 0, stop: false, ...line };
+  }
   return { type: "move_to", ...place, mode: target.path, suction, gripper_deg, pause_s: 0 };
 }
 
