@@ -14,6 +14,7 @@
 #   `panic = "abort"` and link-time optimisation, and it is small. `wide` adds the features `full` and `fleet`, and the crates `fleet`, `ros2` and `mcp`.
 # - `lint` also rejects what the standard library gained after a crate's `rust-version` (clippy's `incompatible_msrv`).
 # - `examples` runs the command in the first line of each example.
+# - `test` uses a fixed seed for property tests, `random` a new one.
 # - `bench-check` runs every benchmark once, unoptimised. `bench` measures; it needs a calm machine (docs/performance.md).
 # - `fuzz` runs a fixed number of inputs from a fixed seed, so that it always gives the same result. What `fuzz-long` finds
 #   becomes a seed in `fuzz/seeds`, which `cargo test` runs.
@@ -44,6 +45,7 @@ readonly PUSH_STEPS=(
 readonly WIDE_STEPS=(
   "lint-all     Run clippy with all features"
   "test-all     Run the tests of the crates that have more features, with all of them"
+  "random       Run the unit and property tests with a random seed"
   "doc-all      Build the documentation of the remaining crates"
   "package      Pack every crate and check the packages"
   "models       Load the arm's models with yourdfpy and mujoco, and compare the kinematics"
@@ -183,6 +185,12 @@ step_test-all() {
   report_failures cargo test --locked --all-features "${FEATURED[@]}" --test process --no-fail-fast -- \
     agents:: datasets:: http_agents:: together::
   report_failures cargo test --locked --all-features "${FEATURED[@]}" --doc --no-fail-fast
+}
+
+step_random() {
+  export PROPTEST_RNG_SEED=$RANDOM
+  echo "PROPTEST_RNG_SEED=$PROPTEST_RNG_SEED"
+  report_failures cargo test --locked --workspace "${RARE[@]}" --lib --bins --test it --no-fail-fast
 }
 
 # Repeats the failures at the end, where they are found.
