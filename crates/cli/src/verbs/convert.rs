@@ -40,7 +40,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Kind::Program(form) => program_file::read(&args.from, form)?,
     };
     let (text, lost) = match to {
-        Kind::Params => params(&program)?,
+        Kind::Params => {
+            check_no_jog(&args.to)?;
+            params(&program)?
+        }
         Kind::Program(form) => {
             let arm = PlannedFor::any(Rules::of(&Policy::default()).into(), None);
             let mut files = program_file::files_beside(&args.from, &arm);
@@ -92,6 +95,18 @@ fn jog_speeds(file: &Path, params: &JogParams) -> Failure {
             params.velocity_ratio,
         ),
     )
+}
+
+/// Refuses the vendor's name of a file with the speeds of jogs.
+fn check_no_jog(to: &Path) -> Result<(), Failure> {
+    let name = to.file_name().unwrap_or_default();
+    if name.eq_ignore_ascii_case("JogParams.json") {
+        return Err(Failure::new(
+            anyhow!("JogParams.json contains the speeds of jogs; a program sets those of moves"),
+            "write PlayBackParams.json",
+        ));
+    }
+    Ok(())
 }
 
 /// Converts the first speeds of a program to `PlayBackParams.json`.

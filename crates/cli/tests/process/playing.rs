@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use crate::support::api::Api;
-use crate::support::program::dobot;
+use crate::support::program::{dobot, example};
 use crate::support::up::Up;
 
 const CARRY: &str = r#"
@@ -296,6 +296,9 @@ fn speeds_of_jogs_do_not_become_those_of_moves() {
             "--percent 50",
         ],
     );
+    let jog = folder.path().join("JogParams.json").display().to_string();
+    let program = example("../programs/pick-and-place.toml");
+    dobot(&["convert", &program, &jog]).fails(1, &["speeds of jogs", "PlayBackParams.json"]);
 }
 
 #[test]
