@@ -89,6 +89,10 @@ fn link(link: &LinkView) -> Diagnosis {
         .with("statuses_per_s", format!("{:.1}", link.statuses_per_s))
         .with("lost_statuses", link.lost_statuses)
         .with("damaged_bytes", link.damaged_bytes);
+    let found = match &link.remedy {
+        Some(remedy) => found.with("remedy", remedy),
+        None => found,
+    };
     match link.latency_ms {
         Some(ms) => found.with("latency_ms", format!("{ms:.0}")),
         None => found,
@@ -212,6 +216,25 @@ mod tests {
             "{found:?}"
         );
         assert_eq!(found.status.len(), 7);
+    }
+
+    #[tokio::test]
+    async fn a_lost_link_comes_with_its_remedy() {
+        let mut state = state().await;
+        state.link.phase = LinkPhase::Lost;
+        state.link.remedy = Some("plug the cable in".to_owned());
+        let found = of_state("dobot", &state, Some(&Policy::default()));
+        let link = found
+            .status
+            .iter()
+            .find(|status| status.name == "dobot: link");
+        let values = &link.expect("it is reported").values;
+        assert!(
+            values
+                .iter()
+                .any(|value| value.value == "plug the cable in"),
+            "{values:?}"
+        );
     }
 
     #[tokio::test]
