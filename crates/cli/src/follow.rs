@@ -49,7 +49,7 @@ pub(crate) async fn start_shown(
         let ended = follow(station, job, bar, &mut see).await?;
         if matches!(ended, End::Paused(_) | End::Interrupted) {
             // The arm finishes its in-flight commands and lifts the tool.
-            station.rest().await?;
+            station.idle().await?;
         }
         match ended {
             End::Done => return took(station, job).await,
@@ -86,7 +86,7 @@ pub(crate) async fn step(station: &mut StationClient, job: u64) -> Result<(), Fa
     station.request_at_rest(Request::StepJob { job }).await?;
     let bar = progress_bar(station);
     let ended = follow(station, job, &bar, |_| {}).await?;
-    station.rest().await?;
+    station.idle().await?;
     match ended {
         End::Over(text) => Err(anyhow!(text).into()),
         End::Done | End::Paused(_) | End::Interrupted => Ok(()),

@@ -238,6 +238,18 @@ impl StationClient {
         self.rest_with_events(|_| {}).await
     }
 
+    /// Waits until the arm is at rest, or there is none.
+    ///
+    /// # Errors
+    ///
+    /// Same as [`next`](Self::next); [`RemoteError::Silent`] if no state comes for five seconds.
+    pub async fn idle(&mut self) -> Result<(), RemoteError> {
+        match self.rest().await {
+            Ok(_) | Err(NoArm::Unusable(_)) => Ok(()),
+            Err(NoArm::Silent(error)) => Err(error),
+        }
+    }
+
     /// Waits like [`rest`](Self::rest), passing every event to `see`.
     ///
     /// # Errors

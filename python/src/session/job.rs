@@ -133,7 +133,7 @@ impl Session {
         match phase {
             JobPhase::Paused => {
                 // The in-flight commands finish, and the tool is lifted.
-                self.client.rest().await?;
+                self.client.idle().await?;
                 Err(Failure::Paused { job, text })
             }
             JobPhase::Done => {

@@ -97,6 +97,8 @@ impl Args {
         if button.moves() {
             check_pose(station, self.to.pose_confirmed).await?;
         }
+        // After its start, a station has to hear from the arm first.
+        control::status(station).await?;
         take_control(station).await?;
         arm_laser(station, self.arm_laser).await?;
         if button.moves() {

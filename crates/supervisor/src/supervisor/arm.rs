@@ -29,7 +29,7 @@ pub(super) struct Arm {
     /// The last turn of base, rear arm and forearm, each when it last moved, in degrees.
     turned_deg: [f64; 3],
     approach: Approach,
-    /// The number of consecutive equal statuses since the last motion was sent.
+    /// The number of consecutive statuses with the same position.
     still: u32,
 }
 
@@ -179,7 +179,7 @@ impl Arm {
         self.last
     }
 
-    /// Returns the number of consecutive equal statuses since the last motion was sent.
+    /// Returns the number of consecutive statuses with the same position.
     pub(super) const fn still(&self) -> u32 {
         self.still
     }
@@ -204,7 +204,7 @@ impl Arm {
     }
 
     pub(super) fn handle_status(&mut self, status: Status) {
-        self.still = if self.last == Some(status) && self.session.is_start_visible() {
+        self.still = if self.last == Some(status) {
             self.still + 1
         } else {
             0
@@ -231,9 +231,10 @@ impl Arm {
     }
 
     /// Returns whether the arm is at rest: no command waits or is in flight, no button is held, and the last
-    /// statuses, which came after everything that was sent, are equal.
+    /// statuses are equal, though they would show a motion that was sent.
     pub(super) fn is_at_rest(&self) -> bool {
-        self.still >= AT_REST && self.is_idle() && !self.session.is_jogging()
+        let is_still = self.still >= AT_REST && self.session.is_start_visible();
+        is_still && self.is_idle() && !self.session.is_jogging()
     }
 
     /// Returns whether a press has to wait. An arm at rest may still have to receive repetitions of the last
