@@ -49,13 +49,13 @@ impl Check {
             .needs(&[])
             .begins(Begins::Once),
         check("status-period", |rig| ready_outcome(link::period(rig)))
-            .title("a status is sent every 80 ms")
-            .by("N20, N27")
+            .title("a status is sent every 80 ms; over Bluetooth three in 160 ms")
+            .by("N20, N27, N38")
             .needs(&[])
             .begins(Begins::Once),
         check("status-pose", |rig| ready_outcome(link::pose(rig)))
             .title("position and angles of a status agree")
-            .by("N22")
+            .by("N22, N38")
             .needs(&[])
             .begins(Begins::Once),
         check("status-start", |rig| ready_outcome(link::start(rig)))
@@ -122,11 +122,11 @@ impl Check {
             .title("sets pump and gripper after a move")
             .by("Table 3.7, N21"),
         check("flow-silence", |rig| pending(flow::silence(rig)))
-            .title("no status while four commands wait")
-            .by("N20"),
+            .title("no status while four commands wait; over Bluetooth no permit while six do")
+            .by("N20, N38"),
         check("flow-again", |rig| ready_outcome(flow::again(rig)))
-            .title("statuses resume when three wait")
-            .by("N20")
+            .title("statuses resume when three wait; over Bluetooth permits when five do")
+            .by("N20, N38")
             .begins(Begins::Anywhere),
         check("flow-six", |rig| ready_outcome(flow::six(rig)))
             .title("six commands wait, a seventh does not")
@@ -141,15 +141,15 @@ impl Check {
             .by("Table 2.5, N13"),
         check("jog-base", |rig| pending(jog::axis(rig, jog::BASE)))
             .title("joint jog 1, 2: base (state 2)")
-            .by("Table 2.5")
+            .by("Table 2.5, N38")
             .needs(JOG_STOPS),
         check("jog-rear", |rig| pending(jog::axis(rig, jog::REAR)))
             .title("joint jog 3, 4: rear arm")
-            .by("Table 2.5")
+            .by("Table 2.5, N38")
             .needs(JOG_STOPS),
         check("jog-fore", |rig| pending(jog::axis(rig, jog::FORE)))
             .title("joint jog 5, 6: forearm")
-            .by("Table 2.5")
+            .by("Table 2.5, N38")
             .needs(JOG_STOPS),
         check("jog-servo", |rig| pending(jog::axis(rig, jog::SERVO)))
             .title("joint jog 7, 8: servo")
@@ -227,7 +227,7 @@ impl Check {
             .by("Table 2.4, N9"),
         check("voice", |rig| pending(hand::voice(rig)))
             .title("a voice command (state 5)")
-            .by("N17"),
+            .by("N17, N38"),
         check("laser", |rig| pending(jog::laser(rig)))
             .title("joint jog 13, 14: laser")
             .by("Table 2.5, N21"),

@@ -14,14 +14,16 @@ pub(crate) struct Flow {
     pub(crate) home: Position,
     /// The statuses from the first command to rest.
     pub(crate) seen: Vec<TimedStatus>,
+    /// Those of them that permit a command.
+    pub(crate) permits: Vec<TimedStatus>,
     pub(crate) end: Status,
 }
 
 impl Flow {
-    /// The longest time without a status, and the number of the status that ended it.
+    /// The longest time without a permit, and the number of the permit that ended it.
     pub(crate) fn longest_gap(&self) -> (usize, Duration) {
         let gaps = self
-            .seen
+            .permits
             .windows(2)
             .map(|pair| pair[1].at.saturating_sub(pair[0].at));
         let numbered = (1..).zip(gaps);

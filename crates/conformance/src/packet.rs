@@ -1,10 +1,19 @@
 //! Packets of the checks: floats by number, because the dialect is unknown.
 
-use dobot_wire::{Frame, Status};
+use dobot_wire::{Dialect, Frame, JointJog, Status};
 
 /// A button (states 2 and 7; Table 3.5).
 pub(crate) fn jog(state: f32, axis: f32, percent: f32) -> Frame {
     Frame::ZERO.with(1, state).with(2, axis).with(8, percent)
+}
+
+/// The packet that does over Bluetooth what this one does over USB: joint jogs have other axes there
+/// (note N38).
+pub(crate) fn over_bluetooth(frame: Frame) -> Frame {
+    // Joint jogs are the same in every dialect.
+    let dialect = Dialect::FIRMWARE_1_1;
+    let jog = JointJog::parse(&frame, &dialect);
+    jog.map_or(frame, |jog| jog.over_bluetooth().emit(&dialect))
 }
 
 /// A target (states 3 and 6; Table 3.7) with pump and gripper of a status.

@@ -12,6 +12,7 @@ use crate::outcome::Outcome;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     rows: Vec<Row>,
+    is_bluetooth: bool,
     latency: Option<Latency>,
     hindrance: Option<Hindrance>,
 }
@@ -48,11 +49,13 @@ pub enum Verdict {
 impl Report {
     pub(crate) const fn new(
         rows: Vec<Row>,
+        is_bluetooth: bool,
         latency: Option<Latency>,
         hindrance: Option<Hindrance>,
     ) -> Self {
         Self {
             rows,
+            is_bluetooth,
             latency,
             hindrance,
         }
@@ -81,6 +84,12 @@ impl Report {
     #[must_use]
     pub fn unsteady(&self) -> Vec<&'static str> {
         self.ids(|outcome| matches!(outcome, Outcome::Unsteady(_)))
+    }
+
+    /// Whether it is the Bluetooth port of a stock arm, detected from the statuses (note N38).
+    #[must_use]
+    pub const fn is_bluetooth(&self) -> bool {
+        self.is_bluetooth
     }
 
     /// The latency of the line, if it could be measured.
@@ -131,8 +140,13 @@ impl Report {
             0 => String::new(),
             count => format!(" {count} unsteady,"),
         };
+        let port = if self.is_bluetooth {
+            " over Bluetooth"
+        } else {
+            ""
+        };
         format!(
-            "{hold} hold, {differ} differ,{unsteady} {untried} not tried; speaks {}",
+            "{hold} hold, {differ} differ,{unsteady} {untried} not tried; speaks {}{port}",
             self.verdict()
         )
     }

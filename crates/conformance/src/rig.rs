@@ -3,15 +3,16 @@
 use std::time::Duration;
 
 use dobot_arm::{Joints, Position, Tool, forward};
-use dobot_session::{Link, LinkError, plausible, position};
-use dobot_wire::{Decoder, Frame, PACKET_LEN, Status, Statuses};
+use dobot_session::{Link, LinkError, PermitScheme, plausible, position};
+use dobot_wire::{Counts, Decoder, Frame, PACKET_LEN, Status, Statuses};
 
 use crate::Options;
 use crate::flow::Flow;
 use crate::hindrance::Hindrance;
 use crate::latency::Latency;
 use crate::packet::{
-    STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, angles, gentle, jog, percent, teach, writing,
+    STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, angles, gentle, jog, over_bluetooth, percent, teach,
+    writing,
 };
 use crate::timed_status::TimedStatus;
 
@@ -20,11 +21,14 @@ use crate::timed_status::TimedStatus;
 pub(crate) struct Rig {
     link: Link,
     decoder: Decoder<Statuses>,
+    permit_scheme: PermitScheme,
     pub(crate) options: Options,
     /// All received bytes.
     pub(crate) raw: Vec<u8>,
-    /// All received statuses.
+    /// All statuses that come every 80 ms: on USB each of them, over Bluetooth the messages (note N38).
     pub(crate) seen: Vec<TimedStatus>,
+    /// All statuses that permit a command: on USB each of them, over Bluetooth one every 160 ms.
+    pub(crate) permits: Vec<TimedStatus>,
     /// The time at which the last packet can show an effect.
     reacted: Duration,
     /// The measured latency of the line.
@@ -85,9 +89,11 @@ impl Rig {
         Self {
             link,
             decoder: Decoder::statuses(plausible),
+            permit_scheme: PermitScheme::default(),
             options,
             raw: Vec::new(),
             seen: Vec::new(),
+            permits: Vec::new(),
             reacted: Duration::ZERO,
             latency: None,
             hindrance: None,
@@ -104,8 +110,18 @@ impl Rig {
         self.link.now()
     }
 
-    /// Sends a packet, and waits until the line is free again.
+    /// Whether the arm serves its Bluetooth port, detected from the statuses (note N38).
+    pub(crate) fn is_bluetooth(&self) -> bool {
+        self.permit_scheme.is_bluetooth()
+    }
+
+    /// Sends a packet, with the axis of this port in a joint jog, and waits until the line is free again.
     pub(crate) async fn send(&mut self, frame: Frame) -> Result<(), CheckError> {
+        let frame = if self.is_bluetooth() {
+            over_bluetooth(frame)
+        } else {
+            frame
+        };
         self.send_raw(&frame.to_bytes()).await
     }
 
@@ -150,12 +166,30 @@ impl Rig {
         let at = self.link.now();
         let new = self.raw.get(had..).unwrap_or_default();
         let statuses = self.decoder.feed(new).map(|frame| Status::parse(&frame));
-        let seen = statuses.flatten().map(|status| TimedStatus { at, status });
-        self.seen.extend(seen);
+        let statuses: Vec<Status> = statuses.flatten().collect();
+        for status in statuses {
+            self.note(at, status);
+        }
         if open {
             Ok(())
         } else {
             Err(LinkError::Closed.into())
+        }
+    }
+
+    fn note(&mut self, at: Duration, status: Status) {
+        let was_bluetooth = self.is_bluetooth();
+        let received = self.permit_scheme.classify(at, status);
+        if self.is_bluetooth() && !was_bluetooth && self.start.is_none() {
+            // Before the first message came at most a permit, which is not one of those every 80 ms.
+            self.seen.clear();
+        }
+        let status = received.status;
+        if received.is_regular {
+            self.seen.push(TimedStatus { at, status });
+        }
+        if received.permits {
+            self.permits.push(TimedStatus { at, status });
         }
     }
 
@@ -300,17 +334,21 @@ impl Rig {
         }
     }
 
-    /// The number of bytes of incomplete packets.
-    pub(crate) fn skipped(&self) -> u64 {
-        self.decoder.counts().skipped_bytes
+    /// The counts of trustworthy statuses and of bytes that belong to none.
+    pub(crate) fn counts(&self) -> Counts {
+        self.decoder.counts()
     }
 }
 
-/// Statuses by their form alone, whether their numbers agree or not.
+/// Statuses by their form alone, whether their numbers agree or not; without the 1000 mm of a message
+/// over Bluetooth (note N38).
 pub(crate) fn lenient(raw: &[u8]) -> Vec<Status> {
     let mut decoder = Decoder::statuses(|_: &Frame| true);
     let statuses = decoder.feed(raw).map(|frame| Status::parse(&frame));
-    statuses.flatten().collect()
+    let statuses = statuses.flatten();
+    statuses
+        .map(|status| status.message().unwrap_or(status))
+        .collect()
 }
 
 /// The disagreement of position and angles of a status, in millimetres or degrees.

@@ -67,7 +67,12 @@ impl Suite {
             self.rows.push(row);
         }
         let rig = &self.rig;
-        Report::new(self.rows.clone(), rig.latency, rig.hindrance.clone())
+        Report::new(
+            self.rows.clone(),
+            rig.is_bluetooth(),
+            rig.latency,
+            rig.hindrance.clone(),
+        )
     }
 
     /// Stops: releases the button, switches the laser off and moves back to the start.

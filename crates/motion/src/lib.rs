@@ -75,7 +75,8 @@ pub use jump::Jump;
 pub use line_move::LineMove;
 pub use model::{
     ArmPlace, ArmSettings, Button, HandAxis, HandScale, Interpolation, JogAxis, JogTrajectory,
-    LASER_OFF, LONGEST_S, Model, Segment, Trajectory, TrajectoryError, burns, to_raw,
+    LASER_OFF, LONGEST_S, Model, Segment, Stretching, Trajectory, TrajectoryError, TurnBounds,
+    burns, to_raw,
 };
 pub use plan_error::PlanError;
 pub use profile::Profile;

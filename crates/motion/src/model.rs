@@ -15,6 +15,7 @@ mod place;
 mod plan;
 mod segment;
 mod settings;
+mod stretched_move;
 mod trajectory;
 mod vector;
 
@@ -36,6 +37,7 @@ pub use self::laser::{LASER_OFF, burns};
 pub use self::place::ArmPlace;
 pub use self::segment::{Interpolation, Segment};
 pub use self::settings::ArmSettings;
+pub use self::stretched_move::{Stretching, TurnBounds};
 pub use self::trajectory::Trajectory;
 
 /// The estimated state of an arm before or after a command: position and settings.

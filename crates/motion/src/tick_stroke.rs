@@ -78,10 +78,10 @@ impl TickStroke {
         };
         let last = match (up > 0, down > 0) {
             (true, true) => begin + ups * change - downs * change,
-            (false, false) => begin,
-            (true, false) if even <= 0 => begin + (ups - 1.0) * change,
-            (true, false) => begin + ups * change,
             (false, true) => begin - downs * change,
+            (true, false) if even <= 0 => begin + (ups - 1.0) * change,
+            // A count below zero changes the speed, although no tick does.
+            (_, false) => begin + ups * change,
         };
         let fastest = if even <= 0 && up > 0 {
             begin + (ups - 1.0) * change
@@ -196,6 +196,23 @@ mod tests {
         let way_mm = tick_stroke.length_mm();
         assert!((way_mm - 10.0).abs() < 1e-4, "{way_mm}");
         assert!(tick_stroke.is_exact());
+    }
+
+    #[test]
+    fn counts_below_zero_lower_the_speed_that_is_left_by_what_they_would_have_added() {
+        // The acceleration is -100 mm/s2, so a tick adds -2 mm/s: 40 mm/s are -20 + 0.5 ticks away, cut
+        // to -19, up and down. They cover -7.6 and 6.84 mm; 100.76 mm at 38 mm/s are 132 ticks.
+        let tick_stroke = TickStroke::of(100.0, 0.0, 0.0, 40.0, -100.0);
+        assert_eq!(tick_stroke.counts, [-19, 132, -19]);
+        // 94 ticks lack 0.23 mm/s, which is more than a step of -2: they get the step.
+        assert!((tick_stroke.first_mm_s - -2.0).abs() < 1e-4);
+        // Left for the next vector: 0 + -19 * -2 + -2.
+        let left_mm_s = tick_stroke.end_mm_s;
+        assert!(
+            (left_mm_s - 36.0).abs() < 1e-4,
+            "{left_mm_s}, not 36 by 1e-4"
+        );
+        assert!(!tick_stroke.is_exact());
     }
 
     #[test]

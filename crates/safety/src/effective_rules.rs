@@ -158,8 +158,9 @@ impl<'a> EffectiveRules<'a> {
         a: &PathPoint,
         b: &PathPoint,
     ) -> Option<Broken> {
-        let Some(swept) = SweptPath::between(interpolation, &a.raw, &b.raw, self.tool, &self.arm)
-        else {
+        let shares = [a.share, b.share];
+        let swept = SweptPath::between(interpolation, shares, &a.raw, &b.raw, self.tool, &self.arm);
+        let Some(swept) = swept else {
             return Some(Broken::Unclear);
         };
         let outside = |effective: &&EffectiveLimit| {

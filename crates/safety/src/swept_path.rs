@@ -7,7 +7,7 @@
 //! kinematics: `docs/policy.md` derives them.
 
 use dobot_arm::{Calibration, FOREARM, Joints, Pose, REAR_ARM, Tool};
-use dobot_motion::{ArmPlace, Interpolation};
+use dobot_motion::{ArmPlace, Interpolation, TurnBounds};
 
 use crate::Bounds;
 use crate::body::{MEASURES, Measure};
@@ -23,9 +23,11 @@ pub(crate) struct SweptPath {
 }
 
 impl SweptPath {
-    /// Returns the bounds between two raw positions; `None` if they are too far apart.
+    /// Returns the bounds between two raw positions at two shares of their segment; `None` if they are
+    /// too far apart.
     pub(crate) fn between(
         interpolation: Interpolation,
+        [from, to]: [f64; 2],
         a: &ArmPlace,
         b: &ArmPlace,
         tool: Tool,
@@ -34,6 +36,9 @@ impl SweptPath {
         let flat = match interpolation {
             Interpolation::Joints => {
                 return Turns::evenly(&a.joints, &b.joints).swept_path(a, b, arm);
+            }
+            Interpolation::Stretched(stretching) => {
+                return Turns::stretched(stretching.between(from, to)).swept_path(a, b, arm);
             }
             Interpolation::Line => Flat::line(&a.pose, &b.pose)?,
             Interpolation::Around => Flat::around(a, b),
@@ -91,6 +96,20 @@ impl Turns {
             rear_2: 0.0,
             fore: way(a.fore.0, b.fore.0),
             fore_2: 0.0,
+        }
+    }
+
+    /// Each joint turns with timing of its own.
+    fn stretched(turns: [TurnBounds; 3]) -> Self {
+        let [base, rear, fore] =
+            turns.map(|turn| [turn.first_deg, turn.second_deg].map(f64::to_radians));
+        Self {
+            base: base[0],
+            base_2: base[1],
+            rear: rear[0],
+            rear_2: rear[1],
+            fore: fore[0],
+            fore_2: fore[1],
         }
     }
 

@@ -63,7 +63,7 @@ pub use observer::{Observer, SeenOver};
 #[cfg(feature = "io")]
 pub use open::OpenError;
 pub use peer::Peer;
-pub use permit_scheme::plausible;
+pub use permit_scheme::{PermitScheme, ReceivedStatus, plausible};
 pub use plan::position;
 #[cfg(feature = "io")]
 pub use ports::{Port, Usb, ports};

@@ -6,9 +6,10 @@ use dobot_arm::Tool;
 use dobot_motion::ArmPlace;
 use dobot_wire::{Frame, Status};
 
-/// Detects from the statuses which port of the arm is connected.
+/// Detects from the statuses which port of the arm is connected, and which of them permit a command
+/// (notes N20 and N38).
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct PermitScheme {
+pub struct PermitScheme {
     port: Option<ServedPort>,
     /// When the last status arrived that was not a message.
     plain: Option<Duration>,
@@ -26,18 +27,18 @@ enum ServedPort {
 
 /// A status and its role on this port.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ReceivedStatus {
+pub struct ReceivedStatus {
     /// The status, with the 1000 mm of a message removed from X.
-    pub(crate) status: Status,
+    pub status: Status,
     /// Whether it belongs to the 80 ms sequence that all timing relies on.
-    pub(crate) is_regular: bool,
+    pub is_regular: bool,
     /// Whether it permits a command.
-    pub(crate) permits: bool,
+    pub permits: bool,
 }
 
 impl PermitScheme {
     /// Classifies a status as received.
-    pub(crate) fn classify(&mut self, now: Duration, status: Status) -> ReceivedStatus {
+    pub fn classify(&mut self, now: Duration, status: Status) -> ReceivedStatus {
         if let Some(message) = status.message() {
             self.port = Some(ServedPort::Bluetooth);
             return ReceivedStatus {
@@ -62,7 +63,9 @@ impl PermitScheme {
         self.port.is_some()
     }
 
-    pub(crate) fn is_bluetooth(&self) -> bool {
+    /// Whether it is the Bluetooth port of a stock arm.
+    #[must_use]
+    pub fn is_bluetooth(&self) -> bool {
         self.port == Some(ServedPort::Bluetooth)
     }
 }

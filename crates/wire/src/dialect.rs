@@ -46,6 +46,9 @@ pub struct Dialect {
     /// A JUMP lifts by its height at either end, and all joints go together on each of its three
     /// ways, instead of across above the higher end (notes N11 and N45).
     pub jumps_by_joints: bool,
+    /// Each joint of a MOVJ has ramps of its own, which stretch it to the time of the slowest, and the
+    /// servo the acceleration of the other joints; instead of one profile for all (notes N29 and N45).
+    pub stretches_joints: bool,
     /// The tool keeps its direction along a MOVL and turns at the end, instead of evenly along the
     /// line (notes N12 and N46).
     pub turns_after_line: bool,
@@ -87,6 +90,7 @@ impl Dialect {
         loses_pose_on_the_spot: false,
         default_jump_height_mm: 20.0,
         jumps_by_joints: false,
+        stretches_joints: false,
         turns_after_line: false,
         has_rapid_laser_mode: false,
         scales_jogs: true,
@@ -113,6 +117,7 @@ impl Dialect {
         loses_pose_on_the_spot: true,
         default_jump_height_mm: 10.0,
         jumps_by_joints: true,
+        stretches_joints: true,
         turns_after_line: true,
         has_rapid_laser_mode: true,
         scales_jogs: false,

@@ -237,7 +237,8 @@ fn faults_of(known: &CalibrationFile) -> Vec<Fault> {
     .expect("a calibration holds only values that a fault allows")
 }
 
-fn port(text: &str) -> Result<Port, String> {
+/// Parses the name of a port of a stock arm.
+pub(crate) fn port(text: &str) -> Result<Port, String> {
     match text {
         "usb" => Ok(Port::Usb),
         "bluetooth" => Ok(Port::Bluetooth),

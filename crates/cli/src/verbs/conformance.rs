@@ -7,13 +7,14 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use anyhow::{Context, anyhow};
 use dobot_conformance::{HEADING, Hindrance, Options, Outcome, Report, Row, Suite, Verdict};
-use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_controller::{Controller, Personality, Port, PowerUp};
 use dobot_session::{Address, Link};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
+use crate::verbs::arm::port;
 
 /// Check a real or virtual controller against the protocol
 #[derive(Debug, clap::Args)]
@@ -33,7 +34,8 @@ the arm back.
 Each check has one line with its result: holds; specification or firmware-1.1,
 if only that dialect has this behaviour; DIFFERS; unsteady, if the result was
 not always the same; not tried. The exit code is 0 if all checks that were tried
-hold in one dialect.")]
+hold in one dialect. The Bluetooth port of a stock arm is detected; all checks
+apply there too.")]
 pub(crate) struct Args {
     /// The controller's address.
     #[arg(help = "Address of the controller: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT")]
@@ -41,6 +43,9 @@ pub(crate) struct Args {
     /// Behaviour of the arm at virtual:, specification or firmware-1.1 (default: specification)
     #[arg(long, value_name = "PERSONALITY")]
     personality: Option<Personality>,
+    /// Port of the firmware-1.1 arm at virtual:, usb or bluetooth (default: usb)
+    #[arg(long, value_name = "PORT", value_parser = port, hide_short_help = true)]
+    port: Option<Port>,
     /// Report file; only an earlier report is overwritten
     #[arg(long, value_name = "FILE", default_value = "conformance.md")]
     report: PathBuf,
@@ -102,7 +107,15 @@ impl Args {
     async fn link(&self) -> Result<Link, Failure> {
         if self.is_virtual() {
             let personality = self.personality.unwrap_or_default();
-            let controller = Controller::power_up(PowerUp::new(personality));
+            let port = self.port.unwrap_or_default();
+            if port == Port::Bluetooth && personality != Personality::Firmware11 {
+                let error = anyhow!("the personality {personality} has the USB port only");
+                return Err(Failure::usage(error).with_hint("add `--personality firmware-1.1`"));
+            }
+            let controller = Controller::power_up(PowerUp {
+                port,
+                ..PowerUp::new(personality)
+            });
             let arm = VirtualArm::new(controller, SerialLine::STOCK);
             return Ok(Link::over_peer(InProcess::new(arm)));
         }
@@ -113,6 +126,12 @@ impl Args {
             );
             return Err(Failure::usage(error)
                 .with_hint("leave out `--personality`; the checks detect the dialect"));
+        }
+        if self.port.is_some() {
+            let error = anyhow!("--port is only for virtual:; {} has its own", self.address);
+            return Err(
+                Failure::usage(error).with_hint("leave out `--port`; the checks detect the port")
+            );
         }
         self.consent()?;
         Ok(Link::open(&self.address).await?)

@@ -39,6 +39,18 @@ fn both_personalities_conform_and_the_report_tells_them_apart() {
 }
 
 #[test]
+fn a_stock_arm_conforms_over_bluetooth_and_the_document_has_no_such_port() {
+    let arguments = ["virtual:", "--port", "bluetooth"];
+    let stock = ["--personality", "firmware-1.1", "--traps", "--with-laser"];
+    let (outcome, _folder) = conformance(&[&arguments[..], &stock].concat());
+    let outcome = outcome.succeeds();
+    let speaks = "0 differ, 0 not tried; speaks firmware-1.1 over Bluetooth\n";
+    assert!(outcome.stdout.contains(speaks), "{outcome:?}");
+    let (outcome, _folder) = conformance(&arguments);
+    outcome.fails(2, &["USB port only", "--personality firmware-1.1"]);
+}
+
+#[test]
 fn a_report_is_overwritten_and_nothing_else_is() {
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("mine.md");
@@ -70,7 +82,7 @@ fn an_address_without_an_arm_is_told_with_what_to_do() {
 }
 
 #[test]
-fn a_personality_is_for_a_virtual_arm_only() {
+fn a_personality_and_a_port_are_for_a_virtual_arm_only() {
     let arguments = [
         "tcp:127.0.0.1:5555",
         "--yes",
@@ -79,4 +91,7 @@ fn a_personality_is_for_a_virtual_arm_only() {
     ];
     let (outcome, _folder) = conformance(&arguments);
     outcome.fails(2, &["--personality is only for virtual:", "leave out"]);
+    let arguments = ["tcp:127.0.0.1:5555", "--yes", "--port", "bluetooth"];
+    let (outcome, _folder) = conformance(&arguments);
+    outcome.fails(2, &["--port is only for virtual:", "leave out"]);
 }

@@ -90,6 +90,8 @@ pub(crate) async fn voice(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let heard = off(&there, moved(&home, [0.0, 0.0, 5.0])) < NEAR_MM;
     Ok(if heard {
         Outcome::Holds("\"up five\" moves 5 mm up".into())
+    } else if distance(&home, &there) < NEAR_MM && rig.is_bluetooth() {
+        Outcome::Differs("it ignores voice, which a stock arm obeys over Bluetooth".into())
     } else if distance(&home, &there) < NEAR_MM {
         Outcome::Firmware11("it ignores voice, as a stock arm on USB".into())
     } else {

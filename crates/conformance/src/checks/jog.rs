@@ -4,7 +4,7 @@ use dobot_wire::Status;
 
 use crate::observed_motion::PERIOD_S;
 use crate::outcome::Outcome;
-use crate::packet::jog;
+use crate::packet::{jog, over_bluetooth};
 use crate::rig::{CheckError, Rig};
 
 /// A pair of buttons and their axis.
@@ -71,10 +71,24 @@ pub(crate) async fn axis(rig: &mut Rig, axis: JogButtons) -> Result<Outcome, Che
     Ok(Outcome::of(
         plus > LEAST && minus < -LEAST && strays < STRAY,
         format!(
-            "{plus:+.2} and {minus:+.2} {}, {LEAST} at least; all else by up to {strays:.3} of {STRAY}",
-            axis.unit
+            "{plus:+.2} and {minus:+.2} {}, {LEAST} at least; all else by up to {strays:.3} of {STRAY}{}",
+            axis.unit,
+            by_other_buttons(rig, axis)
         ),
     ))
+}
+
+/// Names the buttons of a joint where they differ on this port (note N38).
+fn by_other_buttons(rig: &Rig, axis: JogButtons) -> String {
+    let sent = [axis.plus, axis.plus + 1.0].map(|button| {
+        let packet = jog(axis.state, button, axis.percent);
+        over_bluetooth(packet).float(2)
+    });
+    if rig.is_bluetooth() && sent[0] != axis.plus {
+        format!("; over Bluetooth by {} and {}", sent[0], sent[1])
+    } else {
+        String::new()
+    }
 }
 
 /// The speed of the base while its button is held, in degrees per second.

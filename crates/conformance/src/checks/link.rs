@@ -18,33 +18,52 @@ pub(crate) async fn form(rig: &mut Rig) -> Result<Outcome, CheckError> {
         rig.pass(LISTEN_MS / 8).await?;
     }
     rig.pass(LISTEN_MS).await?;
-    let (bytes, count) = (rig.raw.len(), rig.seen.len());
+    let bytes = rig.raw.len();
     if bytes == 0 {
         return Ok(Outcome::Differs("nothing was received".into()));
     }
-    let lenient = lenient(&rig.raw).len();
+    let lenient = lenient(&rig.raw).len() as u64;
+    let counts = rig.counts();
     // Whoever joins a stream in the middle skips the rest of one packet.
-    let skipped = rig.skipped();
-    let stray = skipped.saturating_sub(PACKET_LEN as u64);
+    let stray = counts.skipped_bytes.saturating_sub(PACKET_LEN as u64);
     let found = format!("{lenient} statuses, {stray} other bytes of {bytes}");
     Ok(Outcome::of(
-        lenient > 0 && (stray == 0 || count < lenient),
+        lenient > 0 && (stray == 0 || counts.frames < lenient),
         found,
     ))
 }
 
-/// The mean time between two statuses.
+/// The mean time between two statuses; over Bluetooth between two messages, and between two permits,
+/// which come half as often (note N38).
 pub(crate) fn period(rig: &Rig) -> Outcome {
-    let (Some(first), Some(last)) = (rig.seen.first(), rig.seen.last()) else {
+    if rig.seen.is_empty() {
         return Outcome::NotTried("no trustworthy status was received".into());
-    };
-    let steps = u32::try_from(rig.seen.len() - 1).unwrap_or(u32::MAX);
-    if steps < FEW {
-        return Outcome::Differs(format!("only {} statuses were received", steps + 1));
     }
+    let regular = spacing(&rig.seen, PERIOD_MS);
+    if !rig.is_bluetooth() {
+        return regular;
+    }
+    let permits = spacing(&rig.permits, 2.0 * PERIOD_MS);
+    let found = format!(
+        "over Bluetooth: messages {}; permits {}",
+        regular.found(),
+        permits.found()
+    );
+    match [regular, permits] {
+        [Outcome::Holds(_), Outcome::Holds(_)] => Outcome::Holds(found),
+        [Outcome::Differs(_), _] | [_, Outcome::Differs(_)] => Outcome::Differs(found),
+        _ => Outcome::Unsteady(found),
+    }
+}
+
+/// Whether statuses come with this period.
+fn spacing(seen: &[TimedStatus], period_ms: f64) -> Outcome {
+    let steps = u32::try_from(seen.len().saturating_sub(1)).unwrap_or(u32::MAX);
+    let (Some(first), Some(last), FEW..) = (seen.first(), seen.last(), steps) else {
+        return Outcome::Differs(format!("only {} statuses were received", seen.len()));
+    };
     let total = last.at.saturating_sub(first.at);
-    let mut spans: Vec<f64> = rig
-        .seen
+    let mut spans: Vec<f64> = seen
         .windows(2)
         .map(|it| ms(it[1].at.saturating_sub(it[0].at)))
         .collect();
@@ -53,14 +72,15 @@ pub(crate) fn period(rig: &Rig) -> Outcome {
     let (least, middle, most) = (at(0), at(spans.len() / 2), at(spans.len() - 1));
     let mean_ms = ms(total / steps);
     let found = format!("{mean_ms:.1} ms on average of {steps}, {least:.0} to {most:.0}");
-    let is_period = |ms: f64| (ms - PERIOD_MS).abs() <= TOLERANCE_MS;
+    let is_period = |ms: f64| (ms - period_ms).abs() <= TOLERANCE_MS;
     if is_period(mean_ms) {
         return Outcome::Holds(found);
     }
     // Most of them come in time, and the others by whole periods late: some did not come at all.
-    let due = (ms(total) / PERIOD_MS).round();
+    let due = (ms(total) / period_ms).round();
     let missing = due - f64::from(steps);
-    if is_period(middle) && missing > 0.0 && is_period(ms(total) / due) {
+    let is_usual = (middle - period_ms).abs() <= BEHIND_PERMIT_MS;
+    if is_usual && missing > 0.0 && is_period(ms(total) / due) {
         return Outcome::Unsteady(format!(
             "{missing:.0} of {due:.0} are missing, the others every {middle:.1} ms: lost on the line?"
         ));
@@ -70,8 +90,14 @@ pub(crate) fn period(rig: &Rig) -> Outcome {
 
 /// Whether position and angles agree, over all statuses.
 pub(crate) fn pose(rig: &Rig) -> Outcome {
-    let worst = lenient(&rig.raw)
+    let statuses = lenient(&rig.raw);
+    // The very first one over Bluetooth has angles alone (note N38).
+    let incomplete = statuses
+        .first()
+        .filter(|status| rig.is_bluetooth() && [status.x_mm, status.y_mm, status.z_mm] == [0.0; 3]);
+    let worst = statuses
         .iter()
+        .skip(usize::from(incomplete.is_some()))
         .map(disagreement)
         .fold(0.0_f64, f64::max);
     if rig.seen.is_empty() && worst == 0.0 {
@@ -167,10 +193,13 @@ fn ms(span: Duration) -> f64 {
 /// A stock arm ignores bytes for up to two seconds after its port is opened (note N35).
 const FIRST_STATUS: Duration = Duration::from_secs(5);
 const LISTEN_MS: u64 = 2700;
-/// The smallest number of statuses for a mean.
+/// The smallest number of times between statuses for a mean.
 const FEW: u32 = 10;
 const PERIOD_MS: f64 = PERIOD_S * 1000.0;
 const TOLERANCE_MS: f64 = 2.0;
+/// How late a status may be because the one before it is still on the line: over Bluetooth the message
+/// behind a permit is, by 7.5 ms at 9600 baud.
+const BEHIND_PERMIT_MS: f64 = 10.0;
 /// Note N22, per coordinate; the distance of all three may be a bit more.
 const AGREED: f64 = 0.0174;
 /// The range of the checks around the start.

@@ -8,7 +8,7 @@ use dobot_geometry::Random;
 
 use crate::broken::Broken;
 use crate::delayed::Delayed;
-use crate::{ALL, ON_A_PORT, caught, check, good, speaking, table, untried};
+use crate::{ALL, ON_A_PORT, caught, check, good, good_arms, speaking, table, untried};
 
 const fn ms(ms: u64) -> Duration {
     Duration::from_millis(ms)
@@ -16,9 +16,9 @@ const fn ms(ms: u64) -> Duration {
 
 #[tokio::test]
 async fn all_holds_behind_a_line_of_up_to_250_ms_each_way_and_its_latency_is_reported() {
-    for personality in Personality::ALL {
-        for one_way in (0..=250).step_by(5) {
-            let peer = Delayed::by(speaking(personality), ms(one_way));
+    for one_way in (0..=250).step_by(5) {
+        for arm in good_arms() {
+            let peer = Delayed::by(arm, ms(one_way));
             let report = check(peer, ALL).await;
             assert!(report.conforms(), "{one_way} ms: {}", table(&report));
             assert_eq!(untried(&report), [""; 0]);
@@ -33,9 +33,9 @@ async fn all_holds_behind_a_line_of_up_to_250_ms_each_way_and_its_latency_is_rep
 
 #[tokio::test]
 async fn a_line_that_is_now_fast_and_now_slow_is_waited_for() {
-    for personality in Personality::ALL {
+    for arm in good_arms() {
         let late = [20, 90, 35, 110, 60, 25, 80].map(ms).to_vec();
-        let report = check(Delayed::in_turn(speaking(personality), late), ON_A_PORT).await;
+        let report = check(Delayed::in_turn(arm, late), ON_A_PORT).await;
         assert_eq!(report.differing(), [""; 0], "{}", table(&report));
     }
 }
@@ -99,11 +99,10 @@ fn every_so_often(seed: u64, percent: f64) -> impl FnMut() -> bool + Send {
 
 #[tokio::test]
 async fn a_line_that_loses_commands_makes_no_good_controller_differ() {
-    for personality in Personality::ALL {
-        for seed in 1..=12 {
+    for seed in 1..=12 {
+        for arm in good_arms() {
             let mut lost = every_so_often(seed, 3.0);
-            let broken =
-                Broken::new(speaking(personality)).obeys(move |frame| (!lost()).then_some(frame));
+            let broken = Broken::new(arm).obeys(move |frame| (!lost()).then_some(frame));
             let report = check(broken, ON_A_PORT).await;
             assert_eq!(report.differing(), [""; 0], "{seed}: {}", table(&report));
             assert!(!matches!(report.verdict(), Verdict::Mixed { .. }));
@@ -113,11 +112,11 @@ async fn a_line_that_loses_commands_makes_no_good_controller_differ() {
 
 #[tokio::test]
 async fn a_line_that_loses_statuses_is_reported_and_makes_no_good_controller_differ() {
-    for personality in Personality::ALL {
-        for seed in 1..=12 {
+    for seed in 1..=12 {
+        for arm in good_arms() {
             let mut lost = every_so_often(seed, 2.0);
-            let broken = Broken::new(speaking(personality))
-                .says(move |frame| (!lost()).then(|| frame.to_bytes().to_vec()));
+            let broken =
+                Broken::new(arm).says(move |frame| (!lost()).then(|| frame.to_bytes().to_vec()));
             let report = check(broken, ON_A_PORT).await;
             assert_eq!(report.differing(), [""; 0], "{seed}: {}", table(&report));
         }
@@ -152,9 +151,8 @@ async fn a_pump_that_runs_is_said_to_hinder() {
 
 #[tokio::test]
 async fn whichever_command_gets_lost_no_good_controller_differs_or_loses_its_pose() {
-    for personality in Personality::ALL {
-        for lost in (0..420).step_by(3) {
-            let arm = speaking(personality);
+    for lost in (0..420).step_by(3) {
+        for arm in good_arms() {
             let mut count = 0;
             let broken = Broken::new(arm.clone()).obeys(move |frame| {
                 count += 1;

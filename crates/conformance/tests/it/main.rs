@@ -10,10 +10,10 @@ use std::time::Duration;
 use broken::Broken;
 use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_conformance::{Check, HEADING, Options, Outcome, Report, Suite, Verdict};
-use dobot_controller::{Controller, Personality, PowerUp, STEPS_PER_DEG};
+use dobot_controller::{Controller, Personality, Port, PowerUp, STEPS_PER_DEG};
 use dobot_session::{Link, Peer};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
-use dobot_wire::Frame;
+use dobot_wire::{Frame, Status};
 use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream};
 use tokio::time::{Instant, sleep_until, timeout};
 
@@ -36,6 +36,20 @@ fn arm(power_up: PowerUp) -> InProcess {
 
 fn speaking(personality: Personality) -> InProcess {
     arm(PowerUp::new(personality))
+}
+
+/// A stock arm on its Bluetooth port (note N38).
+fn over_bluetooth() -> InProcess {
+    arm(PowerUp {
+        port: Port::Bluetooth,
+        ..PowerUp::new(Personality::Firmware11)
+    })
+}
+
+/// One arm for each way in which a good controller may behave.
+fn good_arms() -> [InProcess; 3] {
+    let [document, stock] = Personality::ALL.map(speaking);
+    [document, stock, over_bluetooth()]
 }
 
 fn good() -> Broken {
@@ -99,6 +113,102 @@ async fn all_holds_of_the_twin_of_the_stock_controller() {
 }
 
 #[tokio::test]
+async fn all_holds_of_the_bluetooth_port_of_the_twin() {
+    let report = check(over_bluetooth(), ALL).await;
+    assert!(report.is_bluetooth());
+    assert_eq!(report.verdict(), Verdict::Firmware11, "{}", table(&report));
+    assert!(report.conforms(), "{}", table(&report));
+    assert_eq!(untried(&report), [""; 0]);
+    assert!(
+        report
+            .summary()
+            .ends_with("speaks firmware-1.1 over Bluetooth"),
+        "{}",
+        report.summary()
+    );
+}
+
+#[tokio::test]
+async fn a_client_that_joins_between_two_statuses_over_bluetooth_finds_that_all_holds() {
+    // Each tick of the cycle of 160 ms may be the first one.
+    for ticks in 1..=8 {
+        let arm = over_bluetooth();
+        arm.clone()
+            .receive(Duration::from_millis(1000 + 20 * ticks), &mut Vec::new());
+        let report = check(arm, ON_A_PORT).await;
+        assert!(report.conforms(), "{ticks}: {}", table(&report));
+    }
+}
+
+#[tokio::test]
+async fn permits_that_go_on_over_bluetooth_while_six_commands_wait_are_caught() {
+    // A permit is due between two messages; where none came, one is put in.
+    let mut messages = 0;
+    let broken = Broken::new(over_bluetooth()).says(move |frame| {
+        let is_message = frame.float(1) > 500.0;
+        messages = if is_message { messages + 1 } else { 0 };
+        let mut bytes = Vec::new();
+        if messages == 3 {
+            bytes.extend(frame.with(1, frame.float(1) - 1000.0).to_bytes());
+            messages = 1;
+        }
+        bytes.extend(frame.to_bytes());
+        Some(bytes)
+    });
+    caught_over_bluetooth(broken, &["flow-silence"]).await;
+}
+
+#[tokio::test]
+async fn buttons_as_on_usb_are_caught_over_bluetooth() {
+    let broken = Broken::new(over_bluetooth()).obeys(|frame| {
+        let axis = match (frame.float(1), frame.float(2)) {
+            (2.0, axis @ (1.0 | 2.0)) => axis + 2.0,
+            (2.0, axis @ (3.0 | 4.0)) => axis - 2.0,
+            (_, axis) => axis,
+        };
+        Some(frame.with(2, axis))
+    });
+    let report = check(broken, ON_A_PORT).await;
+    assert!(
+        report.differing().contains(&"jog-release"),
+        "{}",
+        table(&report)
+    );
+}
+
+#[tokio::test]
+async fn voice_that_is_ignored_over_bluetooth_is_caught() {
+    let broken = Broken::new(over_bluetooth()).on_receive(|_, bytes| {
+        if bytes.first() == Some(&0xB5) {
+            bytes.clear();
+        }
+    });
+    caught_over_bluetooth(broken, &["voice"]).await;
+}
+
+#[tokio::test]
+async fn messages_without_permits_are_caught_over_bluetooth() {
+    let broken = Broken::new(over_bluetooth()).says(|frame| {
+        let status = Status::parse(&frame).ok()?;
+        let is_message = status.message().is_some();
+        is_message.then(|| frame.to_bytes().to_vec())
+    });
+    let report = check(broken, ON_A_PORT).await;
+    assert!(
+        report.differing().contains(&"status-period"),
+        "{}",
+        table(&report)
+    );
+}
+
+/// The checks that find something wrong with the Bluetooth port, and nothing else.
+async fn caught_over_bluetooth(broken: Broken, ids: &[&str]) {
+    let report = check(broken, ON_A_PORT).await;
+    assert_eq!(report.differing(), ids, "{}", table(&report));
+    assert!(!report.conforms());
+}
+
+#[tokio::test]
 async fn laser_and_traps_are_not_tried_unless_asked_for() {
     let report = check(speaking(Personality::Specification), ON_A_PORT).await;
     let dangerous = ["laser", "limit-jog", "trap-no-length", "trap-state"];
@@ -138,8 +248,7 @@ fn true_position(arm: &InProcess) -> Position {
 
 #[tokio::test]
 async fn the_arm_stays_near_its_start_and_never_goes_below_it() {
-    for personality in Personality::ALL {
-        let arm = speaking(personality);
+    for arm in good_arms() {
         let watched = arm.clone();
         let start = true_position(&arm);
         let peer = Broken::new(arm).says(move |frame| {
@@ -156,8 +265,7 @@ async fn the_arm_stays_near_its_start_and_never_goes_below_it() {
 
 #[tokio::test]
 async fn the_arm_ends_where_it_began() {
-    for personality in Personality::ALL {
-        let arm = speaking(personality);
+    for arm in good_arms() {
         let before = arm.arm().controller().joints_at(Duration::ZERO);
         check(arm.clone(), ON_A_PORT).await;
         let arm = arm.arm();

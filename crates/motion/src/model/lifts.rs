@@ -1,6 +1,8 @@
 //! The JUMP of stock arms: up, across and down, each as a joint move (note N45).
 
-use crate::{ArmPlace, JointMove, Speeds, TrajectoryError};
+use super::segment::{Interpolation, Segment};
+use super::stretched_move::StretchedMove;
+use crate::{ArmPlace, Speeds, TrajectoryError};
 use dobot_arm::{Joints, Limits, Millimeters, Pose, Tool};
 
 /// Lifts by a height at its start, moves to that height above the target, and lowers.
@@ -13,7 +15,7 @@ use dobot_arm::{Joints, Limits, Millimeters, Pose, Tool};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lifts {
-    ways: [JointMove; 3],
+    ways: [StretchedMove; 3],
 }
 
 impl Lifts {
@@ -32,7 +34,7 @@ impl Lifts {
             Limits::STOCK.solve(&pose, tool)
         };
         let corners = [from.joints, above(from.pose)?, above(to)?, end];
-        let way = |index: usize| JointMove::new(corners[index], corners[index + 1], speeds);
+        let way = |index: usize| StretchedMove::new(corners[index], corners[index + 1], speeds);
         Ok(Self {
             ways: [way(0)?, way(1)?, way(2)?],
         })
@@ -51,12 +53,16 @@ impl Lifts {
         }
     }
 
-    /// Returns when each of the three moves ends, in seconds since the start of the first.
-    pub(crate) const fn ends_s(&self) -> [f64; 3] {
-        let [up, across, down] = &self.ways;
-        let above_s = up.duration_s();
-        let across_s = above_s + across.duration_s();
-        [above_s, across_s, across_s + down.duration_s()]
+    /// Returns the three moves as segments.
+    pub(crate) fn segments(&self) -> [Segment; 3] {
+        let mut until_s = 0.0;
+        self.ways.map(|way| {
+            until_s += way.duration_s();
+            Segment {
+                until_s,
+                interpolation: Interpolation::Stretched(way.stretching()),
+            }
+        })
     }
 
     pub(crate) const fn duration_s(&self) -> f64 {

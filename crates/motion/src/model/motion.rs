@@ -4,6 +4,7 @@ use crate::{ArmPlace, JogTrajectory, JointMove, Jump, LineMove, Stroke};
 use dobot_arm::{Degrees, Millimeters, Pose, Tool, Unreachable};
 
 use super::lifts::Lifts;
+use super::stretched_move::StretchedMove;
 
 /// The motion of an arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +12,8 @@ pub(crate) enum Motion {
     /// No motion.
     Rest,
     Joints(JointMove),
+    /// Joints of a stock arm, each with its own ramps.
+    Stretched(StretchedMove),
     /// A line, and the rotation of the tool at its end.
     Line(LineMove, Degrees),
     Jump(Jump),
@@ -33,6 +36,7 @@ impl Motion {
         Some(match self {
             Self::Rest => return None,
             Self::Joints(movement) => Ok(ArmPlace::at_joints(movement.joints_at(t_s), tool)),
+            Self::Stretched(movement) => Ok(ArmPlace::at_joints(movement.joints_at(t_s), tool)),
             Self::Lifts(lifts) => Ok(ArmPlace::at_joints(lifts.joints_at(t_s), tool)),
             Self::Line(line, turned) => {
                 let mut pose = line.pose_at(t_s);
@@ -64,6 +68,7 @@ impl Motion {
         match self {
             Self::Rest => Some(0.0),
             Self::Joints(movement) => Some(movement.duration_s()),
+            Self::Stretched(movement) => Some(movement.duration_s()),
             Self::Line(line, _) => Some(line.duration_s()),
             Self::Jump(jump) => Some(jump.duration_s()),
             Self::Lifts(lifts) => Some(lifts.duration_s()),

@@ -1,6 +1,6 @@
 //! From a command to its trajectory, without any side effect.
 
-use crate::{JointMove, Jump, LineMove};
+use crate::{JointMove, Jump, LineMove, Speeds};
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, forward};
 use dobot_wire::{
     Command, Configuration, Gesture, MouseMove, MoveJoints, MovingMode, Voice, VoiceOrder,
@@ -11,6 +11,7 @@ use super::follow::{follow_hand, follow_mouse};
 use super::lifts::Lifts;
 use super::motion::Motion;
 use super::place::position;
+use super::stretched_move::StretchedMove;
 use super::vector::vector;
 use crate::{ArmPlace, Button, JogTrajectory, Model, Trajectory, TrajectoryError};
 
@@ -74,6 +75,13 @@ impl Target {
             )?),
             MovingMode::Jump => Motion::Jump(Jump::new(from.pose, to.pose, height, &speeds)?),
             MovingMode::MovL => line(model, to.pose)?,
+            MovingMode::MovJ if model.dialect.stretches_joints => {
+                let speeds = Speeds {
+                    servo_deg_s2: speeds.joint_deg_s2,
+                    ..speeds
+                };
+                Motion::Stretched(StretchedMove::new(from.joints, to.joints, &speeds)?)
+            }
             MovingMode::MovJ => Motion::Joints(JointMove::new(from.joints, to.joints, &speeds)?),
         };
         Ok(Trajectory {

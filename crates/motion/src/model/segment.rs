@@ -1,12 +1,13 @@
 //! The interpolation of a trajectory in each of its segments.
 
 use super::motion::Motion;
+use super::stretched_move::Stretching;
 use crate::{JogAxis, Trajectory};
 
-/// The quantities that are interpolated linearly, all with the same timing.
+/// The quantities that are interpolated linearly, all with the same timing unless stated.
 ///
 /// Code that must know every position between two points of a trajectory needs this.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Interpolation {
     /// The tool's position and rotation: a straight line in space.
     Line,
@@ -14,6 +15,8 @@ pub enum Interpolation {
     Around,
     /// All four joint angles.
     Joints,
+    /// All four joint angles, each with timing of its own.
+    Stretched(Stretching),
 }
 
 /// A part of a trajectory.
@@ -40,12 +43,13 @@ impl Trajectory {
         match &self.motion {
             Motion::Rest | Motion::Jog(_) => whole(0.0, Interpolation::Joints),
             Motion::Joints(movement) => whole(movement.duration_s(), Interpolation::Joints),
+            Motion::Stretched(movement) => whole(
+                movement.duration_s(),
+                Interpolation::Stretched(movement.stretching()),
+            ),
             Motion::Stroke { stroke, .. } => whole(stroke.duration_s(), Interpolation::Line),
             Motion::RunDown(jog) => whole(jog.change_s(), interpolation_of(jog.axis())),
-            Motion::Lifts(lifts) => lifts.ends_s().map(|until_s| Segment {
-                until_s,
-                interpolation: Interpolation::Joints,
-            }),
+            Motion::Lifts(lifts) => lifts.segments(),
             Motion::Jump(jump) => {
                 let [up_s, across_s] = jump.corners_s();
                 [up_s, across_s, jump.duration_s()].map(|until_s| Segment {

@@ -18,6 +18,7 @@ mod recordings;
 mod report;
 mod resets;
 mod scenes;
+mod scripts;
 mod session;
 mod traces;
 mod world;

@@ -1,8 +1,11 @@
 //! The text of `docs/fidelity.md`.
 
+use std::fmt::Write as _;
+
 use dobot_sim::{Comparison, Deviation, Trace};
 
 use crate::recordings::{names, recording, twin};
+use crate::scripts;
 
 /// How far the twin is from the stock controller, recording by recording.
 pub(crate) fn report() -> String {
@@ -18,6 +21,10 @@ pub(crate) fn report() -> String {
     );
     for row in &rows {
         text += &row.text();
+    }
+    text += SCRIPTS;
+    for kind in scripts::Kind::ALL {
+        writeln!(text, "{}", scripts::Row::of(kind)).expect("a string takes all");
     }
     text
 }
@@ -150,6 +157,25 @@ allows no difference, and fails if this page is not the output of `cargo run -p 
 const TABLE_HEAD: &str = "\
 | recording | what it shows | statuses | mm | degrees | pulses | outputs | text |
 |---|---|---:|---:|---:|---:|---|---|
+";
+
+const SCRIPTS: &str = "
+## Random scripts
+
+The simulated processor is not part of this project, so random scripts are compared with a second implementation: the motion model
+(`crates/motion`), with which plans and policies predict an arm. It calculates paths in double precision and continuous time, the twin
+in single precision and in ticks. A script has one to six motions within reach, each from rest to rest; the generator is
+`crates/sim/tests/it/scripts.rs`. It matches if every motion
+
+- stays within 0.05 mm of the path of the model, seen in every fourth tick, and ends within 0.01 mm and 0.01° of its end; a jog, for which the
+  model knows no ticks, within two ticks at its speed
+- takes at most 120 ms longer than in the model, and 50 ms less: the rounding of each part to ticks, and the time until it is taken
+
+What the two share cannot show in this comparison: for write vectors, the number of ticks (`TickStroke`). Voice, mouse, gestures, traps and
+commands during a motion are compared with recordings only.
+
+| scripts | match | motions | path, mm | end, mm | end, degrees | jogs, mm | later, ms |
+|---|---:|---:|---:|---:|---:|---:|---:|
 ";
 
 /// What each recording shows.

@@ -1,5 +1,5 @@
 //! `cargo run -p dobot-examples --example fidelity` compares the twin with every recording of the
-//! stock controller.
+//! stock controller, and with the motion model over random scripts.
 //!
 //! With `> docs/fidelity.md`, it updates that file.
 
@@ -7,6 +7,8 @@
 mod recordings;
 #[path = "../../../../crates/sim/tests/it/report.rs"]
 mod report;
+#[path = "../../../../crates/sim/tests/it/scripts.rs"]
+mod scripts;
 
 fn main() {
     print!("{}", report::report());
