@@ -33,7 +33,7 @@
 //!
 //! let start = Model::new(Dialect::SPECIFICATION, &Status::AT_ZERO);
 //! let report = check(&compiled, &Policy::default(), start);
-//! assert!(report.problems.is_empty() && report.steps_s.len() == 6);
+//! assert!(report.problems.is_empty() && report.steps_s.len() == 4);
 //!
 //! let error = Program::from_toml("[[steps]]\ngo = \"there\"").unwrap_err();
 //! assert!(error.to_string().starts_with("line 1: there is no point \"there\""));

@@ -7,7 +7,7 @@ use dobot_api::{Jog, Request};
 use dobot_controller::{Personality, PowerUp};
 use dobot_host::StationClient;
 use dobot_safety::Policy;
-use dobot_wire::{Dialect, JointJog, JointJogAxis};
+use dobot_wire::{JointJog, JointJogAxis};
 
 /// 50 % of 15 degrees/s (table 3.9).
 const SPEED_DEG_S: f32 = 7.5;
