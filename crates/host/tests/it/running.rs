@@ -45,7 +45,7 @@ fn notice(number: u64, news: &Value, text: &str) -> Value {
 }
 
 #[tokio::test]
-async fn a_command_is_over_when_its_own_notice_comes() {
+async fn a_command_is_over_when_its_own_notice_arrives() {
     let (mut remote, mut fake) = pair().await;
     let done = |command| json!({"type": "command_done", "command": command});
     let failed = json!({"type": "command_failed", "command": 8});

@@ -46,7 +46,7 @@ fn sent(it: &mut VirtualStation, target: MoveTo) -> u64 {
 }
 
 #[test]
-fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_it_is_over() {
+fn a_default_pause_of_100_s_is_reported_at_its_start_and_the_command_is_done_at_its_end() {
     let mut it = virtual_station(Personality::Specification);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
     let pauses = |news: &News| matches!(news, News::Pausing { lasts_s: 100.0, .. });
@@ -62,7 +62,7 @@ fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_
 }
 
 #[test]
-fn an_arm_that_ignores_the_default_pause_is_not_said_to_pause() {
+fn no_pause_is_reported_for_an_arm_that_ignores_the_default_pause() {
     let mut it = virtual_station(Personality::Firmware11);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
     assert_eq!(told(&it, |news| matches!(news, News::Pausing { .. })), None);
@@ -72,7 +72,7 @@ fn an_arm_that_ignores_the_default_pause_is_not_said_to_pause() {
 }
 
 #[test]
-fn a_pause_of_its_own_is_told_as_the_commands() {
+fn an_explicit_pause_is_reported_as_that_of_the_command() {
     for personality in [Personality::Specification, Personality::Firmware11] {
         let mut it = virtual_station(personality);
         let pausing = MoveTo {

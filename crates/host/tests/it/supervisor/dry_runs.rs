@@ -130,7 +130,7 @@ proptest! {
 }
 
 #[test]
-fn a_dry_run_starts_where_the_arm_stands() {
+fn a_dry_run_starts_at_the_current_place_of_the_arm() {
     for personality in [Personality::Specification, Personality::Firmware11] {
         let there = compiled("[[steps]]\ngo = { x = 220, y = 60, z = 30 }\npath = \"movj\"");
         let mut arm = UsedArm::new(personality, Policy::default());
