@@ -62,7 +62,7 @@ impl Burning {
 }
 
 #[test]
-fn a_station_that_is_killed_while_it_burns_switches_the_laser_off_first_and_finishes_the_job() {
+fn a_station_killed_while_burning_first_switches_the_laser_off_and_then_finishes_the_job() {
     let mut burning = Burning::new();
     let job = spiral();
     let file = burning.bench.folder().join("job.json");

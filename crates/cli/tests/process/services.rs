@@ -13,7 +13,7 @@ fn service(home: &Path, arguments: &[&str]) -> Command {
 }
 
 #[test]
-fn a_service_is_installed_told_of_and_removed() {
+fn a_service_is_installed_shown_and_removed() {
     let home = tempfile::tempdir().expect("there is room");
     let file = home.path().join(".config/systemd/user/dobot.service");
     let data = home.path().join("the data");

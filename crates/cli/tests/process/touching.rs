@@ -186,7 +186,7 @@ fn tip(status: &Status) -> [f64; 3] {
 }
 
 #[test]
-fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_should() {
+fn an_arm_calibrated_by_a_person_with_the_keys_draws_the_harbour_at_its_place() {
     let folder = tempfile::tempdir().expect("there is room");
     let in_folder = |name: &str| folder.path().join(name).display().to_string();
     let [truth, found] = ["truth.toml", "arm.toml"].map(in_folder);
@@ -238,7 +238,7 @@ fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_shou
 }
 
 #[test]
-fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should() {
+fn an_arm_calibrated_by_the_api_alone_draws_the_harbour_at_its_place() {
     let arm = DrawingArm::new();
     let at = ["--arm", arm.address.as_str(), "--dialect", "specification"];
     let up = Up::with_arm(&at, &[]);

@@ -7,7 +7,7 @@ use crate::alone;
 use crate::support::trouble::{Trouble, is_laser_off, troubled, vector};
 
 #[test]
-fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_says_how_far_it_got() {
+fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_reports_the_progress() {
     let _alone = alone();
     parts(
         Trouble::Signal(Signal::INT),
