@@ -194,7 +194,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
         #[test]
-        fn doubles_hold_what_the_processor_calculates_in_whole_numbers(
+        fn double_precision_matches_the_integer_arithmetic_of_the_processor(
             angle in numbers(-40..8),
             slope in numbers(-40..20),
             cosine in -1.0_f32..=1.0,
@@ -225,7 +225,7 @@ mod tests {
         }
 
         #[test]
-        fn only_what_is_no_number_or_too_large_gives_no_number(bits: u32, more: u32) {
+        fn only_nan_and_overflow_give_nan(bits: u32, more: u32) {
             let (a, b) = (f32::from_bits(bits), f32::from_bits(more));
             let (sin, cos) = sin_cos(a);
             prop_assert_eq!(sin.is_nan(), !a.is_finite(), "sin {}", a);
@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn the_quarters_of_a_turn_are_where_they_belong() {
+    fn the_quarters_of_a_turn_are_exact() {
         for (y, x, expected) in [
             (0.0, 1.0, 0.0),
             (-0.0, 1.0, -0.0),
