@@ -163,7 +163,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn finds_the_same_nearest_item_as_looking_at_all_of_them(
+        fn the_nearest_item_is_that_of_an_exhaustive_search(
             segments in proptest::collection::vec((point(), point()), 1..80),
             removed in proptest::collection::vec(any::<bool>(), 80),
             p in point(),
