@@ -57,7 +57,7 @@ proptest! {
 }
 
 #[test]
-fn names_the_field_on_which_dialects_part() {
+fn names_the_field_in_which_dialects_differ() {
     let jump = MoveTo::to(200.0, 0.0, 0.0);
     assert_eq!(Command::from(jump).dialect_dependent(), None);
     let line = MoveTo {

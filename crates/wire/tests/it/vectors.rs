@@ -7,7 +7,7 @@ use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::Deserialize;
 
 #[test]
-fn every_vector_means_what_it_says() {
+fn every_vector_has_the_stated_meaning() {
     let vectors = vectors();
     assert!(vectors.len() > 70, "only {} vectors", vectors.len());
     for vector in &vectors {
