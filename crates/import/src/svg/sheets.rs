@@ -204,7 +204,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn whatever_stands_in_a_style_is_read(parts in prop::collection::vec(prop::sample::select(&PARTS[..]), 0..40)) {
+        fn any_text_in_a_style_is_read(parts in prop::collection::vec(prop::sample::select(&PARTS[..]), 0..40)) {
             let css = parts.concat();
             let mut variables = Variables::new();
             variables.read(&css);
