@@ -14,7 +14,7 @@ use tokio_tungstenite::tungstenite::protocol::CloseFrame;
 use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
 use tokio_tungstenite::{WebSocketStream, accept_hdr_async};
 
-/// A station that sends what a test wants.
+/// A station that sends the messages of a test.
 pub(crate) struct Fake<S = TcpStream>(WebSocketStream<S>);
 
 impl<S: AsyncRead + AsyncWrite + Unpin> Fake<S> {
@@ -255,7 +255,7 @@ async fn without_a_listener_there_is_no_station() {
     assert!(error.hint().unwrap().contains("dobot up"));
 }
 
-/// Answers one question over HTTP, whatever it is.
+/// Answers any one request over HTTP.
 async fn answer(listener: TcpListener, answer: String) -> String {
     let (mut stream, _) = listener.accept().await.unwrap();
     let mut question = vec![0; 2000];
