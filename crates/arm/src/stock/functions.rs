@@ -345,7 +345,7 @@ mod tests {
             coefficients.fold(first, |so_far, it| sum(product(so_far, x), it))
         }
 
-        /// Of the first 24 digits of each. What is behind the 32nd is lost, but for the last step.
+        /// Of the first 24 digits of each. Digits after the 32nd are lost, except in the last step.
         fn product(a: Wide, b: Wide) -> Wide {
             let digits = (a.mantissa >> 8) * (b.mantissa >> 8);
             let shift = i32::from(digits != 0 && digits >> 47 == 0);
@@ -375,7 +375,7 @@ mod tests {
             if large.is_negative == small.is_negative {
                 digits += (shifted << 8) | u64::from(is_cut);
             } else {
-                // Whatever is left over stands for almost a digit.
+                // Any remainder is worth almost a digit.
                 digits -= (shifted << 8) + u64::from(is_cut);
             }
             while digits >> 40 != 0 {

@@ -41,7 +41,7 @@ fn the_stock_inverse_gives_the_angles_that_the_real_arm_was_sent_to() {
             (got.rear_deg, stretched.rear_deg),
             (got.fore_deg, stretched.fore_deg),
         ] {
-            // A position to 5 decimals in single precision tells an angle to about 1e-4 degrees.
+            // A position to 5 decimals in single precision determines an angle to about 1e-4 degrees.
             let off_deg = (got - expected).abs();
             assert!(
                 off_deg <= 2e-4,

@@ -63,7 +63,7 @@ fn recorded_angles_follow_from_their_places_to_the_last_digit() {
     }
 }
 
-/// As a jump to base 25, rear 35, fore 50 ended: what it calculates first is the place.
+/// As a jump to base 25, rear 35, fore 50 ended: it calculates the place first.
 #[test]
 fn angles_are_not_exactly_recovered_from_their_place() {
     let joints = StockJoints {
@@ -79,7 +79,7 @@ fn angles_are_not_exactly_recovered_from_their_place() {
     );
 }
 
-/// As the arm believed to stand that was powered up at these angles.
+/// The pose that the arm assumed after it was powered up at these angles.
 #[test]
 fn sensors_report_angles_in_steps() {
     assert_eq!(sensed(45.0), 45.0);
