@@ -187,7 +187,7 @@ mod tests {
         HoldToRun::new(keys, DEAD_MAN)
     }
 
-    /// All that is said until a time, with when.
+    /// All actions until a time, with their times.
     fn said(it: &mut HoldToRun<char, u8>, from: u64, until: u64) -> Vec<(u64, Beat<u8>)> {
         (from..=until)
             .flat_map(|now| {

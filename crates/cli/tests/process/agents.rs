@@ -13,7 +13,7 @@ use crate::support::running_process::RunningProcess;
 use crate::support::up::Up;
 use crate::support::wire::Passed;
 
-/// A station whose arm is at the end of a wire that tells what passes it.
+/// A station whose arm is at the end of a wire that records its packets.
 pub(crate) struct Desk {
     pub(crate) up: Up,
     arm: WiredArm,
@@ -66,14 +66,14 @@ impl Agent {
         self.0.call_tool(params).await.expect("it answers")
     }
 
-    /// What a tool answers that does what it is asked for.
+    /// The answer of a tool that succeeds.
     #[track_caller]
     pub(crate) fn done(result: CallToolResult) -> Value {
         assert_eq!(result.is_error, Some(false), "{result:?}");
         result.structured_content.expect("it is structured")
     }
 
-    /// What a tool answers that refuses.
+    /// The answer of a tool that refuses.
     #[track_caller]
     pub(crate) fn refused(result: CallToolResult, kind: &str) -> Value {
         assert_eq!(result.is_error, Some(true), "{result:?}");
@@ -387,13 +387,13 @@ async fn an_agent_resumes_only_jobs_that_it_paused_itself() {
         .fails(1, &["change the pen"]);
     desk.got();
     refused(2, "another client queued it").await;
-    // And one of its own that waits for a person.
+    // And its own one that waits for a person.
     let run = json!({"program": {"text": text}, "wait_s": 600});
     let waits = Agent::done(agent.call("run_program", run).await);
     assert_eq!(waits["job"]["waits_for_person"], true, "{waits}");
     desk.got();
     refused(3, "it waits for a person").await;
-    // A script cannot, either; an administrator who says so can.
+    // A script cannot, either; an administrator can on request.
     let start = ["jobs", "start", "3"];
     desk.up
         .dobot(&start)

@@ -29,7 +29,7 @@ fn both_directions_of_a_captured_connection_are_shown_with_their_times() {
 }
 
 /// A connection made by hand: one command comes in the wrong order and partly twice, the sequence
-/// numbers begin anew, and 10 bytes of the statuses are lost.
+/// numbers start again, and 10 bytes of the statuses are lost.
 #[test]
 fn a_captured_connection_is_put_in_order_and_its_gaps_are_reported() {
     for name in ["awkward.pcapng", "raw.pcap", "null-big-endian.pcap"] {

@@ -5,7 +5,7 @@ use std::net::TcpListener;
 
 use crate::support::program::{Outcome, command, dobot};
 
-/// Runs `dobot conformance` in a folder of its own.
+/// Runs `dobot conformance` in its own folder.
 fn conformance(arguments: &[&str]) -> (Outcome, tempfile::TempDir) {
     let folder = tempfile::tempdir().expect("there is room");
     let output = command(&[&["conformance"], arguments].concat())

@@ -164,7 +164,7 @@ pub(crate) fn sample(name: &str) -> String {
 }
 
 /// The samples hold the same command and the same status of a real arm, as the tools print them; three
-/// of them behind 96 zeros.
+/// of them after 96 zeros.
 #[test]
 fn the_output_of_the_usual_tools_is_read() {
     for (name, format, zeros) in [
@@ -218,7 +218,7 @@ fn the_directions_and_times_of_socat_are_kept() {
     );
     assert_eq!(json[0]["direction"], ">");
     assert_eq!(json[1]["at"], "2026/11/22 11:58:00.000097146");
-    // With -v there is text behind the digits.
+    // With -v there is text after the digits.
     let verbose = dobot(&["decode", &sample("socat-v.txt")]).succeeds();
     assert_eq!(verbose.stdout.lines().count(), 2, "{verbose:?}");
 }

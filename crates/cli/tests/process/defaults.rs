@@ -99,7 +99,7 @@ fn the_command_line_wins_over_the_file() {
         given["defaults"]["unused"],
         json!([{"option": "pen", "why": why}])
     );
-    // What a person asks for may need what stands in the file.
+    // A requested option may need one from the file.
     let laser = Desk::with("laser = \"felt-cut\"\n");
     laser.draw(&[&square, "--kerf", "0.2"]).succeeds();
 }

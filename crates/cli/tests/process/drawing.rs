@@ -423,7 +423,7 @@ fn an_option_that_does_not_fit_the_source_is_refused() {
         let named = format!("error: {} is for ", option[0]);
         assert!(refused.stderr.starts_with(&named), "{}", refused.stderr);
     }
-    // A material has a spacing and passes of its own.
+    // A material has its own spacing and passes.
     let burn = ["--laser", "plywood-engrave", "--dry-run"];
     dobot(&[&["draw"], photo, &["--spacing", "4"], &burn].concat()).succeeds();
     dobot(&[&["draw"], text, &["--hatch"], &burn].concat()).succeeds();

@@ -10,7 +10,7 @@ use crate::support::running_process::RunningProcess;
 use crate::support::spiral::{LASER_OFF, burns, spiral};
 use crate::support::wire::Passed;
 
-/// An arm, and what it has burnt.
+/// An arm and its burned lines.
 struct Burning {
     bench: Bench,
     burnt: Vec<Command>,
@@ -53,7 +53,7 @@ impl Burning {
         }
     }
 
-    /// A person has looked at the arm, and has the job go on.
+    /// A person has checked the arm and resumes the job.
     fn start(&self) -> RunningProcess {
         self.bench.confirm();
         self.bench

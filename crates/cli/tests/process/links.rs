@@ -77,7 +77,7 @@ fn without_consent_a_real_arm_neither_moves_nor_burns() {
     let seen = dobot(&[&["status", "--count", "1", "--json"][..], &to].concat()).succeeds();
     let seen: serde_json::Value = serde_json::from_str(&seen.stdout).expect("it is JSON");
     assert_eq!(seen["rear_deg"], 45.0, "it stands as it was switched on");
-    // A virtual arm in the process harms nobody.
+    // A virtual arm in the process is harmless.
     dobot(&[&burn[..], &["plywood-engrave", "--to", "virtual:"]].concat()).succeeds();
 }
 
@@ -226,7 +226,7 @@ fn peer(act: impl Fn(TcpStream) + Send + 'static) -> String {
 }
 
 /// Rear arm upright, forearm level.
-/// An arm that stands with rear arm and forearm at 45 degrees: 135 sin 45 + 160 cos 45 + 55.07.
+/// An arm at rest with rear arm and forearm at 45 degrees: 135 sin 45 + 160 cos 45 + 55.07.
 fn status() -> Vec<u8> {
     let floats: [f32; 10] = [263.6665, 0.0, -17.6777, 0.0, 0.0, 45.0, 45.0, 0.0, 0.0, 0.0];
     let body = floats.iter().flat_map(|float| float.to_le_bytes());
@@ -284,7 +284,7 @@ fn an_arm_that_goes_silent_before_a_drawing_still_gets_laser_off() {
 #[test]
 fn a_peer_that_closes_during_a_drawing_is_reported_with_the_progress() {
     let address = peer(|mut stream| {
-        // A permit, the command for it, and no more.
+        // One permit, its command, and nothing else.
         stream.write_all(&status()).expect("it is open");
         stream.read_exact(&mut [0; 42]).expect("it is open");
     });

@@ -17,7 +17,7 @@ fn up(arguments: &[&str]) -> (Command, TempDir) {
     (command_at(folder.path(), &arguments), folder)
 }
 
-/// Stops the arm, ends the station, and tells what it logged from then on.
+/// Stops the arm, ends the station, and returns its log from then on.
 fn stopped_and_ended(station: RunningProcess, folder: &TempDir, mut errors: impl Read) -> String {
     run(&mut command_at(folder.path(), &["stop"]), b"").succeeds();
     assert_eq!(station.interrupt(), Some(0));
@@ -40,7 +40,9 @@ fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
         panic!("{started} is not one line");
     };
     assert_eq!(started["level"], "INFO");
-    let page = started["page"].as_str().expect("it says where the page is");
+    let page = started["page"]
+        .as_str()
+        .expect("the log has the address of the page");
     assert!(page.starts_with("http://127.0.0.1:"), "{started}");
 
     let log = stopped_and_ended(station, &folder, errors);
@@ -85,7 +87,7 @@ fn a_service_that_cannot_start_logs_the_cause_and_the_remedy() {
     let outcome = run(&mut up, b"");
     assert_eq!(outcome.code, Some(1), "{outcome:?}");
     let events = events(&outcome.stderr);
-    let last = events.last().expect("it says why");
+    let last = events.last().expect("the log has the reason");
     assert_eq!(last["level"], "ERROR");
     let field_of = |field: &str| last[field].as_str().unwrap_or_default().to_owned();
     assert!(field_of("message").contains("nowhere.toml"), "{last}");

@@ -145,13 +145,13 @@ fn every_example_has_the_predicted_duration() {
     for file in files.filter(|it| it.extension().is_some_and(|it| it == "toml")) {
         for dialect in ["specification", "firmware-1.1"] {
             let file = file.to_str().expect("the path is text");
-            // A drawing on each sheet would go on until a person ends it.
+            // A drawing on each sheet would continue until a person ends it.
             let endless = ["--times", "3"].repeat(usize::from(file.ends_with("drawing.toml")));
             let play = ["play", file, "--to", "virtual:", "--dialect", dialect];
             let play = [&play[..], &endless].concat();
             let predicted = number(&json(&[&play[..], &["--dry-run"]].concat())["total_s"]);
             let took_s = number(&json(&play)["took_s"]);
-            // It depends on when a person comes, how long it takes until a status permits to go on.
+            // The time until a status permits the next command depends on the person.
             let waits_s = if endless.is_empty() {
                 0.0
             } else {

@@ -6,7 +6,7 @@ use tempfile::TempDir;
 
 use crate::support::program::{Outcome, dobot};
 
-/// A policy file that says this, and its folder.
+/// A policy file with this text, and its folder.
 fn file(text: &str) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("policy.toml");

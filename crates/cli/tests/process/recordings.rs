@@ -132,7 +132,7 @@ fn a_part_of_a_recording_is_chosen_by_time_and_topic() {
 fn a_truncated_file_is_listed_up_to_its_end() {
     let (_folder, file) = recording();
     let bytes = std::fs::read(&file).expect("it is there");
-    // Into the index behind everything that happened.
+    // Into the index after all events.
     std::fs::write(&file, &bytes[..bytes.len() - 20]).expect("there is room");
     let outcome = dobot(&["log", text(&file)]).succeeds();
     assert!(outcome.stdout.contains("stopped"), "{outcome:?}");
@@ -206,7 +206,7 @@ fn replayed(file: &Path, bytes: &[u8]) -> (Outcome, Vec<u8>) {
     .expect("the program starts");
     let mut output = BufReader::new(child.stdout.take().expect("it is piped"));
     let mut line = String::new();
-    output.read_line(&mut line).expect("it says where it is");
+    output.read_line(&mut line).expect("it prints its address");
     let address = line
         .split_whitespace()
         .next()
@@ -266,7 +266,7 @@ pub(crate) fn export_tables(form: &str) {
     assert!(outcome.stdout.contains("3 statuses"), "{outcome:?}");
     assert!(outcome.stdout.contains("3 commands"), "{outcome:?}");
     assert!(out(&format!("run.commands.{form}")).exists());
-    // What is there is kept, unless it is said otherwise.
+    // Existing files are kept by default.
     std::fs::write(&statuses, "mine").expect("there is room");
     dobot(&export).fails(1, &["exists", "hint: overwrite it with `--force`"]);
     assert_eq!(std::fs::read(&statuses).expect("it is there"), b"mine");

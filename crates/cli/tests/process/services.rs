@@ -45,7 +45,7 @@ fn a_service_is_installed_shown_and_removed() {
     run(&mut service(home.path(), &["remove"]), b"").fails(1, &["no service", "service install"]);
 }
 
-/// What systemd itself says of it, where it is there.
+/// The verdict of systemd, if it is installed.
 fn verify(file: &Path) {
     let verified = Command::new("systemd-analyze")
         .args(["verify", "--user"])

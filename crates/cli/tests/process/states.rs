@@ -89,7 +89,7 @@ fn words_become_a_straight_line_for_a_stock_arm_over_usb() {
     // By the specification's reading, MOVL of a stock arm is MOVJ.
     let is_up = |it: &&Command| match it {
         Command::MoveTo(MoveTo { z_mm, mode, .. }) => {
-            // It stands with both arms at 45 degrees, at -17.68 mm.
+            // It rests with both arms at 45 degrees, at -17.68 mm.
             (*z_mm + 17.678 - 12.0).abs() < 0.01 && *mode != MovingMode::Jump
         }
         _ => false,

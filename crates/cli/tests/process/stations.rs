@@ -22,7 +22,7 @@ fn verbs_use_the_running_station_and_others_use_none() {
     let up = Up::new(&[]);
     let moved = up.json(&["move", "220", "-30", "20"]);
     assert!(near(&moved["x_mm"], 220.0), "{moved}");
-    // Another process sees where the arm is; an arm of its own stands elsewhere.
+    // Another process sees the place of the arm; its own arm would be elsewhere.
     let seen = up.json(&["status", "--count", "1"]);
     assert!(near(&seen["y_mm"], -30.0), "{seen}");
     let own = up.json(&["status", "--to", "virtual:"]);
@@ -150,7 +150,8 @@ fn a_person_takes_control_from_a_raw_client_by_a_verb() {
     // Its first packet takes control.
     let suction: Command = JointJog::new(JointJogAxis::SuctionOn, 0.0).into();
     let suction = suction.emit(&Dialect::SPECIFICATION);
-    raw.write_all(&suction.to_bytes()).expect("it is heard");
+    raw.write_all(&suction.to_bytes())
+        .expect("the station reads it");
     raw.read_exact(&mut packet).expect("a status comes");
     // It cannot be asked for it.
     up.dobot(&["move", "220", "0", "20"]).succeeds();
@@ -218,7 +219,7 @@ fn an_unarmed_laser_is_reported_before_anything_is_queued() {
         .fails(1, &["the laser is disarmed", "--arm-laser SECONDS"]);
     assert_eq!(up.json(&["jobs"]), Value::Array(Vec::new()));
     let burned = up.dobot(&[&burn[..], &["--arm-laser", "600"]].concat());
-    // No status tells where the laser was on.
+    // No status shows where the laser was on.
     let output = burned.succeeds().stdout;
     assert!(
         output.contains("largest deviation  not measured"),
@@ -417,7 +418,7 @@ fn a_stop_and_its_reason_hold_at_the_next_start() {
     let mut up = Up::new(&[]);
     up.dobot(&["stop", "--reason", "finger caught"]).succeeds();
     let kept = up.folder.path().join("stop.toml");
-    // It is kept behind the packets, by another thread.
+    // Another thread saves it, after the packets.
     while !std::fs::read_to_string(&kept).is_ok_and(|it| it.contains("finger caught")) {
         std::thread::yield_now();
     }

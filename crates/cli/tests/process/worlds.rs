@@ -1,4 +1,4 @@
-//! An arm in a world, and what is told of it.
+//! An arm in a world, and its reports.
 
 use std::io::BufReader;
 use std::net::TcpListener;
@@ -9,11 +9,11 @@ use crate::support::arm::FAST;
 use crate::support::program::{command, dobot};
 use crate::support::running_process::{RunningProcess, line_with};
 
-/// `dobot arm --world` as a process of its own; it ends with the test.
+/// `dobot arm --world` as a separate process; it ends with the test.
 struct Inhabited {
     _served: RunningProcess,
     told: BufReader<ChildStderr>,
-    /// Where the arm is, and where its world is told.
+    /// The addresses of the arm and of its world.
     arm: String,
     world: String,
 }
@@ -48,7 +48,7 @@ impl Inhabited {
         serde_json::from_str(&outcome.stdout).expect("it is JSON")
     }
 
-    /// Waits until it tells something.
+    /// Waits for its first report.
     fn wait_for(&mut self, part: &str) {
         line_with(part, &mut self.told);
     }

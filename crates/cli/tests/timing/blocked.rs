@@ -20,7 +20,7 @@ fn station(bench: &Bench, format: &str) -> (RunningProcess, PipeReader, String) 
     let mut command = bench.up(&["--log-format", format]);
     command.env("RUST_LOG", "debug");
     let (station, errors) = RunningProcess::with_full_errors(command);
-    // Where it is does not stand on standard output with every format.
+    // Not every format has its address on standard output.
     let file = bench.folder().join("station.toml");
     let page = loop {
         let text = std::fs::read_to_string(&file).unwrap_or_default();
@@ -46,7 +46,7 @@ fn delay_until(bench: &Bench, at: Instant, wanted: &[Command]) -> Duration {
     }
 }
 
-/// Creates a FIFO in the data folder. Opening it for writing blocks, because nobody reads it.
+/// Creates a FIFO in the data folder. Opening it for writing blocks, because it has no reader.
 fn unread_pipe(bench: &Bench, name: &str) {
     let mode = rustix::fs::Mode::from_bits_truncate(0o600);
     let file = bench.folder().join(name);

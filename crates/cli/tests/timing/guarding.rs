@@ -20,7 +20,7 @@ pub(crate) const JOINT_RELEASE: Command =
     Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0));
 const LINEAR_RELEASE: Command = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
 
-/// An arm behind a wire and a place for its station, while nothing else runs.
+/// An arm at the end of a wire and a place for its station, while nothing else runs.
 pub(crate) struct Bench {
     bench: bench::Bench,
     _alone: MutexGuard<'static, ()>,
@@ -43,14 +43,14 @@ impl Bench {
         }
     }
 
-    /// A station that may move its arm, and what it prints on standard error.
+    /// A station that may move its arm, and its standard error.
     fn station(&self) -> (RunningProcess, impl BufRead + use<>) {
         let station = self.station_with_errors();
         self.confirm();
         station
     }
 
-    /// Somebody holds a button, and the arm moves.
+    /// A person holds a button, and the arm moves.
     pub(crate) fn jog(&self, button: &str) -> RunningProcess {
         let holder = self.spawn(&["jog", button, "--for", "60"]);
         self.wait_for_jog();
@@ -71,8 +71,8 @@ impl Bench {
         }
     }
 
-    /// The commands until the arm told the same place ten times, or the wire is closed; and when it
-    /// told that place first.
+    /// The commands until the arm reported the same place ten times, or the wire is closed; and when it
+    /// reported that place first.
     fn until_at_rest(&self) -> (Vec<(Instant, Command)>, Instant) {
         let (mut commands, mut last, mut still) = (Vec::new(), None, 0);
         let mut since = Instant::now();
@@ -105,7 +105,7 @@ impl Bench {
         status["base_deg"].as_f64().expect("a number")
     }
 
-    /// The watchdog said it within 0.4 s, both things, three times at least.
+    /// The watchdog sent both packets within 0.4 s, at least three times.
     #[track_caller]
     pub(crate) fn check_words(&self, at: Instant, release: Command) {
         let (commands, rests) = self.until_at_rest();
@@ -249,10 +249,10 @@ fn an_arm_whose_station_is_frozen_is_released_and_the_station_reports_it_when_it
     signal(&station, Signal::CONT);
     line_with("the station hung for", &mut errors);
     line_with("the station was silent for", &mut errors);
-    // What it says first is laser off; it does not take up the jog where it was.
+    // Its first packet is laser off; it does not resume the jog.
     let first = loop {
         match bench.command() {
-            // Once more by the watchdog, which goes on until it hears the arm or the station.
+            // Once more by the watchdog, which continues until it receives a byte of the arm or the station.
             (_, JOINT_RELEASE) => {}
             (at, command) if at > on => break command,
             // The watchdog's last words may still be on the wire.

@@ -278,7 +278,7 @@ mod tests {
         it
     }
 
-    /// The tip stands on a point of the sheet.
+    /// The tip is on a point of the sheet.
     fn on([x, y]: [f64; 2]) -> State {
         at(Position::new(x, y, -40.0))
     }

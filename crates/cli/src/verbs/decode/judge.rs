@@ -475,6 +475,6 @@ mod tests {
         0.0,
     ];
     const MOVE: [f32; 10] = [3.0, 0.0, 200.0, -50.0, 20.0, 15.0, 0.0, 0.0, 0.0, 0.0];
-    /// With a moving mode that nobody knows.
+    /// With an unknown moving mode.
     const BAD_MOVE: [f32; 10] = [3.0, 0.0, 200.0, -50.0, 20.0, 15.0, 0.0, 7.0, 0.0, 0.0];
 }

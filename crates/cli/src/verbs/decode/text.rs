@@ -57,7 +57,7 @@ fn hex_bytes(digits: &str) -> Option<Vec<u8>> {
 mod tests {
     use super::*;
 
-    /// What is read from a text in one direction.
+    /// The content of a text in one direction.
     fn bytes(text: &str) -> Result<Vec<u8>, String> {
         let input = read(text).map_err(|error| error.to_string())?;
         let [stream] = &input.streams[..] else {
