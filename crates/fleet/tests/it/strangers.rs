@@ -194,7 +194,7 @@ async fn a_thousand_fake_stations_prevent_no_request_and_no_stop() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let stranger = stranger_who_sees("desk-2", &at).await;
-    // Among them one with the name of desk-2, signed by nobody.
+    // Among them one with the name of desk-2, without a signature.
     let fakes = (0..1000)
         .map(|number| format!("fake-{number}"))
         .chain(["desk-2".into()]);

@@ -305,7 +305,7 @@ async fn if_one_station_refuses_its_part_no_arm_moves() {
 }
 
 impl Desk {
-    /// A person at the arm has done what a job waits for, and starts it.
+    /// A person at the arm has finished the requested work and starts the job.
     async fn start(&self, job: u64) {
         let (status, lease) = self.ask("POST", "/api/v1/lease", None).await;
         assert_eq!(status, 200, "{lease}");
