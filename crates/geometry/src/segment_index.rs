@@ -184,7 +184,7 @@ mod tests {
             for near in 0..=u32::try_from(segments.len()).unwrap_or(0) {
                 let found = index.nearest_from(near, p, 0.0).map(|found| found.1.sqrt());
                 let best = best.map(|found| found.1.sqrt());
-                // If a box ends exactly at the nearest point, rounding may exclude the item behind
+                // If a box ends exactly at the nearest point, rounding may exclude the item after it
                 // it.
                 let same = found.zip(best).is_none_or(|(found, best)| (found - best).abs() < 1e-6);
                 prop_assert!(same && found.is_some() == best.is_some(), "{found:?}, not {best:?}");
