@@ -36,7 +36,7 @@ fn port(path: &Path) -> Port {
     }
 }
 
-/// An arm behind a virtual serial port.
+/// An arm at a virtual serial port.
 fn arm(faults: &[&str]) -> (JoinHandle<()>, Port) {
     let faults: Vec<Fault> = faults
         .iter()

@@ -8,7 +8,7 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::{WebSocketStream, accept_async};
 
-/// A station that sends what a test wants.
+/// A station that sends the packets of a test.
 struct Fake(WebSocketStream<TcpStream>);
 
 impl Fake {

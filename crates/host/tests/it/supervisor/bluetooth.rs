@@ -12,7 +12,7 @@ use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, VOICE_HEADER, Voice};
 use super::releases::{buttons, check_moved, frame, hold, joint, places, released};
 use crate::cases::commands::{target, vector};
 
-/// A station with a stock arm whose Bluetooth port is served, heard from its first status on.
+/// A station with a stock arm whose Bluetooth port is served, received from its first status on.
 fn virtual_station() -> (VirtualStation, ClientId) {
     let power_up = PowerUp {
         port: Port::Bluetooth,

@@ -1,4 +1,4 @@
-//! Laser drawings: what is burned, and what is not while a job rests.
+//! Laser drawings: the burned lines, and nothing burned while a job is paused.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! Dry runs: what they say of a program, and what the arm then does.
+//! Dry runs: their predictions for a program, and the motion of the arm.
 
 use std::time::Duration;
 

@@ -51,7 +51,7 @@ fn y_mm(it: &VirtualStation) -> f32 {
     it.supervisor()
         .state()
         .arm
-        .expect("the arm tells")
+        .expect("the arm reports its state")
         .status
         .y_mm
 }
@@ -78,7 +78,7 @@ fn a_press_while_the_arm_coasts_takes_effect_at_rest_if_it_is_still_held() {
         let acts = acts.unwrap_or_else(|| panic!("{personality}: {told:?}"));
         assert!(
             told[acts..].iter().all(|(_, button)| button.is_some()),
-            "{personality}: nothing lets go of it: {told:?}"
+            "{personality}: it is not released: {told:?}"
         );
         assert_eq!(refusals(&it), 0, "{personality}");
     }
@@ -201,7 +201,7 @@ fn after_a_dead_man_timeout_a_new_press_is_needed() {
             told.iter().all(|(_, it)| it.is_none()),
             "{personality}: {told:?}"
         );
-        assert_eq!(refusals(&it), 1, "{personality}: it is told once");
+        assert_eq!(refusals(&it), 1, "{personality}: it is reported once");
         it.ask(anna, Request::Release).unwrap();
         hold(&mut it, anna, jog, Duration::from_millis(500));
         assert!(pressed(&it, before).iter().any(|(_, it)| it.is_some()));
@@ -225,7 +225,7 @@ fn at_a_limit_the_button_is_released_once_and_the_limit_stays_the_reason() {
                 "{personality}: {reason}"
             );
         }
-        assert_eq!(refusals(&it), 1, "{personality}: it is told once");
+        assert_eq!(refusals(&it), 1, "{personality}: it is reported once");
         let told = pressed(&it, 0);
         let released = told.iter().position(|(_, it)| it.is_none()).unwrap();
         assert!(
@@ -400,7 +400,7 @@ fn random_presses_never_cause_unrequested_motion_and_no_long_press_is_lost() {
             it.arm().mechanics().joints_at(it.now()),
             "seed {seed}: it rests"
         );
-        // Behind all that a press that lasts acts.
+        // After all that a long press takes effect.
         let from = it.packets().len();
         let jog = joint(JointJogAxis::BasePlus);
         let back = joint(JointJogAxis::BaseMinus);

@@ -166,7 +166,7 @@ fn a_height_below_the_table_is_refused_at_once_and_the_job_continues() {
     );
 }
 
-/// Draws with whatever a person does, and is killed in between.
+/// Draws during any actions of a person, and is killed in between.
 fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
     let planned = pen_job(personality, &[(spiral(), None)]);
     let (mut it, mut anna, job) = started(personality, &planned);
@@ -199,7 +199,7 @@ fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
 
 #[test]
 fn a_height_applies_until_the_journal_is_past_it() {
-    // The second crash comes before the journal has heard how far the job got after the first: the
+    // The second crash comes before the journal has recorded how far the job got after the first: the
     // place is looked for from before the first change of height, and the arm rests below the plan.
     draw_and_kill(
         Personality::Firmware11,
@@ -235,7 +235,7 @@ fn the_slowest_drawing_is_resumed_after_a_crash() {
     }
 }
 
-/// Whatever the height, each vector that draws was sent once, in its turn.
+/// At any height, each drawing vector was sent once, in order.
 fn assert_sent_once(it: &VirtualStation, personality: Personality, planned: &NewJob) {
     let drawing = |command: Command| match command {
         // The rounding error of a lift draws nothing.

@@ -36,12 +36,12 @@ fn y_mm(it: &VirtualStation) -> f32 {
     it.supervisor()
         .state()
         .arm
-        .expect("the arm tells")
+        .expect("the arm reports its state")
         .status
         .y_mm
 }
 
-/// Whether the arm stands where it stood a while before.
+/// Whether the arm is where it was a while ago.
 fn rests(it: &mut VirtualStation) -> bool {
     it.run_for(Duration::from_secs(3));
     let before = y_mm(it);

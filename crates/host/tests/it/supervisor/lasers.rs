@@ -189,7 +189,7 @@ fn a_stop_keeps_its_time_in_a_motion_of_a_detection_that_ended() {
             assert_eq!(
                 it.arm().controller().steps(),
                 place,
-                "{personality}: it rests, {after:?} behind"
+                "{personality}: it is at rest {after:?} after it"
             );
         }
     }

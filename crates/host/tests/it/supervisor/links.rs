@@ -189,7 +189,7 @@ fn status() -> [u8; 42] {
     let power_up = PowerUp::new(Personality::Firmware11);
     let mut controller = Controller::power_up(power_up);
     controller.handle_time(Duration::from_millis(100));
-    controller.poll_bytes().expect("it tells").bytes
+    controller.poll_bytes().expect("it reports its state").bytes
 }
 
 #[test]
@@ -361,7 +361,7 @@ fn the_assumed_arm_at_a_port_is_reported() {
 }
 
 #[test]
-fn a_client_that_sends_big_endian_floats_is_told_about_it() {
+fn big_endian_floats_of_a_client_are_reported() {
     let mut supervisor = Supervisor::new(Policy::default(), Some(Dialect::SPECIFICATION));
     let program = supervisor.handle_client(Duration::ZERO, "program", Role::Control, "program");
     let mut bytes = LASER_OFF.emit(&Dialect::SPECIFICATION).to_bytes();

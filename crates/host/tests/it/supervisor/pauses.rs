@@ -206,7 +206,7 @@ fn the_time_that_is_left_gets_less_to_the_end() {
 fn a_job_moved_away_by_hand_while_its_place_is_unclear_is_not_resumed() {
     let (mut it, _, job, _) = drawing();
     it.crash(Duration::from_millis(200)).unwrap();
-    // Somebody pushes the arm: it rests where no command ends.
+    // A person pushes the arm: it rests where no command ends.
     let away = spiral(1).commands[2];
     let moved = Command::MoveTo(dobot_wire::MoveTo {
         x_mm: 200.0,

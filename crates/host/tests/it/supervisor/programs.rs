@@ -45,7 +45,7 @@ fn a_program_of_the_pydobot_family_keeps_its_jump_height_and_learns_what_was_cha
     assert_eq!(sent.len(), 2, "{sent:?}");
     assert_eq!(sent[0].float(10), 50.0, "the height of a JUMP");
     assert_eq!(sent[0].float(3), 200.0);
-    assert_eq!(sent[1].float(5), 100.0, "what is in force");
+    assert_eq!(sent[1].float(5), 100.0, "the value in force");
     // The result of both is the policy's ceiling.
     let policy = it.supervisor().policy();
     let line_mm_s = f64::from(sent[0].float(7)) * f64::from(sent[1].float(3)) / 100.0;

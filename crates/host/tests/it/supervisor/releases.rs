@@ -16,7 +16,7 @@ use dobot_wire::{
 
 const PERCENT: f32 = 50.0;
 
-/// The 16 buttons that move something, and those of the linear jog that do what a joint jog does.
+/// The 16 buttons that move something, and those of the linear jog that have the same effect as in a joint jog.
 pub(crate) fn buttons() -> Vec<Jog> {
     let joints = JointJogAxis::ALL.into_iter().filter(|axis| axis.moves());
     let lines = LinearJogAxis::ALL.into_iter().filter(|axis| axis.moves());
@@ -118,7 +118,7 @@ pub(crate) fn check_moved(
         if n == wanted {
             assert!(*moved > 0.5, "{what}: it moved by {moved}");
         } else {
-            // Rounding, and what a servo or a motor step cannot be set to.
+            // Rounding, and the resolution of servo and motor steps.
             assert!(moved.abs() < 0.2, "{what}: axis {n} moved by {moved}, too");
         }
     }
@@ -238,7 +238,7 @@ fn a_button_that_was_never_sent_moves_nothing_and_the_previous_one_is_released()
             it.ask(anna, Request::Jog { jog: first }).unwrap();
             // A press uses the permit of the last status up, and the next one waits for another.
             for jog in [joint(JointJogAxis::SuctionOff), never] {
-                // A switch lets go of the button; what runs down still may refuse the next one.
+                // A switch releases the button; an axis that still coasts may refuse the next one.
                 let _ = it.ask(anna, Request::Jog { jog });
             }
             it.ask(anna, Request::Release).unwrap();

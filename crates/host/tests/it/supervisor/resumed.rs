@@ -162,7 +162,7 @@ fn a_program_whose_arm_was_reset_is_paused_and_sends_nothing_until_a_person_has_
             target([230.0, 0.0, 25.0], MovingMode::MovJ, false),
         ]);
         let (_, job) = begin(&mut it, &wanted);
-        // It stands still while the arm is reset, so that the link is not lost.
+        // It is frozen while the arm is reset, so that the link is not lost.
         it.run_for(Duration::from_millis(500));
         it.stall(Duration::from_secs(3));
         let before = it.packets().len();

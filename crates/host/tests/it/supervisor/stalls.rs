@@ -1,4 +1,4 @@
-//! A station that stood still acts as after a fault.
+//! A station that was frozen acts as after a fault.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! The laser never burns while the arm stands still, whatever the sender.
+//! The laser never burns while the arm is at rest, for any sender.
 
 use std::time::Duration;
 
@@ -28,7 +28,7 @@ fn burns(it: &VirtualStation) -> bool {
     it.arm().controller().outputs().laser
 }
 
-/// A while in which nothing is sent, and a motion at its end: what stood until then is recorded.
+/// A while in which nothing is sent, and a motion at its end: the rest before it is recorded.
 fn rest(it: &mut VirtualStation, anna: ClientId) {
     it.run_for(Duration::from_secs(5));
     let command = vector([0.0, 0.0, 5.0], false);

@@ -206,7 +206,7 @@ fn a_stop_without_a_link_is_reported_as_not_delivered_until_it_is() {
         assert!(!it.supervisor().state().stop.unwrap().delivered);
         it.run_for(Duration::from_secs(5));
         assert!(notices_with(&it, "NOT DELIVERED") >= 5, "{personality}");
-        // Nobody knows whether the arm rests.
+        // It is unknown whether the arm is at rest.
         let refused = it.ask(anna, Request::ResetStop).unwrap_err();
         assert_eq!(refused.kind(), "no-link");
         let before = it.packets().len();

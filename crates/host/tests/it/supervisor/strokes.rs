@@ -1,4 +1,4 @@
-//! Strokes that are drawn in one go: what a pause, another speed and another height make of them.
+//! Strokes that are drawn in one go: the effects of a pause, another speed and another height.
 
 use std::f64::consts::TAU;
 use std::time::Duration;
@@ -258,7 +258,7 @@ fn a_pen_does_not_rest_on_the_paper_when_a_job_is_paused() {
     }
 }
 
-/// Returns the longest time that the pen stood in one place on the paper, in seconds.
+/// Returns the longest time that the pen rested in one place on the paper, in seconds.
 fn longest_stand_s(samples: &[Sample]) -> f64 {
     let mut longest_s: f64 = 0.0;
     let mut since = samples[0];

@@ -171,7 +171,7 @@ fn a_gesture_after_mouse_packets_is_averaged_with_their_remainder() {
     }
 }
 
-/// Packets of floats by state, first floats and where they stand.
+/// Packets of floats by state, first floats and their positions.
 fn frame(floats: &[(usize, f32)]) -> Packet {
     let frame = floats
         .iter()
@@ -225,7 +225,7 @@ fn no_packet_that_is_a_trap_by_itself_is_passed_on_from_the_raw_port() {
     traps.push(vec![(1, 4.0), (2, 1.0), (3, 5.0), (7, 0.5), (10, 40.0)]);
     for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         for n in 3..=8 {
-            // Jog speeds of 0 and what is above a ceiling are amended: see `programs`.
+            // Jog speeds of 0 and values above a ceiling are amended: see `programs`.
             if bad != 0.0 {
                 let mut teach = speeds(n, bad);
                 teach[1] = (2, 0.0);
@@ -253,7 +253,7 @@ fn no_packet_that_is_a_trap_by_itself_is_passed_on_from_the_raw_port() {
         assert!(taken.is_err(), "{floats:?} was sent");
         it.run_for(Duration::from_millis(100));
     }
-    // Where it stands, by its place and by its angles.
+    // Its current pose, by its place and by its angles.
     let status = it.supervisor().state().arm.unwrap().status;
     let (x, y, z) = (status.x_mm, status.y_mm, status.z_mm);
     let here = frame(&[(1, 3.0), (3, x), (4, y), (5, z), (8, 2.0)]);

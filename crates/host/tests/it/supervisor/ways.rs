@@ -121,7 +121,7 @@ fn nearby_limits_are_reported_before_the_arm_moves_and_in_its_state_after_it() {
         let command = line(220.0, 0.0, 126.0);
         it.ask(anna, Request::Command { command }).unwrap();
         it.run_for(Duration::from_secs(20));
-        // An arm stands as far from there as its motors count.
+        // An arm is at most one motor step away from there.
         let there = it.supervisor().state().arm.unwrap().near;
         assert_eq!(there.limits.len(), near.limits.len(), "{there:?}");
         for (reported, told) in there.limits.iter().zip(&near.limits) {

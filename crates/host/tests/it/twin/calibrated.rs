@@ -223,7 +223,7 @@ impl OldArm {
             let place = Point::new(at.x.0, at.y.0);
             let above_mm = at.z.0 - paper_z_mm(place);
             has_begun |= above_mm > 3.0 && place.distance(wanted[0].points[0]) < 40.0;
-            // A pen gives by so much.
+            // A pen gives by this much.
             let writes = above_mm < 0.4;
             if writes && has_begun {
                 if !is_down {

@@ -1,4 +1,4 @@
-//! Whether the rules allow what is planned: a plan accepted by a dry run must not be refused in the
+//! Whether the rules allow every plan: a plan accepted by a dry run must not be refused in the
 //! run.
 
 use dobot_arm::{Pose, Position, Tool};
@@ -80,7 +80,7 @@ fn refused(
 enum Before {
     /// Nothing since its power-up.
     Rest,
-    /// Nobody knows: so it is where a program connects to it.
+    /// Unknown: a client has connected to it.
     Others,
 }
 
@@ -200,7 +200,7 @@ proptest! {
             let commands = plan.commands().collect();
             let refusal_behind_others = refused_behind(Before::Others, commands, plan.start, dialect, effector);
             prop_assert_eq!(refusal_behind_others, None);
-            // The policy has a least speed for lasers: what is slower is refused when it is asked for.
+            // The policy has a least speed for lasers: a slower request is refused.
             if plan.moves.is_empty() || plan.burns() {
                 continue;
             }
@@ -255,7 +255,7 @@ fn a_laser_that_is_switched_off_after_a_slow_shape_does_not_creep() {
     }
 }
 
-/// Behind a line of 165 mm, which a stock arm can run 2 % faster or 5 % slower, it kept 0.36 mm/s for a piece of 0.2 mm.
+/// After a line of 165 mm, which a stock arm can run 2 % faster or 5 % slower, it kept 0.36 mm/s for a piece of 0.2 mm.
 #[test]
 fn a_laser_does_not_creep_along_a_short_piece_because_of_a_long_line_before_it() {
     let points = [

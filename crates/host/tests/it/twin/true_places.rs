@@ -13,7 +13,7 @@ use dobot_sim::{Fault, SerialLine, VirtualArm};
 use dobot_supervisor::Refusal;
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, WriteVector};
 
-/// An arm that stands elsewhere than it reports, and a person who knows it.
+/// An arm that is not where it reports, and a person who knows that.
 struct Known {
     station: VirtualStation,
     anna: ClientId,
@@ -185,9 +185,9 @@ fn an_arm_with_its_true_angles_set_needs_no_zeros_until_it_is_reset() {
         let told = state.arm.unwrap().told.unwrap();
         assert!(
             (told.rear_deg - 40.0).abs() < 0.02,
-            "the arm itself says {told:?}"
+            "the arm itself reports {told:?}"
         );
-        // A person checks that it stands as reported now.
+        // A person confirms that its reported pose is now right.
         it.ask(Request::ConfirmPose).unwrap();
         it.send(line(220.0, 30.0, 10.0)).unwrap();
         it.is_at([220.0, 30.0, 10.0]);
