@@ -13,7 +13,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::artwork::Layer;
 
-/// What a laser burns.
+/// The lines that a laser burns.
 fn draw(text: &str) -> (Artwork, Vec<String>) {
     draw_with(text, &ReadOptions::default())
 }
@@ -245,7 +245,7 @@ fn upright_arcs_are_lines_of_their_full_extent() {
         corners(there_and_back),
         [[(0.0, 4.0), (0.0, 0.0), (0.0, 4.0)]]
     );
-    // Without an arc the plane says nothing.
+    // Without an arc the plane has no effect.
     assert_eq!(corners("G18 M3 S1\nG1 X10\nG17\nG1 Y10").len(), 1);
 }
 

@@ -351,7 +351,7 @@ fn edges_followed_with_a_lifted_pen_are_not_drawn() {
     assert_eq!(lengths_mm(square), [10.0, 20.0]);
     let arc = "PU0,0;PM0;PD400,0;PU;AA400,200,180;PD0,400;PM2;EP";
     assert_eq!(lengths_mm(arc), [10.0, 20.0]);
-    // What is filled has all of its edges, and so has a ring for which the pen was never lowered.
+    // A filled shape has all of its edges, and so has a ring for which the pen was never lowered.
     assert_eq!(
         lengths_mm("PU0,0;PM0;PD1600,0,1600,1200;PU;PM2;FP"),
         [120.0]
@@ -462,7 +462,7 @@ fn lines_are_dashed_by_their_type() {
     let all = [&dashes[..], &[solid], &dashes].concat();
     assert_eq!(spans(&format!("LT2,10,1;{line}LT;{line}LT99;{line}")), all);
     assert_eq!(spans(&format!("LT2,10,1;{line}IN;{line}")), all[..4]);
-    // In percent of the way from P1 to P2, which is 125 mm: 10 mm, and 5 mm if nothing is said.
+    // In percent of the way from P1 to P2, which is 125 mm: 10 mm, and 5 mm by default.
     let corners = "IP0,0,3000,4000;";
     assert_eq!(spans(&format!("{corners}LT2,8;{line}")), dashes);
     assert_eq!(

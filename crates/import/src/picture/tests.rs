@@ -584,7 +584,7 @@ fn pictures_with_a_huge_size_in_the_header_are_refused() {
     assert!(message(Tiff).starts_with("cannot read the TIFF picture: "));
 }
 
-/// A picture of 16 x 16 pixels whose header says that it has another size.
+/// A picture of 16 x 16 pixels whose header gives another size.
 fn sized(format: image::ImageFormat, [width, height]: [u16; 2]) -> Vec<u8> {
     let picture = image::RgbImage::from_pixel(16, 16, image::Rgb([90; 3]));
     let mut file = Cursor::new(Vec::new());
@@ -732,7 +732,7 @@ proptest! {
         };
         let place = place % file.len();
         file[place] = value;
-        // What matters is that it comes back.
+        // It only has to return.
         let _outcome = read(&file, &ReadOptions::default());
     }
 }

@@ -8,7 +8,7 @@ use dobot_geometry::{Stroke, bounds_of_strokes};
 use super::*;
 use crate::artwork::Layer;
 
-/// A drawing that comes with the project; whatever is left out of it would be a mistake in it.
+/// A drawing of the project; a skipped part would be a mistake in it.
 fn example(name: &str) -> Artwork {
     let (artwork, warnings) = example_with_warnings(name);
     assert_eq!(warnings, [], "{name}");

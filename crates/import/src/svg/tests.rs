@@ -202,7 +202,7 @@ fn clip_paths_cut_with_their_own_clips_and_transforms() {
         .iter()
         .map(|s| [s.points[0].x, s.last().unwrap().x].map(|x| (x * 1e3).round() / 1e3))
         .collect();
-    // The outer clip lies in the user space of what is clipped, not in that of the inner clip.
+    // The outer clip is in the user space of the clipped object, not in that of the inner clip.
     assert_eq!(spans, [[10.0, 20.0], [25.0, 30.0]]);
 }
 
@@ -235,7 +235,7 @@ fn points_are_drawn_up_to_one_without_y_which_is_reported_with_its_place() {
     assert_eq!(reported(odd), [lone(column, "1 lone coordinate")]);
     let two = format!("{odd}\n{}", odd.replace("polygon", "polyline"));
     assert_eq!(reported(&two), [lone(column, "2 lone coordinates")]);
-    // What is read otherwise before it does not change its place.
+    // Characters replaced before it do not change its place.
     let sized = format!(r#"<rect x=" 5 " y="1" width="5" height="5" stroke="red"/>{odd}"#);
     let column = page(&sized).find(" 30\"").unwrap() + 4;
     assert_eq!(reported(&sized), [lone(column, "1 lone coordinate")]);
@@ -561,7 +561,7 @@ fn text_that_names_a_hershey_font_is_written_in_single_lines() {
         "Hershey sans",
         "'Hershey Sans 1-stroke'",
         "HersheySans1",
-        // A name with a digit at the start of a word stands in quotes in CSS; many leave them out.
+        // A name with a digit at the start of a word needs quotes in CSS; many omit them.
         "Hershey Sans 1-stroke",
         "Hershey  Sans 1-stroke , serif",
     ] {
@@ -611,7 +611,7 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
     assert!((foot(r#"baseline-shift="sub""#) - 34.0).abs() < 1e-3);
     assert!((foot(r#"baseline-shift="super""#) - 22.0).abs() < 1e-3);
     assert!((foot(r#"baseline-shift="5""#) - 25.0).abs() < 1e-3);
-    // On its side, to the right of where it stands.
+    // On its side, to the right of its place.
     let (turned, _) = draw(r#"rotate="90""#);
     assert!(turned[0].height() < 0.1 && (turned[0].width() - 14.0).abs() < 1e-3);
     assert!((turned[0].x0 - 30.0).abs() < 1e-3, "{turned:?}");

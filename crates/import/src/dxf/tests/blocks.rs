@@ -141,7 +141,7 @@ fn a_multileader_is_drawn_with_its_lines_and_its_note() {
             "{found}, expected {expected}"
         );
     }
-    // The letter hangs from where the note says, 1 mm above the place to which the lines lead.
+    // The letter hangs from the place of the note, 1 mm above the place to which the lines lead.
     let letter = bounds_of_strokes(&strokes[2..]);
     let above = strokes[0].points.last().unwrap().y - letter.y0;
     let found = [letter.x0, letter.height(), above];

@@ -180,7 +180,7 @@ fn a_wipeout_hides_and_is_not_drawn_itself() {
 
 #[test]
 fn an_inverted_wipeout_covers_everything_outside_its_corners() {
-    // The picture reaches from 20 to 40, and what is left open of it from 25 to 35.
+    // The picture reaches from 20 to 40, and its opening from 25 to 35.
     let wipeout = "0 WIPEOUT 10 20 20 -5 11 20 21 0 12 0 22 20 13 1 23 1 71 1 91 2 14 -0.25 24 -0.25 14 0.25 24 0.25";
     same(shown_mm(&format!("{LINE} {wipeout} 290 0")), 50.0);
     same(shown_mm(&format!("{LINE} {wipeout} 290 1")), 50.0);
@@ -212,14 +212,14 @@ fn ordered(places: &str, in_block: bool) -> Artwork {
 fn entities_hide_each_other_in_the_order_given_by_the_file() {
     for in_block in [false, true] {
         let length_mm = |places: &str| length_mm(&ordered(places, in_block));
-        // As they stand: over the line, under the polyline.
+        // As they are: over the line, under the polyline.
         same(length_mm(""), 40.0 + 60.0 + EDGE_MM);
         // To the back, by a handle that comes before all others.
         same(length_mm("331 A2 5 1"), 60.0 + 60.0 + EDGE_MM);
         // To the front; the parts of the polyline stay with it.
         same(length_mm("331 A2 5 FF"), 40.0 + 40.0 + EDGE_MM);
         same(length_mm("331 A2 5 A3 331 A3 5 A2"), 40.0 + 40.0 + EDGE_MM);
-        // Of what is not in the drawing nothing changes.
+        // Objects that are not in the drawing change nothing.
         same(length_mm("331 DD 5 1"), 40.0 + 60.0 + EDGE_MM);
     }
 }

@@ -30,7 +30,7 @@ fn letters_in_parts_are_written_as_those_in_one() {
 
 #[test]
 fn a_text_is_placed_on_its_base_line_at_its_justification() {
-    // H is 14 wide at a height of 21, the next letter stands 22 farther.
+    // H is 14 wide at a height of 21, the next letter is 22 farther.
     for (groups, wanted) in [
         ("1 H", [100.0, 200.0, 114.0, 221.0]),
         ("1 HH", [100.0, 200.0, 136.0, 221.0]),
@@ -118,7 +118,7 @@ fn paragraphs_are_aligned_at_their_point() {
         ("1 HH_H 41 1", [100.0, 144.0, 136.0, 200.0]),
         ("3 H_ 1 H", [100.0, 179.0, 152.0, 200.0]),
         ("1 H 101 Embedded 1 H", [100.0, 179.0, 114.0, 200.0]),
-        // Newer programs repeat the point there, where a direction would stand.
+        // Newer programs repeat the point there, where a direction would be.
         (
             "1 H 71 7 50 90 101 Embedded 70 1 10 1 20 0 11 100 21 200 40 0 71 9",
             [79.0, 200.0, 100.0, 214.0],

@@ -133,7 +133,7 @@ fn a_pen_is_down_at_high_z_if_all_travels_are_below_the_lines() {
     // The way home may be lower.
     let home = format!("G28\n{text}\nG1 Z0\nG1 X-9");
     assert_eq!(corners(&home), lines);
-    // One travel at the start says nothing where there are travels by G1 above.
+    // One travel at the start proves nothing if there are travels by G1 above.
     let by_g1 =
         "G0 Z0\nG0 X1\nG1 Z5\nG1 X10 Y10\nG1 Z1\nG1 X40\nG1 Z5\nG1 X60 Y40\nG1 Z1\nG1 X80\nG1 Z5";
     assert!(!draw_by_pen(by_g1).1.concat().contains("above"));

@@ -33,7 +33,7 @@ fn m5_and_m107_mean_off_for_a_laser_even_if_the_first_line_is_on() {
 fn a_laser_without_power_burns_nothing_and_this_is_reported() {
     assert_eq!(error(DRY_RUN), NEVER);
     assert!(error(POWERS_WHILE_OFF).starts_with(NEVER));
-    // S0 in a line of its own, beside a move, of a fan, and where Z lifts a pen.
+    // S0 in its own line, in a move, for a fan, and where Z lifts a pen.
     for text in [
         "M3\nS0\nG1 X10\nM5",
         "M3\nG1 X10 S0\nX20\nM5",

@@ -43,7 +43,7 @@ fn m300_turns_the_servo_of_a_pen_whose_larger_angle_is_up() {
     assert_eq!(corners(text), lines);
     let up = |reason: &str| format!("1 pen lifted by a servo (M300): S50 read as pen up, {reason}");
     assert_eq!(draw(text).1, [up("because it is the largest angle")]);
-    // As Inkscape's extension writes it: the pen is tried first, and Z says nothing.
+    // As Inkscape's extension writes it: the pen is tried first, and Z has no effect.
     let tried = "G92 X0 Y0 Z0\nM300 S30 (pen down)\nG4 P150\nM300 S50 (pen up)\nG4 P150\n"
         .to_owned()
         + text;

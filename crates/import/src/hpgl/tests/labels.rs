@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::source::tests::sides_from_dot;
 
-/// A dot at the origin, then what is written; left, bottom, right and top of that, in millimetres
+/// A dot at the origin, then the label; left, bottom, right and top of that, in millimetres
 /// from the dot, y up.
 fn written(text: &str) -> [f64; 4] {
     sides_from_dot(&strokes(&format!("IN;SP1;PD;PU;{text}")))
@@ -104,7 +104,7 @@ fn the_pen_advances_by_cells_and_lines() {
             "{text:?}"
         );
     }
-    // A line goes on from the next cell.
+    // A line continues from the next cell.
     let text = "PU400,800;SI.3,.5;PD;LBH\x03PR40,0;";
     assert_eq!(corners(text).last().unwrap(), &[(4.5, 5.0), (5.5, 5.0)]);
 }

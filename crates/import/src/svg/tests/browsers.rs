@@ -162,7 +162,7 @@ fn rules_select_elements_by_parts_of_their_attributes_and_by_their_positions() {
         ));
         assert_eq!(lines, LINE, "{selector}");
     }
-    // A mark counts as much as what it stands for.
+    // A reference counts as much as its target.
     let lines = ends(
         r#"<style>path[id^=a]{display:inline} path{display:none}</style>
         <path id="a" d="M10 10H90" stroke="red"/>"#,
