@@ -25,7 +25,7 @@ fn damaged(bytes: &[u8], older: &[u8], chance: &mut Random) -> (Vec<u8>, String)
     let mut damaged = bytes.to_vec();
     let below =
         |chance: &mut Random, most: usize| usize::try_from(chance.number() % most as u64).unwrap();
-    // Most of the file is empty: hit what is written.
+    // Most of the file is empty: hit the written part.
     let page = loop {
         let page = below(chance, bytes.len() / PAGE) * PAGE;
         if bytes[page..][..PAGE].iter().any(|byte| *byte != 0) {

@@ -40,7 +40,7 @@ proptest! {
             "found {found:#?}\nacknowledged {acknowledged:#?}\nunder way {under_way:#?}"
         );
         prop_assert!(!journal.was_clean());
-        // It is a journal as before: what is promised now is kept as well.
+        // It is a journal as before: new promises are kept as well.
         let id = journal.submit(&job("after the cut", 3)).unwrap();
         prop_assert!(found.jobs.iter().all(|(job, _)| job.id != id));
         let left = left.after_power_cut(|| false, 1.0);

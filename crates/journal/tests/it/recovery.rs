@@ -327,7 +327,7 @@ impl Places {
         for (index, command) in commands.iter().enumerate().skip(completed) {
             let last = *all.last().unwrap();
             let at = program::end(last.at, command);
-            // A target where the arm stands is no motion, nor is a setting.
+            // A target at the place of the arm is not a motion, nor is a setting.
             if at.distance(last.at).0 >= SPACING_MM || is_vector(command) {
                 all.push(Place {
                     next: index + 1,

@@ -77,7 +77,7 @@ fn a_clean_shutdown_is_distinguished_from_a_crash() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let first = Journal::open(&path).unwrap();
-    assert!(first.was_clean(), "nothing was left behind yet");
+    assert!(first.was_clean(), "there is no earlier data");
     drop(first);
 
     let after_crash = Journal::open(&path).unwrap();
