@@ -337,7 +337,7 @@ mod tests {
 
     #[test]
     fn a_long_straight_brakes_in_time_for_its_end() {
-        // v2 = 2 a s: 1 mm before the end 200, 2 mm before it 400, whatever the limit.
+        // v2 = 2 a s: 1 mm before the end 200, 2 mm before it 400, for any limit.
         let chain = [
             run(0.0, 50.0, 90.0),
             run(0.0, 1.0, 90.0),
