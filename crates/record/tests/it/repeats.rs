@@ -149,7 +149,7 @@ fn next() -> impl Strategy<Value = (i64, Next)> {
         1 => Just(Next::Sent),
         1 => Just(Next::Event),
     ];
-    // Time sometimes stands still or goes back, which it should not.
+    // Time sometimes stops or goes back, which it should not.
     let gap_ns = prop_oneof![
         20 => 0..200_000_000_i64,
         2 => Just(0_i64),
