@@ -287,5 +287,5 @@ fn shrunk(policy: &Policy, by: f64) -> Policy {
 const LEAF: f64 = 0.0201;
 
 /// It begins this much inside of all rules, in mm or degrees: the points of the truth are 4.5 mm
-/// apart, so that what is nearer may touch already.
+/// apart, so that nearer objects may already touch.
 const BEGINS: f64 = -2.4;

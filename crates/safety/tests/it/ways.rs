@@ -186,7 +186,7 @@ fn an_arm_outside_may_come_back_in_but_not_go_deeper() {
 
 #[test]
 fn an_arm_that_came_back_in_may_not_go_out_again_in_the_same_move() {
-    // From the right behind the arm round to the left behind it.
+    // From the right rear of the arm to its left rear.
     let desk = Desk::at(-60.0, -160.0, -40.0).under("[joints]\nbase_deg = [-105, 105]");
     assert!(desk.model.place.joints.base.0 < -105.0);
     let violation = desk.refuses("joints.base", go(Jump, -60.0, 160.0, -40.0));
