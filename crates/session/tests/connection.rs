@@ -47,7 +47,7 @@ async fn a_peer_that_closes_without_having_read_everything_has_closed_too() {
     let listener = TcpListener::bind("127.0.0.1:0").await.expect("one is free");
     let address = listener.local_addr().expect("it is bound");
     let ours = TcpStream::connect(address).await.expect("it listens");
-    let (mut theirs, _) = listener.accept().await.expect("somebody is there");
+    let (mut theirs, _) = listener.accept().await.expect("a client has connected");
     let mut arm = Connection::over_stream(ours, None);
     arm.send(LASER_OFF).expect("it is allowed");
     let bytes = STATUS.emit().to_bytes();

@@ -1,5 +1,5 @@
-//! What a session offers to those who own an arm for long: dialects learned later, ports opened
-//! again, urgent packets, and a view of what is on its way.
+//! Features of a session for a long-term owner of an arm: dialects learned later, ports opened
+//! again, urgent packets, and a view of the commands in flight.
 
 use std::time::Duration;
 
@@ -154,7 +154,7 @@ fn an_urgent_packet_that_moves_nothing_is_over_soon() {
     tell(&mut session, PERIOD);
     let laser_off = JointJog::new(JointJogAxis::LaserOff, 0.0);
     session.send_now(laser_off).expect("it is allowed");
-    assert!(session.is_moving(), "nobody knows yet");
+    assert!(session.is_moving(), "it is not known yet");
     for n in 2..8 {
         tell(&mut session, PERIOD * n);
     }

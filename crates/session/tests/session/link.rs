@@ -24,7 +24,7 @@ fn a_second_of_silence_is_a_lost_link() {
         }]
     );
     desk.session.handle_time(desk.now + Duration::from_secs(9));
-    assert_eq!(desk.events(), [], "it is told once");
+    assert_eq!(desk.events(), [], "it is reported once");
 }
 
 #[test]
@@ -60,8 +60,8 @@ fn a_full_queue_is_not_a_lost_link() {
     assert!(matches!(desk.events()[..], [Event::LinkLost { .. }]));
 }
 
-/// An arm whose base stands at 0, and a computer that stands still for a second and says something before it hears what was
-/// told meanwhile.
+/// An arm whose base is at 0, and a computer that is frozen for a second and sends a packet before it reads the statuses
+/// sent meanwhile.
 fn stood_still_and_said(commands: &[Command]) -> Desk {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     for _ in 0..3 {
@@ -97,7 +97,7 @@ fn an_arm_commanded_to_move_before_a_silence_may_have_been_reset_even_with_the_s
     }
 }
 
-/// So many statuses of a base at 0, all read at once after a silence of so many milliseconds.
+/// This many statuses of a base at 0, all read at once after a silence of this many milliseconds.
 fn read_at_once(desk: &mut Desk, statuses: usize, silent_ms: u64) {
     desk.now += Duration::from_millis(silent_ms);
     desk.session.handle_stall(desk.now);
@@ -125,7 +125,7 @@ fn an_arm_that_kept_sending_while_the_computer_was_suspended_was_not_reset() {
 
 #[test]
 fn an_arm_that_was_silent_for_a_part_of_that_time_may_have_been_reset() {
-    // The base stands at 0 only behind the reset, and 0.7 s of statuses are missing.
+    // The base is at 0 only after the reset, and 0.7 s of statuses are missing.
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     desk.session.send(vector(0.0, 60.0)).expect("it is allowed");

@@ -271,7 +271,7 @@ fn an_arm_that_comes_to_rest_elsewhere_has_not_reached_its_target() {
         } => Some((*command, *expected, *found)),
         _ => None,
     });
-    let (command, expected, found) = short.expect("the person is told");
+    let (command, expected, found) = short.expect("it is reported");
     assert_eq!(command, CommandId(0));
     assert_eq!(expected, Position::new(220.0, 10.0, 0.0));
     assert!(found.distance(Position::new(208.0, 4.0, 0.0)).0 < 1e-3);
@@ -284,7 +284,7 @@ fn statuses_that_arrive_in_a_burst_indicate_no_lost_command() {
     desk.session
         .send(target(MovingMode::MovL, 220.0, 10.0))
         .expect("it is allowed");
-    // The computer stood still, and what came meanwhile is read at once.
+    // The computer was frozen, and the statuses sent meanwhile are read at once.
     desk.now += PERIOD;
     let heap = status(200.0, 0.0, 0.0).emit().to_bytes().repeat(20);
     desk.session.handle_bytes(desk.now, &heap);

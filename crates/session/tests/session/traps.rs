@@ -1,4 +1,4 @@
-//! What a stock arm would not come out of.
+//! Traps that a stock arm would not recover from.
 
 use std::time::Duration;
 
@@ -32,7 +32,7 @@ fn jog(axis: JointJogAxis) -> JointJog {
     JointJog::new(axis, 50.0)
 }
 
-/// A button is pressed and let go, and a straight line to where the arm stood waits behind that.
+/// A button is pressed and released, and a straight line to the previous place of the arm waits after that.
 fn line_behind_a_jog(desk: &mut Desk) -> CommandId {
     for _ in 0..2 {
         desk.status_at(200.0, 0.0, 0.0);
@@ -129,7 +129,7 @@ fn voice_after_a_move_waits_until_the_move_is_over() {
     for _ in 0..20 {
         desk.status_at(200.0, 20.0, 0.0);
     }
-    assert_eq!(desk.packets(), 1, "what was said");
+    assert_eq!(desk.packets(), 1, "the text");
 }
 
 #[test]
