@@ -1,5 +1,5 @@
 //! Bad input, generated from the document: what it allows is accepted, and anything else is
-//! answered with a problem and reaches nobody.
+//! answered with a problem and not passed on.
 
 use std::cell::Cell;
 

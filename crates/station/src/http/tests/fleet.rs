@@ -64,7 +64,7 @@ async fn stand_in(mut end: FleetChannels) -> Vec<ApiRequest> {
             FleetCommand::SendStops(to, answers) => {
                 drop(answers.send(to.iter().map(answer).collect()));
             }
-            FleetCommand::Work(wish) => panic!("nobody submits work here: {wish:?}"),
+            FleetCommand::Work(wish) => panic!("no test submits work here: {wish:?}"),
         }
     }
     asked
@@ -214,7 +214,7 @@ fn stop() -> ApiRequest {
 
 #[tokio::test]
 async fn a_fleet_client_without_a_token_may_watch_and_stop_only() {
-    // Over HTTP on this machine everyone has all rights; through the fleet nobody is local.
+    // Over HTTP on this machine everyone has all rights; through the fleet no client is local.
     let harness = Harness::near();
     let api = api(&harness);
     assert_eq!(api.call(&stop()).await.status, 200);

@@ -17,7 +17,7 @@ const EVERYWHERE: SocketAddr =
 async fn ask(mut stream: impl AsyncReadExt + AsyncWriteExt + Unpin, request: &str) -> String {
     stream.write_all(request.as_bytes()).await.unwrap();
     let mut answer = Vec::new();
-    // A peer that closes without a close_notify has sent everything all the same.
+    // A peer that closes without a close_notify has still sent everything.
     let _ = stream.read_to_end(&mut answer).await;
     String::from_utf8(answer).unwrap()
 }
