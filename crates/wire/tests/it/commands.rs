@@ -1,4 +1,4 @@
-//! What holds for every command: it reads back what it wrote, and knows where dialects part.
+//! Rules for every command: it reads what it has written, and knows where the dialects differ.
 
 use dobot_arm::Tool;
 use dobot_wire::{

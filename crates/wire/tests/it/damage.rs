@@ -204,7 +204,7 @@ enum Damage {
 }
 
 impl Damage {
-    /// Damages one byte; says which packet it hit, if any.
+    /// Damages one byte; returns the damaged packet, if any.
     fn hit(&self, mut bytes: Vec<u8>) -> (Vec<u8>, Option<usize>) {
         let at = match self {
             Self::Flip(at, mask) => {

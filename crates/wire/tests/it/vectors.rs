@@ -1,4 +1,4 @@
-//! The packets of `vectors/` mean what they say, and are written as they stand there.
+//! The packets of `vectors/` have the stated meaning, and are written exactly as given there.
 
 use std::fs;
 use std::path::Path;
