@@ -92,7 +92,7 @@ fn series<const N: usize>(coefficients: &[f64; N], x: f32) -> f64 {
     let first = coefficients[0];
     coefficients[1..]
         .iter()
-        .fold(first, |sum, it| it + term(sum, x))
+        .fold(first, |sum, coefficient| coefficient + term(sum, x))
 }
 
 /// What the sum of the higher powers adds to a coefficient.
