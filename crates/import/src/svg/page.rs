@@ -247,7 +247,7 @@ impl SvgPage {
         let edge = self.edge.as_ref().filter(|edge| !edge.holds(around));
         let area = match (&shown, edge) {
             (_, None) | (None, _) => shown.clone(),
-            (Some(it), Some(_)) if it.rings.is_empty() => shown.clone(),
+            (Some(whole), Some(_)) if whole.rings.is_empty() => shown.clone(),
             (Some(whole), Some(edge)) => self::shown(
                 whole,
                 around,

@@ -178,11 +178,11 @@ fn question(part: &str) -> Option<Question> {
         ("first-of-type", "") => place((0, 1), true, false),
         ("last-of-type", "") => place((0, 1), true, true),
         ("last-child", "") => place((0, 1), false, true),
-        ("nth-child", it) => place(numbers(it)?, false, false),
-        ("nth-last-child", it) => place(numbers(it)?, false, true),
-        ("nth-of-type", it) => place(numbers(it)?, true, false),
-        ("nth-last-of-type", it) => place(numbers(it)?, true, true),
-        ("not", it) => not(it)?,
+        ("nth-child", argument) => place(numbers(argument)?, false, false),
+        ("nth-last-child", argument) => place(numbers(argument)?, false, true),
+        ("nth-of-type", argument) => place(numbers(argument)?, true, false),
+        ("nth-last-of-type", argument) => place(numbers(argument)?, true, true),
+        ("not", argument) => not(argument)?,
         _ => return None,
     })
 }
