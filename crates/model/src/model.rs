@@ -49,7 +49,7 @@ impl Model {
     /// The stock arm with a tool, or without one; then it ends at the wrist.
     #[must_use]
     pub fn new(tool: Option<MountedTool>) -> Self {
-        let servo_mm = tool.map(|it| it.kind().reach().0);
+        let servo_mm = tool.map(|tool| tool.kind().reach().0);
         let mut parts = vec![
             part("base", part::base()),
             part("turret", part::turret()),
@@ -82,7 +82,9 @@ impl Model {
 
     /// The joints whose parent is this part.
     pub(crate) fn joints_of(&self, parent: &str) -> impl Iterator<Item = &Joint> {
-        self.joints.iter().filter(move |it| it.parent == parent)
+        self.joints
+            .iter()
+            .filter(move |joint| joint.parent == parent)
     }
 }
 
