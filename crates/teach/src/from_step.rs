@@ -24,10 +24,10 @@ impl Compiled {
         };
         rest.append(self, first..self.commands.len());
         rest.repeat = match self.repeat {
-            Some(it) if first > it.from => rest.append_cycle(self, it),
-            Some(it) => Some(JobRepeat {
-                from: it.from - first + rest.commands.len() - (self.commands.len() - first),
-                ..it
+            Some(repeat) if first > repeat.from => rest.append_cycle(self, repeat),
+            Some(repeat) => Some(JobRepeat {
+                from: repeat.from - first + rest.commands.len() - (self.commands.len() - first),
+                ..repeat
             }),
             None => None,
         };
