@@ -62,10 +62,10 @@ impl Leniency {
             return None;
         };
         let state = frame.float(1);
-        let holds = |it: &&Self| {
-            it.states.iter().any(|it| whole(state) == *it)
-                && it.names.contains(&name)
-                && (it.when)(frame, found)
+        let holds = |entry: &&Self| {
+            entry.states.iter().any(|allowed| whole(state) == *allowed)
+                && entry.names.contains(&name)
+                && (entry.when)(frame, found)
         };
         found.is_finite().then(|| ALL.iter().find(holds)).flatten()
     }
